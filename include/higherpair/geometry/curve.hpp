@@ -1,0 +1,97 @@
+#pragma once
+
+#include "higherpair/geometry/vector.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint };
+
+/// Which side of a curve is the body: the convex one (with the focus) or the other (a ring, a slot).
+enum class Side { kInside, kOutside };
+
+/// The boundary of a body in the body's frame B: a conic, a flat face (line) or a knife edge (point).
+///
+/// A conic is held by a vertex on its focal axis. With x from the vertex along `axis_B` (to the convex side)
+/// and y across,
+///     y² = 2 ℓ x - q x²,    ℓ = semi_latus > 0,    q = 1 - e²  (e: eccentricity).
+/// One form for circle (q = 1), ellipse (0 < q < 1), parabola (q = 0) and the branch of a hyperbola at that
+/// vertex (q < 0). It stays well conditioned through q = 0 and for huge, nearly flat curves, where centre and
+/// axes do not.
+struct Curve {
+  CurveKind kind = CurveKind::kPoint;
+  Side side = Side::kInside;             ///< always kInside for line and point
+  Vector2d vertex_B = Vector2d::Zero();  ///< vertex [m]; a point of the line; the point itself
+  Vector2d axis_B = Vector2d::UnitX();  ///< unit; from the vertex to the convex side; line: into the material
+  double semi_latus = 0;                ///< ℓ [m], radius of curvature at the vertex; 0 for line and point
+  double q = 1;                         ///< 1 - e²; 1 for line and point
+};
+
+enum class CurveError {
+  kNotFinite,        ///< a NaN or an infinity among the numbers
+  kNotPositive,      ///< a radius, semi-axis or focal length <= 0
+  kZeroNormal,       ///< the normal of a line is the zero vector
+  kNoQuadraticPart,  ///< A = B = C = 0: not a conic
+  kImaginary,        ///< no real point satisfies the equation
+  kSinglePoint,      ///< only one point does
+  kLines,            ///< it is a pair of lines (crossing, parallel or one counted twice)
+  kBranchNeeded,     ///< a hyperbola, and no point near the wanted branch is given
+  kBranchUnclear,    ///< the given point is as near to one branch as to the other
+};
+
+/// What the error means, as the end of a sentence: "the conic ...".
+[[nodiscard]] std::string_view describe(CurveError error);
+
+using CurveResult = tl::expected<Curve, CurveError>;
+
+/// \name Curves by their natural parameters; lengths [m], angles [rad], all in the body's frame.
+/// @{
+[[nodiscard]] CurveResult make_circle(const Vector2d& center_B, double radius, Side side = Side::kInside);
+/// `rotation` turns the first semi-axis from the x axis.
+[[nodiscard]] CurveResult make_ellipse(const Vector2d& center_B, const std::array<double, 2>& semi_axes,
+                                       double rotation, Side side = Side::kInside);
+/// `rotation` is the direction from the vertex to the focus.
+[[nodiscard]] CurveResult make_parabola(const Vector2d& vertex_B, double focal_length, double rotation,
+                                        Side side = Side::kInside);
+/// The branch that opens towards `rotation`; `semi_axes` = {a, b} of x²/a² - y²/b² = 1 about the centre.
+[[nodiscard]] CurveResult make_hyperbola(const Vector2d& center_B, const std::array<double, 2>& semi_axes,
+                                         double rotation, Side side = Side::kInside);
+/// A flat face through `point_B` with outward normal `normal_B` (any length > 0).
+[[nodiscard]] CurveResult make_line(const Vector2d& point_B, const Vector2d& normal_B);
+/// A knife edge.
+[[nodiscard]] CurveResult make_point(const Vector2d& at_B);
+/// @}
+
+/// The conic A x² + B y² + C x y + D x + E y + F = 0 (that order); a common factor of the six, also a
+/// negative one, means nothing. `near_B` picks the branch of a hyperbola (required there, ignored elsewhere).
+/// What is within rounding of the coefficients of a parabola counts as one (|λ₁| <= 8 eps |λ₂| for the
+/// eigenvalues of the quadratic part), and what is within rounding of a degenerate conic is refused.
+[[nodiscard]] CurveResult make_conic(const std::array<double, 6>& coefficients, Side side = Side::kInside,
+                                     const std::optional<Vector2d>& near_B = std::nullopt);
+
+/// The coefficients A … F of the curve's equation in the body's frame, signed so that f < 0 in the body and
+/// scaled so that |∇f| = 1 at the vertex. A line gives the distance from the face; a point (no body) gives
+/// its squared distance.
+[[nodiscard]] std::array<double, 6> implicit_coefficients(const Curve& curve);
+
+[[nodiscard]] inline bool is_conic(const Curve& curve) {
+  return curve.kind != CurveKind::kLine && curve.kind != CurveKind::kPoint;
+}
+
+/// Whether the body lies within a circle: the inside of a circle or ellipse, and a point.
+[[nodiscard]] inline bool is_bounded(const Curve& curve) {
+  return curve.kind == CurveKind::kPoint || (is_conic(curve) && curve.q > 0 && curve.side == Side::kInside);
+}
+
+/// Semi-axes of an ellipse or hyperbola along and across `axis_B` [m]: {ℓ/|q|, ℓ/√|q|}. q must not be 0.
+[[nodiscard]] std::array<double, 2> semi_axes(const Curve& curve);
+
+/// Centre of a circle, ellipse or hyperbola in the body's frame [m]. q must not be 0.
+[[nodiscard]] Vector2d center(const Curve& curve);
+
+}  // namespace higherpair

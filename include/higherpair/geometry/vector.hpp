@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// Planar vectors. `T` is the scalar: double, or a type that holds several configurations at once.
+template <class T>
+using Vector2 = Eigen::Matrix<T, 2, 1>;
+using Eigen::Vector2d;
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// `v` turned by +90° (counter-clockwise): (x, y) -> (-y, x).
+template <class T>
+[[nodiscard]] inline Vector2<T> perp(const Vector2<T>& v) {
+  return {-v.y(), v.x()};
+}
+
+/// The out-of-plane component of a × b: a_x b_y - a_y b_x; positive where b lies counter-clockwise of a.
+template <class T>
+[[nodiscard]] inline T cross(const Vector2<T>& a, const Vector2<T>& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The unit vector at `angle` [rad] from the x axis.
+[[nodiscard]] inline Vector2d unit_vector(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// The angle of `v` from the x axis [rad], in (-π, π]; 0 for the zero vector.
+[[nodiscard]] inline double angle_of(const Vector2d& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// The angle that equals `angle` up to whole turns and lies nearest to `reference` [rad].
+[[nodiscard]] inline double nearest_turn(double angle, double reference) {
+  return angle + 2 * kPi * std::round((reference - angle) / (2 * kPi));
+}
+
+}  // namespace higherpair

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "higherpair/geometry/curve.hpp"
+#include "higherpair/geometry/pose.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// A mechanism as its user describes it: plain data in SI units and radians. Bodies, points and curves refer
+/// to each other by index. Whoever fills it (the profile reader, a program) keeps the indices valid.
+
+struct NamedPoint {
+  std::string name;
+  Vector2d p_B = Vector2d::Zero();  ///< in the body's frame [m]
+};
+
+struct NamedCurve {
+  std::string name;
+  Curve curve;  ///< in the body's frame [m]
+};
+
+struct MassProperties {
+  double mass = 0;                               ///< [kg]
+  Vector2d center_of_mass_B = Vector2d::Zero();  ///< in the body's frame [m]
+  double inertia = 0;                            ///< about the centre of mass [kg m²]
+};
+
+struct Body {
+  std::string name;
+  Vector2d guess_p_WB =
+      Vector2d::Zero();    ///< estimate of the frame's origin at the first driver position [m]
+  double guess_theta = 0;  ///< estimate of the frame's angle there [rad]
+  std::vector<NamedPoint> points;
+  std::vector<NamedCurve> curves;
+  std::optional<MassProperties> mass;
+};
+
+struct PointRef {
+  int body = 0;
+  int point = 0;
+};
+
+struct CurveRef {
+  int body = 0;
+  int curve = 0;
+};
+
+enum class JointType {
+  kRevolute,   ///< the two points coincide; coordinate: angle of the second body relative to the first [rad]
+  kPrismatic,  ///< no relative turning, second point on a line of the first body; coordinate: displacement
+               ///< [m]
+  kSlot,       ///< second point on a line of the first body, free to turn; coordinate: displacement [m]
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::kRevolute;
+  PointRef first;  ///< its body is the reference of the coordinate
+  PointRef second;
+  Vector2d direction_A =
+      Vector2d::UnitX();      ///< unit direction of the line in the first body's frame (not revolute)
+  double relative_angle = 0;  ///< angle of the second body relative to the first [rad] (prismatic)
+};
+
+/// Which contact is taken at the first driver position.
+enum class Approach {
+  kNearest,   ///< the possible contact whose follower coordinate is nearest to the pose's
+  kPositive,  ///< first touch when the follower moves from its pose towards larger coordinates
+  kNegative,  ///< first touch towards smaller coordinates
+};
+
+struct Contact {
+  std::string name;
+  CurveRef first;
+  CurveRef second;
+  bool rolling = false;
+  Approach approach = Approach::kNearest;
+  bool jump = true;  ///< go over to a second contact of the same curves when it appears
+};
+
+struct Driver {
+  std::string name;  ///< empty for the only driver of a mechanism
+  int joint = 0;     ///< index into Mechanism::joints
+};
+
+enum class LoadFrame { kGround, kBody };
+
+struct Load {
+  std::string name;
+  int body = 0;
+  Vector2d p_B = Vector2d::Zero();    ///< where the force acts, in the body's frame [m]
+  Vector2d force = Vector2d::Zero();  ///< [N], expressed in `frame`
+  double torque = 0;                  ///< [N m]
+  LoadFrame frame = LoadFrame::kGround;
+};
+
+/// A spring and damper between two points, or on the coordinate of one joint.
+struct Spring {
+  std::string name;
+  std::optional<int> joint;  ///< set: acts on this joint's coordinate; else between `first` and `second`
+  PointRef first;
+  PointRef second;
+  double stiffness = 0;  ///< [N/m], on a revolute joint [N m/rad]
+  double free = 0;       ///< free length [m] or free angle [rad]
+  double damping = 0;    ///< [N s/m], on a revolute joint [N m s/rad]
+};
+
+struct Mechanism {
+  std::string title;
+  std::string description;
+  Vector2d gravity_W = Vector2d::Zero();  ///< [m/s²]
+  std::vector<Body> bodies;               ///< bodies[0] is ground
+  std::vector<Joint> joints;
+  std::vector<Contact> contacts;
+  std::vector<Driver> drivers;
+  std::vector<Load> loads;
+  std::vector<Spring> springs;
+};
+
+}  // namespace higherpair
