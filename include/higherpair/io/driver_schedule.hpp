@@ -1,0 +1,92 @@
+#pragma once
+
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/profile.hpp"
+#include "higherpair/io/units.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+/// Position, velocity and acceleration of a driver.
+struct DriverValues {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+/// One driver in one row.
+struct DriverState {
+  DriverValues profile;  ///< in the profile's units; what tables show
+  DriverValues si;       ///< the same in SI units and radians
+};
+
+/// The driver positions of a run, row by row. Rows are computed when asked for: a schedule of ten million
+/// rows takes no more memory than one of ten.
+class DriverSchedule {
+public:
+  /// The rows of `analyze` and `forces`: the given positions, or
+  ///     start + (end - start) k/(samples - 1),   k = 0 … samples - 1,
+  /// correctly rounded and exact at both ends; velocity and acceleration are the profile's in every row.
+  /// \param samples takes the place of the profile's `samples` of every driver (the option --samples).
+  /// Fails where it is below 1 or above 2^53, where it meets explicit positions or a prismatic driver without
+  /// `end`, and where the drivers have unequal numbers of positions.
+  [[nodiscard]] static tl::expected<DriverSchedule, Diagnostics> analyze(
+      const Profile& profile, std::optional<std::int64_t> samples = std::nullopt);
+
+  /// The rows of `step`: t = k time_step up to duration and a last row at duration, position = start +
+  /// velocity t + acceleration t²/2. A remainder of the duration below 1e-9 time steps (or the rounding of
+  /// their number) is none: duration 6 and time_step 0.01 give 601 rows, and t = k duration/600.
+  /// \param samples so many rows over the duration, instead of `time_step`.
+  /// Duration and time step may be given by any of several drivers, but not differently. Fails where one of
+  /// them is missing, for more than 2^53 rows, and where the motion leaves the range of a double.
+  [[nodiscard]] static tl::expected<DriverSchedule, Diagnostics> step(
+      const Profile& profile, std::optional<std::int64_t> samples = std::nullopt);
+
+  /// Number of rows, >= 1.
+  [[nodiscard]] std::int64_t size() const { return size_; }
+
+  /// Number of drivers: that of Mechanism::drivers, in the same order.
+  [[nodiscard]] std::size_t driver_count() const { return drivers_.size(); }
+
+  /// Whether rows have a time (made by `step`).
+  [[nodiscard]] bool is_timed() const { return timed_; }
+
+  /// Time of a row in the profile's unit and in seconds; 0 in a schedule without time.
+  [[nodiscard]] double time(std::int64_t row) const;
+  [[nodiscard]] double time_si(std::int64_t row) const { return time_to_si_.apply(time(row)); }
+
+  /// One driver in one row. \pre 0 <= row < size(), driver < driver_count().
+  [[nodiscard]] DriverState state(std::int64_t row, std::size_t driver = 0) const;
+
+private:
+  struct OneDriver {
+    std::vector<double> positions;  ///< explicit ones; else start … end
+    double start = 0;
+    double end = 0;
+    double velocity = 0;
+    double acceleration = 0;
+    Scaling position_to_si;
+    Scaling velocity_to_si;
+    Scaling acceleration_to_si;
+  };
+
+  DriverSchedule() = default;
+  static std::vector<OneDriver> drivers_of(const Profile& profile);
+  [[nodiscard]] DriverValues values(std::int64_t row, const OneDriver& driver) const;
+
+  std::vector<OneDriver> drivers_;
+  std::int64_t size_ = 1;
+  bool timed_ = false;
+  double duration_ = 0;
+  double time_step_ =
+      0;  ///< > 0: not a divisor of the duration; 0: rows are equally spaced over the duration
+  Scaling time_to_si_;
+};
+
+}  // namespace higherpair

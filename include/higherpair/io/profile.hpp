@@ -1,0 +1,37 @@
+#pragma once
+
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/units.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// What one driver is to do, in the profile's own units (angle for a revolute joint, length for a prismatic
+/// one), so that tables repeat the given positions digit by digit.
+struct DriverProgram {
+  double start = 0;           ///< the profile's, or the joint's coordinate in the poses
+  std::optional<double> end;  ///< none: a full turn after `start`; a prismatic joint stays at `start`
+  std::optional<std::int64_t> samples;  ///< >= 1; none: kDefaultSamples
+  std::vector<double> positions;        ///< if not empty, takes the place of start, end and samples
+  double velocity = 0;                  ///< the profile's, or 1 rad/s or 1 length unit per second
+  double acceleration = 0;
+  std::optional<double> duration;   ///< of `step`, >= 0
+  std::optional<double> time_step;  ///< of `step`, > 0
+  Place place;                      ///< of the driver's table, for messages
+};
+
+/// One degree a row over a full turn.
+inline constexpr std::int64_t kDefaultSamples = 361;
+
+/// A profile as read: the mechanism in SI units, its units, and what its drivers do.
+struct Profile {
+  Mechanism mechanism;
+  Units units;
+  std::vector<DriverProgram> programs;  ///< one for each of mechanism.drivers, in the same order
+};
+
+}  // namespace higherpair

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+/// The units that a profile may be written in. The library itself knows only SI units and radians; these
+/// conversions are the border.
+enum class Unit {
+  kMetre,
+  kCentimetre,
+  kMillimetre,
+  kMicrometre,
+  kKilometre,
+  kInch,
+  kFoot,
+  kDegree,
+  kRadian,
+  kRevolution,
+  kKilogram,
+  kGram,
+  kPound,
+  kSecond,
+  kMillisecond,
+  kMinute,
+  kNewton,
+  kKilonewton,
+  kPoundForce,
+};
+
+/// The five base units of a profile; every compound quantity is in products of them (a torque in
+/// force·length, an inertia in mass·length²). Each member holds a unit of its own kind.
+struct Units {
+  Unit length = Unit::kMillimetre;
+  Unit angle = Unit::kDegree;
+  Unit mass = Unit::kKilogram;
+  Unit time = Unit::kSecond;
+  Unit force = Unit::kNewton;
+
+  bool operator==(const Units&) const = default;
+};
+
+/// m, rad, kg, s, N.
+inline constexpr Units kSiUnits = {Unit::kMetre, Unit::kRadian, Unit::kKilogram, Unit::kSecond,
+                                   Unit::kNewton};
+
+/// Exponents of the base units. Force has its own one, so that a torque is written N*mm and not kg*mm^2/s^2.
+struct Dimension {
+  int length = 0;
+  int mass = 0;
+  int time = 0;
+  int angle = 0;
+  int force = 0;
+
+  bool operator==(const Dimension&) const = default;
+};
+
+[[nodiscard]] constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
+  return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle, a.force + b.force};
+}
+
+[[nodiscard]] constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
+  return {a.length - b.length, a.mass - b.mass, a.time - b.time, a.angle - b.angle, a.force - b.force};
+}
+
+/// The dimensions of everything in profiles and tables.
+namespace dimension {
+inline constexpr Dimension kNumber = {};
+inline constexpr Dimension kLength = {.length = 1};
+inline constexpr Dimension kAngle = {.angle = 1};
+inline constexpr Dimension kMass = {.mass = 1};
+inline constexpr Dimension kTime = {.time = 1};
+inline constexpr Dimension kForce = {.force = 1};
+inline constexpr Dimension kVelocity = kLength / kTime;
+inline constexpr Dimension kAcceleration = kVelocity / kTime;
+inline constexpr Dimension kAngularVelocity = kAngle / kTime;
+inline constexpr Dimension kAngularAcceleration = kAngularVelocity / kTime;
+inline constexpr Dimension kTorque = kForce * kLength;
+inline constexpr Dimension kInertia = kMass * kLength * kLength;
+inline constexpr Dimension kStiffness = kForce / kLength;
+inline constexpr Dimension kAngularStiffness = kTorque / kAngle;
+inline constexpr Dimension kDamping = kForce * kTime / kLength;
+inline constexpr Dimension kAngularDamping = kTorque * kTime / kAngle;
+}  // namespace dimension
+
+/// The factor between two units of one dimension, held to twice the precision of a double:
+/// `apply(x)` is the double nearest to factor·x (80 mm are exactly the double 0.08, 90 deg exactly kPi/2).
+/// Infinities and NaN pass through; a result too large for a double is an infinity.
+class Scaling {
+public:
+  Scaling() = default;
+  Scaling(double high, double low) : high_(high), low_(low) {}
+
+  [[nodiscard]] double apply(double value) const;
+
+private:
+  double high_ = 1;  ///< the factor, rounded
+  double low_ = 0;   ///< what the rounding took away
+};
+
+/// From the units given to SI units and radians, and back. Either way the result is correctly rounded, so
+/// that there and back is the identity wherever the SI doubles lie dense enough. Set up once per column:
+/// `apply` costs a few flops.
+[[nodiscard]] Scaling to_si(const Dimension& dimension, const Units& units);
+[[nodiscard]] Scaling from_si(const Dimension& dimension, const Units& units);
+
+/// The name by which profiles know a unit: "mm", "deg", "lbf".
+[[nodiscard]] std::string_view name_of(Unit unit);
+
+/// What kind of quantity the unit measures.
+[[nodiscard]] Dimension dimension_of(Unit unit);
+
+/// The unit of that name; nothing for a name that no unit has.
+[[nodiscard]] std::optional<Unit> find_unit(std::string_view name);
+
+/// The unit of a dimension in ASCII, "deg/s^2", "N*mm", "1/mm", "N*mm*s/deg"; "1" for a pure number. Reading
+/// it back as part of a quantity gives the same unit.
+[[nodiscard]] std::string unit_text(const Dimension& dimension, const Units& units);
+
+/// The dimension in words with its article, to end "expected ...": "a length", "an angular velocity".
+[[nodiscard]] std::string describe(const Dimension& dimension);
+
+/// A number with its own unit.
+struct Quantity {
+  double value = 0;    ///< as written
+  double si = 0;       ///< in SI units and radians, correctly rounded
+  double profile = 0;  ///< in the units asked for, correctly rounded; `value` itself where they are the same
+};
+
+/// Reads "25.4 mm", "300 rpm", "9.81 m/s^2", "0.2 N m", "2.1e-4 kg m^2": a decimal number and a unit made of
+/// factors separated by spaces or `*`, at most one `/` (all factors after it divide) and integer powers `^n`.
+/// The units are those of `Unit`, rpm (rev/min) and 1. A force may be spelled in kg m/s^2; angles are never
+/// left out. The error is the end of a sentence about the text ("kg is a mass, expected a length, such as
+/// mm").
+[[nodiscard]] tl::expected<Quantity, std::string> parse_quantity(std::string_view text,
+                                                                 const Dimension& expected,
+                                                                 const Units& units);
+
+}  // namespace higherpair

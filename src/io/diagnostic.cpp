@@ -1,0 +1,24 @@
+#include "higherpair/io/diagnostic.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+
+Diagnostic about(std::string source, std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.place.source = std::move(source);
+  diagnostic.message = std::move(message);
+  return diagnostic;
+}
+
+std::string to_string(const Diagnostic& diagnostic) {
+  const Place& place = diagnostic.place;
+  if (place.line == 0) {
+    return fmt::format("{}: {}", place.source, diagnostic.message);
+  }
+  return fmt::format("{}:{}:{}: {}", place.source, place.line, place.column, diagnostic.message);
+}
+
+}  // namespace higherpair

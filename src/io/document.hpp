@@ -1,0 +1,69 @@
+#pragma once
+
+#include "higherpair/io/diagnostic.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace higherpair::io_detail {
+
+/// Where a value was written. Marks compare in the order in which mistakes are reported: the file by line and
+/// column, then the overrides in their order.
+struct Mark {
+  int source = 0;  ///< 0: the file; k: the k-th override, which has no lines
+  int line = 0;
+  int column = 0;
+
+  friend bool operator<(const Mark& a, const Mark& b) {
+    return std::tie(a.source, a.line, a.column) < std::tie(b.source, b.line, b.column);
+  }
+};
+
+struct Entry;
+
+/// A date or time, which no profile needs.
+struct DateTime {};
+
+using Array = std::vector<struct Value>;
+using Table = std::vector<Entry>;
+
+/// A TOML value with its place; the entries of a table are in the order of the file.
+struct Value {
+  std::variant<std::string, std::int64_t, double, bool, DateTime, Array, Table> content;
+  Mark mark;
+};
+
+struct Entry {
+  std::string key;
+  Mark key_mark;
+  Value value;
+};
+
+/// Nothing if the table has no such key.
+[[nodiscard]] const Value* find(const Table& table, std::string_view key);
+
+/// "a string", "an integer", "a table", …
+[[nodiscard]] std::string_view kind_of(const Value& value);
+
+/// The value as TOML writes it, cut after some 40 characters, for messages.
+[[nodiscard]] std::string text_of(const Value& value);
+
+/// The table of a TOML text; the error is the first mistake of syntax.
+[[nodiscard]] tl::expected<Value, Diagnostic> parse_document(std::string_view text,
+                                                             const std::string& source_name);
+
+/// Sets the key that "PATH=VALUE" names in `document`; everything set is marked as of source `number`.
+/// The error says what is wrong with the path.
+[[nodiscard]] tl::expected<Value, std::string> apply_override(Value document, std::string_view assignment,
+                                                              int number);
+
+/// VALUE of an override: TOML, or else a string.
+[[nodiscard]] Value parse_override_value(std::string_view text, int number);
+
+}  // namespace higherpair::io_detail

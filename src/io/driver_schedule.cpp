@@ -1,0 +1,273 @@
+#include "higherpair/io/driver_schedule.hpp"
+
+#include "double_double.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+using io_detail::DoubleDouble;
+
+constexpr std::int64_t kMostRows = std::int64_t{1} << 53;  // row numbers are exact doubles
+
+// A remainder of the duration that is smaller, in time steps, is the rounding of the two numbers.
+constexpr double kRemainderTolerance = 1e-9;
+
+// start + (end - start) k/n, rounded once.
+double between(double start, double end, std::int64_t k, std::int64_t n) {
+  if (k == n) {
+    return end;
+  }
+  const auto steps = static_cast<double>(n);
+  const DoubleDouble span = io_detail::exact_sum(end, -start);
+  const DoubleDouble offset = span * DoubleDouble{static_cast<double>(k), 0} / DoubleDouble{steps, 0};
+  const DoubleDouble sum = io_detail::exact_sum(start, offset.high);
+  return sum.high + (sum.low + offset.low);
+}
+
+bool is_turning(const Profile& profile, std::size_t driver) {
+  const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[driver].joint);
+  return profile.mechanism.joints[joint].type == JointType::kRevolute;
+}
+
+double full_turn(const Units& units) {
+  return from_si(dimension::kAngle, units).apply(2 * kPi);
+}
+
+// How messages call a key of a driver.
+std::string key_name(const Profile& profile, std::size_t driver, std::string_view key) {
+  const std::string& name = profile.mechanism.drivers[driver].name;
+  return name.empty() ? fmt::format("driver.{}", key) : fmt::format("drivers.{}.{}", name, key);
+}
+
+Diagnostic mistake(const Profile& profile, std::size_t driver, std::string_view key, std::string_view rule) {
+  return {profile.programs[driver].place, fmt::format("{} {}", key_name(profile, driver, key), rule)};
+}
+
+Diagnostics mistakes_of_option(std::optional<std::int64_t> samples) {
+  Diagnostics mistakes;
+  if (samples && (*samples < 1 || *samples > kMostRows)) {
+    mistakes.push_back(about("--samples " + std::to_string(*samples), "must be an integer from 1 to 2^53"));
+  }
+  return mistakes;
+}
+
+// Where this driver ends, if it moves at all.
+std::optional<double> end_of(const Profile& profile, std::size_t driver) {
+  const DriverProgram& program = profile.programs[driver];
+  if (!program.end && is_turning(profile, driver)) {
+    return program.start + full_turn(profile.units);
+  }
+  return program.end;
+}
+
+tl::expected<std::int64_t, Diagnostic> analyze_rows(const Profile& profile, std::size_t driver,
+                                                    std::optional<std::int64_t> option) {
+  const auto fail = [&](std::string_view key, std::string_view rule) {
+    return tl::unexpected(mistake(profile, driver, key, rule));
+  };
+  const DriverProgram& program = profile.programs[driver];
+  if (!program.positions.empty()) {
+    if (option) return fail("positions", "are given one by one: --samples has no meaning for them");
+    return static_cast<std::int64_t>(program.positions.size());
+  }
+  const auto samples = option ? option : program.samples;
+  const auto end = end_of(profile, driver);
+  if (!end) {
+    if (samples.value_or(1) > 1) {
+      return fail("end",
+                  fmt::format("is missing: {} samples need one (the same as start to stay there)", *samples));
+    }
+    return 1;
+  }
+  const std::int64_t rows = samples.value_or(kDefaultSamples);
+  if (!std::isfinite((*end - program.start) * static_cast<double>(rows))) {
+    return fail("end", "is too far from start for the range of a double");
+  }
+  return rows;
+}
+
+// Duration or time step: any driver may give it, and those that do must agree.
+std::optional<double> shared_time(const Profile& profile, std::optional<double> DriverProgram::*member,
+                                  std::string_view key, Diagnostics& errors) {
+  std::optional<double> time;
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    const std::optional<double> own = profile.programs[i].*member;
+    if (own && time && *own != *time) {
+      errors.push_back(
+          mistake(profile, i, key, "differs from that of another driver: all move in the same time"));
+    }
+    if (!time) {
+      time = own;
+    }
+  }
+  return time;
+}
+
+// The rows of a duration: `steps` full steps, and perhaps a shorter one.
+struct Steps {
+  std::int64_t full = 0;
+  bool has_remainder = false;
+};
+
+std::optional<Steps> steps_in(double duration, double time_step) {
+  const double ratio = duration / time_step;
+  if (!(ratio < static_cast<double>(kMostRows - 2))) {
+    return std::nullopt;
+  }
+  const double nearest = std::round(ratio);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * nearest;
+  if (std::abs(ratio - nearest) <= std::max(kRemainderTolerance, rounding) &&
+      (nearest > 0 || duration == 0)) {
+    return Steps{static_cast<std::int64_t>(nearest), false};
+  }
+  return Steps{static_cast<std::int64_t>(std::floor(ratio)), true};
+}
+
+struct Timing {
+  std::int64_t rows = 1;
+  double duration = 0;
+  double uneven_step = 0;  // 0: the rows divide the duration evenly
+};
+
+tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optional<std::int64_t> samples) {
+  Diagnostics errors;
+  const auto duration = shared_time(profile, &DriverProgram::duration, "duration", errors);
+  const auto time_step = shared_time(profile, &DriverProgram::time_step, "time_step", errors);
+  if (!duration) {
+    errors.push_back(mistake(profile, 0, "duration", "is missing: `step` needs to know how long to run"));
+  }
+  if (!samples && !time_step) {
+    errors.push_back(
+        mistake(profile, 0, "time_step", "is missing: give the time between two rows, or --samples"));
+  }
+  if (!errors.empty()) {
+    return tl::unexpected(errors);
+  }
+  if (samples) {
+    return Timing{*samples, *duration, 0};
+  }
+  const auto steps = steps_in(*duration, *time_step);
+  if (!steps) {
+    errors.push_back(
+        mistake(profile, 0, "time_step", "is too small: the duration would have more than 2^53 rows"));
+    return tl::unexpected(errors);
+  }
+  return Timing{steps->full + (steps->has_remainder ? 2 : 1), *duration,
+                steps->has_remainder ? *time_step : 0};
+}
+
+bool is_finite(const DriverState& state) {
+  const auto all_finite = [](const DriverValues& values) {
+    return std::isfinite(values.position) && std::isfinite(values.velocity) &&
+           std::isfinite(values.acceleration);
+  };
+  return all_finite(state.profile) && all_finite(state.si);
+}
+
+}  // namespace
+
+std::vector<DriverSchedule::OneDriver> DriverSchedule::drivers_of(const Profile& profile) {
+  assert(profile.programs.size() == profile.mechanism.drivers.size());
+  std::vector<OneDriver> drivers;
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    const DriverProgram& program = profile.programs[i];
+    const Dimension position = is_turning(profile, i) ? dimension::kAngle : dimension::kLength;
+    const Dimension velocity = position / dimension::kTime;
+    drivers.push_back({program.positions, program.start, end_of(profile, i).value_or(program.start),
+                       program.velocity, program.acceleration, to_si(position, profile.units),
+                       to_si(velocity, profile.units), to_si(velocity / dimension::kTime, profile.units)});
+  }
+  return drivers;
+}
+
+tl::expected<DriverSchedule, Diagnostics> DriverSchedule::analyze(const Profile& profile,
+                                                                  std::optional<std::int64_t> samples) {
+  Diagnostics errors = mistakes_of_option(samples);
+  DriverSchedule schedule;
+  schedule.drivers_ = drivers_of(profile);
+  for (std::size_t i = 0; errors.empty() && i < profile.programs.size(); ++i) {
+    const auto rows = analyze_rows(profile, i, samples);
+    if (!rows) {
+      errors.push_back(rows.error());
+    } else if (i == 0) {
+      schedule.size_ = *rows;
+    } else if (*rows != schedule.size_) {
+      errors.push_back(mistake(
+          profile, i, "samples",
+          fmt::format("gives {} positions where the first driver has {}: all drivers need equally many",
+                      *rows, schedule.size_)));
+    }
+  }
+  if (!errors.empty()) {
+    return tl::unexpected(errors);
+  }
+  return schedule;
+}
+
+tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& profile,
+                                                               std::optional<std::int64_t> samples) {
+  Diagnostics errors = mistakes_of_option(samples);
+  if (!errors.empty()) {
+    return tl::unexpected(errors);
+  }
+  const auto timing = timing_of(profile, samples);
+  if (!timing) {
+    return tl::unexpected(timing.error());
+  }
+  DriverSchedule schedule;
+  schedule.drivers_ = drivers_of(profile);
+  schedule.timed_ = true;
+  schedule.size_ = timing->rows;
+  schedule.duration_ = timing->rows == 1 ? 0 : timing->duration;
+  schedule.time_step_ = timing->uneven_step;
+  schedule.time_to_si_ = to_si(dimension::kTime, profile.units);
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    if (!is_finite(schedule.state(schedule.size() - 1, i))) {
+      errors.push_back(mistake(profile, i, "duration", "takes the driver out of the range of a double"));
+      return tl::unexpected(errors);
+    }
+  }
+  return schedule;
+}
+
+double DriverSchedule::time(std::int64_t row) const {
+  if (!timed_) {
+    return 0;
+  }
+  if (row == size_ - 1) {
+    return duration_;
+  }
+  return time_step_ > 0 ? static_cast<double>(row) * time_step_ : between(0, duration_, row, size_ - 1);
+}
+
+DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {
+  if (timed_) {
+    const double t = time(row);
+    return {driver.start + t * (driver.velocity + t * driver.acceleration / 2),
+            driver.velocity + t * driver.acceleration, driver.acceleration};
+  }
+  if (!driver.positions.empty()) {
+    return {driver.positions[static_cast<std::size_t>(row)], driver.velocity, driver.acceleration};
+  }
+  const double position = size_ == 1 ? driver.start : between(driver.start, driver.end, row, size_ - 1);
+  return {position, driver.velocity, driver.acceleration};
+}
+
+DriverState DriverSchedule::state(std::int64_t row, std::size_t driver) const {
+  assert(row >= 0 && row < size_ && driver < drivers_.size());
+  const OneDriver& one = drivers_[driver];
+  const DriverValues profile = values(row, one);
+  return {profile,
+          {one.position_to_si.apply(profile.position), one.velocity_to_si.apply(profile.velocity),
+           one.acceleration_to_si.apply(profile.acceleration)}};
+}
+
+}  // namespace higherpair

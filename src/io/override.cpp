@@ -1,0 +1,92 @@
+#include "document.hpp"
+#include "names.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+using Step = tl::expected<Value*, std::string>;
+
+std::vector<std::string> split_path(std::string_view path) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    parts.emplace_back(trimmed(path.substr(0, dot)));
+    if (dot == std::string_view::npos) {
+      return parts;
+    }
+    path.remove_prefix(dot + 1);
+  }
+}
+
+std::optional<std::size_t> item_number(std::string_view part) {
+  std::size_t number = 0;
+  const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), number);
+  const bool is_number = status == std::errc() && end == part.data() + part.size();
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+Step item_of(Array& items, const std::string& part, const Mark& mark) {
+  const auto number = item_number(part);
+  if (!number || *number > items.size()) {
+    return tl::unexpected(
+        fmt::format("`{}` is no item of a list of {} (the first one is 0)", part, items.size()));
+  }
+  if (*number == items.size()) {
+    items.push_back({Table{}, mark});
+  }
+  return &items[*number];
+}
+
+Step entry_of(Table& table, const std::string& part, const Mark& mark) {
+  if (!is_name(part)) {
+    return tl::unexpected(fmt::format("`{}` is no name (letters, digits, _ and -)", part));
+  }
+  const auto entry =
+      std::find_if(table.begin(), table.end(), [&](const Entry& candidate) { return candidate.key == part; });
+  if (entry != table.end()) {
+    return &entry->value;
+  }
+  table.push_back({part, mark, {Table{}, mark}});
+  return &table.back().value;
+}
+
+// The value at one more part of the path; a new empty table if there is none.
+Step descend(Value& value, const std::string& part, const Mark& mark) {
+  if (auto* items = std::get_if<Array>(&value.content)) {
+    return item_of(*items, part, mark);
+  }
+  if (auto* table = std::get_if<Table>(&value.content)) {
+    return entry_of(*table, part, mark);
+  }
+  return tl::unexpected(
+      fmt::format("there is no `{}` in {}, which is {}", part, text_of(value), kind_of(value)));
+}
+
+}  // namespace
+
+tl::expected<Value, std::string> apply_override(Value document, std::string_view assignment, int number) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    return tl::unexpected(std::string("expected PATH=VALUE, such as driver.samples=721"));
+  }
+  Value* target = &document;
+  for (const std::string& part : split_path(assignment.substr(0, equals))) {
+    const Step next = descend(*target, part, {number, 0, 0});
+    if (!next) {
+      return tl::unexpected(next.error());
+    }
+    target = *next;
+  }
+  *target = parse_override_value(trimmed(assignment.substr(equals + 1)), number);
+  return document;
+}
+
+}  // namespace higherpair::io_detail

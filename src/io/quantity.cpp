@@ -1,0 +1,191 @@
+#include "higherpair/io/units.hpp"
+#include "names.hpp"
+#include "suggestion.hpp"
+#include "unit_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+using io_detail::UnitProduct;
+using Error = tl::unexpected<std::string>;
+
+constexpr int kLargestPower = 9;
+
+// A force is mass·length/time², whichever way it is spelled.
+Dimension without_force(Dimension dimension) {
+  dimension.mass += dimension.force;
+  dimension.length += dimension.force;
+  dimension.time -= 2 * dimension.force;
+  dimension.force = 0;
+  return dimension;
+}
+
+std::vector<std::string> all_unit_names() {
+  std::vector<std::string> names = {"rpm"};
+  for (int i = 0; i <= static_cast<int>(Unit::kPoundForce); ++i) {
+    names.emplace_back(name_of(static_cast<Unit>(i)));
+  }
+  return names;
+}
+
+// Takes the factors of "kg m^2/s" one by one from the front of its text.
+class UnitParser {
+public:
+  explicit UnitParser(std::string_view text) : rest_(io_detail::trimmed(text)) {}
+
+  tl::expected<UnitProduct, std::string> parse() {
+    while (!rest_.empty()) {
+      if (auto done = take_operator(); !done) return Error(done.error());
+      if (auto done = take_factor(); !done) return Error(done.error());
+      rest_ = io_detail::trimmed(rest_);
+    }
+    return product_;
+  }
+
+private:
+  using Step = tl::expected<void, std::string>;
+
+  Step take_operator() {
+    const bool is_first = !after_factor_;
+    if (rest_.front() == '/') {
+      if (divides_) return Error("has more than one `/`: factors after the first one all divide");
+      divides_ = true;
+    } else if (rest_.front() != '*') {
+      return {};
+    } else if (is_first) {
+      return Error("has a `*` without a unit before it");
+    }
+    rest_ = io_detail::trimmed(rest_.substr(1));
+    return {};
+  }
+
+  Step take_factor() {
+    const std::string_view name = take_name();
+    if (name.empty()) {
+      return Error(rest_.empty() ? std::string("ends where a unit is expected")
+                                 : fmt::format("has `{}` where a unit is expected", rest_));
+    }
+    const auto power = take_power();
+    if (!power) return Error(power.error());
+    after_factor_ = true;
+    return multiply(name, divides_ ? -*power : *power);
+  }
+
+  std::string_view take_name() {
+    const auto* end = std::find_if_not(rest_.begin(), rest_.end(), io_detail::is_letter);
+    auto length = static_cast<std::size_t>(end - rest_.begin());
+    if (length == 0 && !rest_.empty() && rest_.front() == '1') {
+      length = 1;
+    }
+    const std::string_view name = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return name;
+  }
+
+  tl::expected<int, std::string> take_power() {
+    if (rest_.empty() || rest_.front() != '^') {
+      return 1;
+    }
+    rest_.remove_prefix(1);
+    int power = 0;
+    const auto [end, status] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), power);
+    if (status != std::errc() || std::abs(power) > kLargestPower) {
+      return Error(fmt::format("has a power that is no integer from -{0} to {0}", kLargestPower));
+    }
+    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    return power;
+  }
+
+  Step multiply(std::string_view name, int power) {
+    if (name == "1") {
+      return {};
+    }
+    if (name == "rpm") {
+      product_ = times_power(times_power(product_, Unit::kRevolution, power), Unit::kMinute, -power);
+      return {};
+    }
+    const auto unit = find_unit(name);
+    if (!unit) {
+      return Error(fmt::format("{} is no unit ({})", name, io_detail::suggestion(name, all_unit_names())));
+    }
+    product_ = times_power(product_, *unit, power);
+    return {};
+  }
+
+  std::string_view rest_;
+  UnitProduct product_;
+  bool divides_ = false;
+  bool after_factor_ = false;
+};
+
+struct NumberAndRest {
+  double number;
+  std::string_view rest;
+};
+
+tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
+  std::string_view digits = text;
+  if (!digits.empty() && digits.front() == '+') {
+    digits.remove_prefix(1);
+  }
+  double number = 0;
+  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (status == std::errc::result_out_of_range) {
+    return Error("has a number out of the range of a double");
+  }
+  if (status != std::errc()) {
+    return Error("does not begin with a number");
+  }
+  if (!std::isfinite(number)) {
+    return Error("must be a finite number");
+  }
+  return NumberAndRest{number, digits.substr(static_cast<std::size_t>(end - digits.data()))};
+}
+
+std::string example(const Dimension& expected, const Units& units) {
+  return fmt::format("expected {}, such as \"25.4 {}\"", describe(expected), unit_text(expected, units));
+}
+
+std::string other_dimension(std::string_view unit, const Dimension& found, const Dimension& expected,
+                            const Units& units) {
+  return fmt::format("{} is {}, expected {}, such as {}", unit, describe(found), describe(expected),
+                     unit_text(expected, units));
+}
+
+}  // namespace
+
+tl::expected<Quantity, std::string> parse_quantity(std::string_view text, const Dimension& expected,
+                                                   const Units& units) {
+  const auto number = take_number(io_detail::trimmed(text));
+  if (!number) {
+    return Error(fmt::format("{}; {}", number.error(), example(expected, units)));
+  }
+  const std::string_view unit = io_detail::trimmed(number->rest);
+  if (unit.empty() && expected != dimension::kNumber) {
+    return Error(fmt::format("has no unit; {}, or the number without quotes for {}", example(expected, units),
+                             unit_text(expected, units)));
+  }
+  const auto product = UnitParser(unit).parse();
+  if (!product) {
+    return Error(fmt::format("{}; {}", product.error(), example(expected, units)));
+  }
+  if (without_force(product->dimension) != without_force(expected)) {
+    return Error(other_dimension(unit, product->dimension, expected, units));
+  }
+  const UnitProduct profile_unit = io_detail::product_of(expected, units);
+  const Quantity quantity = {number->number, io_detail::scaling(*product, {}).apply(number->number),
+                             io_detail::scaling(*product, profile_unit).apply(number->number)};
+  if (!std::isfinite(quantity.si) || !std::isfinite(quantity.profile)) {
+    return Error("is out of the range of a double");
+  }
+  return quantity;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,83 @@
+#include "reading.hpp"
+
+#include <algorithm>
+
+namespace higherpair::io_detail {
+namespace {
+
+void read_points(Reading& reading, const Item& item, Body& body) {
+  for_each_named(reading, item, "[x, y]", [&](const std::string& name, const Item& entry) {
+    const auto point = as_vector(reading, entry, dimension::kLength);
+    body.points.push_back({name, point.value_or(Vector2d::Zero())});
+  });
+}
+
+void read_pose(Reading& reading, const Item& item, Body& body) {
+  const Table* table = as_table(reading, item, "a table { x, y, angle }");
+  if (table == nullptr) {
+    return;
+  }
+  TableReader pose(reading, *table, item.value->mark, item.path);
+  body.guess_p_WB.x() = pose.quantity("x", {dimension::kLength});
+  body.guess_p_WB.y() = pose.quantity("y", {dimension::kLength});
+  body.guess_theta = pose.quantity("angle", {dimension::kAngle});
+  pose.finish();
+}
+
+// Without an inertia the mass is a point mass at its centre.
+void read_mass(TableReader& table, Body& body) {
+  const auto mass = table.take("mass");
+  if (!mass) {
+    for (const char* key : {"center_of_mass", "inertia"}) {
+      table.refuse(key, "needs a mass beside it (mass = 0 if the inertia alone counts)");
+    }
+    return;
+  }
+  MassProperties properties;
+  const auto value = as_quantity(table.reading(), *mass, {dimension::kMass, Sign::kNotNegative});
+  properties.mass = value.value_or(Quantity{}).si;
+  properties.center_of_mass_B = table.need_vector("center_of_mass", dimension::kLength);
+  properties.inertia = table.quantity("inertia", {dimension::kInertia, Sign::kNotNegative});
+  body.mass = properties;
+}
+
+void refuse_what_moves(TableReader& table) {
+  for (const char* key : {"pose", "mass", "center_of_mass", "inertia"}) {
+    table.refuse(key, "ground is the frame and never moves: it has no pose and no mass");
+  }
+}
+
+void read_body(TableReader& table, Body& body) {
+  if (const auto points = table.take("points")) read_points(table.reading(), *points, body);
+  if (const auto curves = table.take("curves")) read_curves(table.reading(), *curves, body);
+  if (body.name == "ground") {
+    refuse_what_moves(table);
+  } else {
+    if (const auto pose = table.take("pose")) read_pose(table.reading(), *pose, body);
+    read_mass(table, body);
+  }
+  table.finish();
+}
+
+}  // namespace
+
+void read_bodies(TableReader& root, Mechanism& mechanism) {
+  mechanism.bodies.emplace_back();
+  mechanism.bodies.front().name = "ground";
+  const auto bodies = root.take("bodies");
+  if (!bodies) {
+    return;
+  }
+  for_each_table(root.reading(), *bodies, "a body (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   if (name == "ground") {
+                     read_body(table, mechanism.bodies.front());
+                     return;
+                   }
+                   mechanism.bodies.emplace_back();
+                   mechanism.bodies.back().name = name;
+                   read_body(table, mechanism.bodies.back());
+                 });
+}
+
+}  // namespace higherpair::io_detail

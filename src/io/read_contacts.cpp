@@ -1,0 +1,95 @@
+#include "reading.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::array<Approach, 3> kApproaches = {Approach::kNearest, Approach::kPositive,
+                                                 Approach::kNegative};
+
+bool is_concave(const Curve& curve) {
+  return curve.side == Side::kOutside;
+}
+
+// Of a conic: at its flattest place, the end of an ellipse's minor axis; parabolas and hyperbolas end flat.
+double largest_radius(const Curve& curve) {
+  return curve.q > 0 ? curve.semi_latus / std::pow(curve.q, 1.5) : std::numeric_limits<double>::infinity();
+}
+
+// Why two curves can nowhere touch without overlapping; empty if they can. Near a contact the bodies are
+// apart only if the sum of their curvatures is not negative. The sharpest place of a conic is a vertex on the
+// focal axis, radius `semi_latus`.
+std::string_view why_no_contact(const Curve& a, const Curve& b) {
+  if (a.kind == b.kind && !is_conic(a)) {
+    return a.kind == CurveKind::kLine ? "two lines cannot make a contact"
+                                      : "two points cannot make a contact (join them by a revolute joint)";
+  }
+  if (is_concave(a) && is_concave(b)) {
+    return "two concave curves (side = \"outside\") cannot make a contact";
+  }
+  if (!is_concave(a) && !is_concave(b)) {
+    return "";
+  }
+  const Curve& hollow = is_concave(a) ? a : b;
+  const Curve& other = is_concave(a) ? b : a;
+  if (other.kind == CurveKind::kLine) {
+    return "a line cannot touch a concave curve (side = \"outside\")";
+  }
+  if (other.semi_latus > largest_radius(hollow)) {
+    return "the convex curve is nowhere sharp enough to fit into the concave one (side = \"outside\")";
+  }
+  return "";
+}
+
+const Curve& curve_at(const Mechanism& mechanism, const CurveRef& ref) {
+  return mechanism.bodies[static_cast<std::size_t>(ref.body)]
+      .curves[static_cast<std::size_t>(ref.curve)]
+      .curve;
+}
+
+void read_ends(TableReader& table, const Mechanism& mechanism, Contact& contact) {
+  const auto item = table.need("between", "two curves, [\"body.curve\", \"body.curve\"]");
+  const auto pair = item ? as_curve_pair(table.reading(), *item, mechanism) : std::nullopt;
+  if (!pair) {
+    return;
+  }
+  contact.first = pair->first;
+  contact.second = pair->second;
+  const std::string_view objection =
+      why_no_contact(curve_at(mechanism, pair->first), curve_at(mechanism, pair->second));
+  if (!objection.empty()) {
+    report(table.reading(), *item, objection);
+  }
+}
+
+void read_approach(TableReader& table, Contact& contact) {
+  const auto item = table.take("approach");
+  const auto choice = item ? as_choice(table.reading(), *item, {"nearest", "+", "-"}) : std::nullopt;
+  contact.approach = kApproaches[choice.value_or(0)];
+}
+
+}  // namespace
+
+void read_contacts(TableReader& root, Mechanism& mechanism) {
+  const auto contacts = root.take("contacts");
+  if (!contacts) {
+    return;
+  }
+  for_each_table(root.reading(), *contacts, "a contact (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   Contact contact;
+                   contact.name = name;
+                   read_ends(table, mechanism, contact);
+                   contact.rolling = table.flag("rolling", false);
+                   read_approach(table, contact);
+                   contact.jump = table.flag("jump", true);
+                   table.finish();
+                   mechanism.contacts.push_back(contact);
+                 });
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,182 @@
+#include "higherpair/geometry/pose.hpp"
+#include "reading.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::int64_t kMostSamples = std::int64_t{1} << 53;
+
+// Poses and points in the profile's units again: a drawing in millimetres gives round millimetres.
+class PoseCoordinate {
+public:
+  PoseCoordinate(const Mechanism& mechanism, const Units& units)
+      : mechanism_(mechanism),
+        length_(from_si(dimension::kLength, units)),
+        angle_(from_si(dimension::kAngle, units)) {}
+
+  // The coordinate that the poses give to a joint.
+  [[nodiscard]] double of(const Joint& joint) const {
+    const Body& first = body(joint.first);
+    if (joint.type == JointType::kRevolute) {
+      return angle_.apply(body(joint.second).guess_theta) - angle_.apply(first.guess_theta);
+    }
+    const Vector2d p_12_W = place(joint.second) - place(joint.first);
+    return joint.direction_A.dot(Rotation<double>::from_angle(-first.guess_theta) * p_12_W);
+  }
+
+private:
+  [[nodiscard]] const Body& body(const PointRef& ref) const {
+    return mechanism_.bodies[static_cast<std::size_t>(ref.body)];
+  }
+
+  [[nodiscard]] Vector2d in_profile_units(const Vector2d& v) const {
+    return {length_.apply(v.x()), length_.apply(v.y())};
+  }
+
+  [[nodiscard]] Vector2d place(const PointRef& ref) const {
+    const Body& owner = body(ref);
+    const Pose<double> X_WB = {Rotation<double>::from_angle(owner.guess_theta),
+                               in_profile_units(owner.guess_p_WB)};
+    return X_WB * in_profile_units(owner.points[static_cast<std::size_t>(ref.point)].p_B);
+  }
+
+  const Mechanism& mechanism_;
+  Scaling length_;
+  Scaling angle_;
+};
+
+std::optional<double> read_number(TableReader& table, const std::string& key, const Expected& expected) {
+  const auto item = table.take(key);
+  const auto quantity = item ? as_quantity(table.reading(), *item, expected) : std::nullopt;
+  return quantity ? std::optional(quantity->profile) : std::nullopt;
+}
+
+void read_samples(TableReader& table, DriverProgram& program) {
+  const auto item = table.take("samples");
+  const auto samples = item ? as_integer(table.reading(), *item) : std::nullopt;
+  if (samples && (*samples < 1 || *samples > kMostSamples)) {
+    report(table.reading(), *item, "must be an integer from 1 to 2^53");
+    return;
+  }
+  program.samples = samples;
+}
+
+void read_positions(TableReader& table, const Dimension& dimension, DriverProgram& program) {
+  const auto item = table.take("positions");
+  const auto list = item ? as_list(table.reading(), *item, {dimension}) : std::nullopt;
+  if (!list) {
+    return;
+  }
+  if (list->empty()) {
+    report(table.reading(), *item, "must have at least one position");
+  }
+  for (const Quantity& position : *list) {
+    program.positions.push_back(position.profile);
+  }
+}
+
+// 1 rad/s, or 1 length unit per second, in the profile's units.
+double default_velocity(bool turns, const Units& units) {
+  constexpr Dimension kPerTime = dimension::kNumber / dimension::kTime;
+  return from_si(turns ? dimension::kAngularVelocity : kPerTime, units).apply(1);
+}
+
+void read_times(TableReader& table, DriverProgram& program) {
+  program.duration = read_number(table, "duration", {dimension::kTime, Sign::kNotNegative});
+  program.time_step = read_number(table, "time_step", {dimension::kTime, Sign::kPositive});
+}
+
+// What is an angle in a driver of a revolute joint and a length in one of a prismatic joint.
+void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& joint, DriverProgram& program) {
+  const Units& units = table.reading().units;
+  const bool turns = joint.type == JointType::kRevolute;
+  const Dimension position = turns ? dimension::kAngle : dimension::kLength;
+  const Dimension velocity = position / dimension::kTime;
+  const auto start = read_number(table, "start", {position});
+  program.start = start ? *start : PoseCoordinate(mechanism, units).of(joint);
+  program.end = read_number(table, "end", {position});
+  read_positions(table, position, program);
+  program.velocity = read_number(table, "velocity", {velocity}).value_or(default_velocity(turns, units));
+  program.acceleration = read_number(table, "acceleration", {velocity / dimension::kTime}).value_or(0);
+}
+
+// The keys of read_motion where the joint, and so their units, are unknown.
+void skip_motion(TableReader& table) {
+  for (const char* key : {"start", "end", "positions", "velocity", "acceleration"}) {
+    (void)table.take(key);
+  }
+}
+
+bool is_driven_already(const Mechanism& mechanism, int joint) {
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                     [&](const Driver& driver) { return driver.joint == joint; });
+}
+
+std::optional<int> read_joint(TableReader& table, const Mechanism& mechanism,
+                              const std::vector<bool>& joint_type_known) {
+  const auto item = table.need("joint", "the name of a joint");
+  const auto joint = item ? as_joint(table.reading(), *item, mechanism) : std::nullopt;
+  if (!joint) {
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(*joint);
+  if (mechanism.joints[index].type == JointType::kSlot) {
+    report(table.reading(), *item, "a slot leaves two freedoms: expected a revolute or prismatic joint");
+    return std::nullopt;
+  }
+  if (is_driven_already(mechanism, *joint)) {
+    report(table.reading(), *item, "another driver drives this joint already");
+  }
+  return joint_type_known[index] ? joint : std::nullopt;
+}
+
+void read_driver(TableReader& table, const std::string& name, Profile& profile,
+                 const std::vector<bool>& joint_type_known) {
+  DriverProgram program;
+  program.place = place_of(table.reading(), table.mark());
+  Mechanism& mechanism = profile.mechanism;
+  const auto joint = read_joint(table, mechanism, joint_type_known);
+  if (joint) {
+    read_motion(table, mechanism, mechanism.joints[static_cast<std::size_t>(*joint)], program);
+  } else {
+    skip_motion(table);
+  }
+  read_samples(table, program);
+  read_times(table, program);
+  table.finish();
+  mechanism.drivers.push_back({name, joint.value_or(-1)});
+  profile.programs.push_back(std::move(program));
+}
+
+}  // namespace
+
+void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known) {
+  Reading& reading = root.reading();
+  const auto one = root.take("driver");
+  const auto several = root.take("drivers");
+  if (one && several) {
+    report(reading, *several, "expected either one [driver] or several [drivers.NAME], not both");
+  }
+  if (!one && !several) {
+    reading.mistakes.push_back(
+        {root.mark(),
+         "driver is missing: add a table [driver] with joint = \"...\", the joint that is driven"});
+  }
+  if (one) {
+    if (const Table* table = as_table(reading, *one, "a table")) {
+      TableReader reader(reading, *table, one->value->mark, one->path);
+      read_driver(reader, "", profile, joint_type_known);
+    }
+  }
+  if (several) {
+    for_each_table(reading, *several, "a driver (a table)", [&](const std::string& name, TableReader& table) {
+      read_driver(table, name, profile, joint_type_known);
+    });
+  }
+}
+
+}  // namespace higherpair::io_detail

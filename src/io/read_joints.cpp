@@ -1,0 +1,75 @@
+#include "reading.hpp"
+
+#include <array>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::array<JointType, 3> kJointTypes = {JointType::kRevolute, JointType::kPrismatic,
+                                                  JointType::kSlot};
+
+std::optional<JointType> read_type(TableReader& table) {
+  const auto item = table.need("type", "revolute, prismatic or slot");
+  const auto choice =
+      item ? as_choice(table.reading(), *item, {"revolute", "prismatic", "slot"}) : std::nullopt;
+  return choice ? std::optional(kJointTypes[*choice]) : std::nullopt;
+}
+
+void read_ends(TableReader& table, const Mechanism& mechanism, Joint& joint) {
+  const auto item = table.need("between", "two points, [\"body.point\", \"body.point\"]");
+  const auto pair = item ? as_point_pair(table.reading(), *item, mechanism) : std::nullopt;
+  if (pair) {
+    joint.first = pair->first;
+    joint.second = pair->second;
+  }
+}
+
+void read_direction(TableReader& table, Joint& joint) {
+  if (joint.type == JointType::kRevolute) {
+    table.refuse("direction", "a revolute joint has no direction");
+    return;
+  }
+  const auto item = table.need("direction", "an angle or [dx, dy] in the frame of the first body");
+  const auto direction = item ? as_direction(table.reading(), *item) : std::nullopt;
+  joint.direction_A = direction.value_or(Vector2d::UnitX());
+}
+
+void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
+  if (joint.type != JointType::kPrismatic) {
+    table.refuse("angle", "has a meaning for prismatic joints only: in the others the body turns");
+    return;
+  }
+  const auto theta = [&](const PointRef& point) {
+    return mechanism.bodies[static_cast<std::size_t>(point.body)].guess_theta;
+  };
+  joint.relative_angle =
+      table.quantity("angle", {dimension::kAngle}, theta(joint.second) - theta(joint.first));
+}
+
+}  // namespace
+
+std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
+  std::vector<bool> type_known;
+  const auto joints = root.take("joints");
+  if (!joints) {
+    return type_known;
+  }
+  for_each_table(root.reading(), *joints, "a joint (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   Joint joint;
+                   joint.name = name;
+                   const auto type = read_type(table);
+                   read_ends(table, mechanism, joint);
+                   if (type) {
+                     joint.type = *type;
+                     read_direction(table, joint);
+                     read_angle(table, mechanism, joint);
+                     table.finish();
+                   }
+                   type_known.push_back(type.has_value());
+                   mechanism.joints.push_back(joint);
+                 });
+  return type_known;
+}
+
+}  // namespace higherpair::io_detail

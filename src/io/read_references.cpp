@@ -1,0 +1,147 @@
+#include "reading.hpp"
+#include "suggestion.hpp"
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+template <class Thing>
+std::optional<int> index_of(const std::vector<Thing>& things, std::string_view name) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].name == name) return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
+template <class Thing>
+std::vector<std::string> names_of(const std::vector<Thing>& things) {
+  std::vector<std::string> names;
+  names.reserve(things.size());
+  for (const Thing& thing : things) {
+    names.push_back(thing.name);
+  }
+  return names;
+}
+
+// A name among the things of a kind; `kind` is "body", "joint", "point of `cam`".
+template <class Thing>
+std::optional<int> named_thing(Reading& reading, const Item& item, std::string_view name,
+                               std::string_view kind, const std::vector<Thing>& things) {
+  const auto index = index_of(things, name);
+  if (!index) {
+    report(reading, item,
+           fmt::format("there is no {} `{}`; {}", kind, name, suggestion(name, names_of(things))));
+  }
+  return index;
+}
+
+struct Member {
+  int body;
+  int index;
+};
+
+// The points or the curves of a body, with the words for messages.
+struct Points {
+  static constexpr std::string_view kKind = "point";
+  static constexpr std::string_view kOtherKind = "curve";
+  static const std::vector<NamedPoint>& of(const Body& body) { return body.points; }
+  static const std::vector<NamedCurve>& others_of(const Body& body) { return body.curves; }
+};
+
+struct Curves {
+  static constexpr std::string_view kKind = "curve";
+  static constexpr std::string_view kOtherKind = "point";
+  static const std::vector<NamedCurve>& of(const Body& body) { return body.curves; }
+  static const std::vector<NamedPoint>& others_of(const Body& body) { return body.points; }
+};
+
+// "body.name"
+template <class Kind>
+std::optional<Member> member(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto text = as_text(reading, item);
+  if (!text) {
+    return std::nullopt;
+  }
+  const std::size_t dot = text->find('.');
+  if (dot == std::string::npos) {
+    report(reading, item, fmt::format("expected \"body.{}\"", Kind::kKind));
+    return std::nullopt;
+  }
+  const auto body = named_thing(reading, item, text->substr(0, dot), "body", mechanism.bodies);
+  if (!body) {
+    return std::nullopt;
+  }
+  const Body& owner = mechanism.bodies[static_cast<std::size_t>(*body)];
+  const std::string name = text->substr(dot + 1);
+  if (!index_of(Kind::of(owner), name) && index_of(Kind::others_of(owner), name)) {
+    report(reading, item, fmt::format("this is a {}, expected a {}", Kind::kOtherKind, Kind::kKind));
+    return std::nullopt;
+  }
+  const auto index =
+      named_thing(reading, item, name, fmt::format("{} of `{}`", Kind::kKind, owner.name), Kind::of(owner));
+  return index ? std::optional(Member{*body, *index}) : std::nullopt;
+}
+
+struct MemberPair {
+  Member first;
+  Member second;
+};
+
+template <class Kind>
+std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto* items = std::get_if<Array>(&item.value->content);
+  if (items == nullptr || items->size() != 2) {
+    report(reading, item,
+           fmt::format("expected two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", Kind::kKind));
+    return std::nullopt;
+  }
+  const auto first = member<Kind>(reading, {&(*items)[0], item.path + ".0"}, mechanism);
+  const auto second = member<Kind>(reading, {&(*items)[1], item.path + ".1"}, mechanism);
+  if (!first || !second) {
+    return std::nullopt;
+  }
+  if (first->body == second->body) {
+    report(reading, item,
+           fmt::format("both are on body `{}`: expected two bodies",
+                       mechanism.bodies[static_cast<std::size_t>(first->body)].name));
+    return std::nullopt;
+  }
+  return MemberPair{*first, *second};
+}
+
+}  // namespace
+
+std::optional<int> as_body(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto name = as_text(reading, item);
+  return name ? named_thing(reading, item, *name, "body", mechanism.bodies) : std::nullopt;
+}
+
+std::optional<int> as_joint(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto name = as_text(reading, item);
+  return name ? named_thing(reading, item, *name, "joint", mechanism.joints) : std::nullopt;
+}
+
+std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& body) {
+  const auto name = as_text(reading, item);
+  return name ? named_thing(reading, item, *name, fmt::format("point of `{}`", body.name), body.points)
+              : std::nullopt;
+}
+
+std::optional<PointPair> as_point_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto pair = member_pair<Points>(reading, item, mechanism);
+  if (!pair) {
+    return std::nullopt;
+  }
+  return PointPair{{pair->first.body, pair->first.index}, {pair->second.body, pair->second.index}};
+}
+
+std::optional<CurvePair> as_curve_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto pair = member_pair<Curves>(reading, item, mechanism);
+  if (!pair) {
+    return std::nullopt;
+  }
+  return CurvePair{{pair->first.body, pair->first.index}, {pair->second.body, pair->second.index}};
+}
+
+}  // namespace higherpair::io_detail

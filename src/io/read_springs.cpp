@@ -1,0 +1,92 @@
+#include "reading.hpp"
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// The quantities of a spring that acts along a line, or about a pivot.
+struct SpringKind {
+  Expected stiffness;
+  Expected damping;
+  Expected free;
+  const char* free_key;
+  const char* other_free_key;
+};
+
+constexpr SpringKind kBetweenPoints = {{dimension::kStiffness, Sign::kNotNegative},
+                                       {dimension::kDamping, Sign::kNotNegative},
+                                       {dimension::kLength, Sign::kNotNegative},
+                                       "free_length",
+                                       "free_angle"};
+// A coordinate has a sign.
+constexpr SpringKind kOnSlide = {
+    kBetweenPoints.stiffness, kBetweenPoints.damping, {dimension::kLength}, "free_length", "free_angle"};
+constexpr SpringKind kOnPivot = {{dimension::kAngularStiffness, Sign::kNotNegative},
+                                 {dimension::kAngularDamping, Sign::kNotNegative},
+                                 {dimension::kAngle},
+                                 "free_angle",
+                                 "free_length"};
+
+void read_numbers(TableReader& table, const SpringKind& kind, Spring& spring) {
+  spring.stiffness = table.quantity("stiffness", kind.stiffness);
+  spring.damping = table.quantity("damping", kind.damping);
+  spring.free = table.quantity(kind.free_key, kind.free);
+  table.refuse(kind.other_free_key, fmt::format("this spring has a {}", kind.free_key));
+  if (!table.take("stiffness") && !table.take("damping")) {
+    (void)table.need("stiffness", describe(kind.stiffness.dimension) + " (or a damping)");
+  }
+  table.finish();
+}
+
+void read_between(TableReader& table, const Item& between, const Mechanism& mechanism, Spring& spring) {
+  if (const auto pair = as_point_pair(table.reading(), between, mechanism)) {
+    spring.first = pair->first;
+    spring.second = pair->second;
+  }
+  read_numbers(table, kBetweenPoints, spring);
+}
+
+void read_on_joint(TableReader& table, const Item& item, const Mechanism& mechanism,
+                   const std::vector<bool>& joint_type_known, Spring& spring) {
+  spring.joint = as_joint(table.reading(), item, mechanism);
+  if (!spring.joint) {
+    return;  // whether it turns or slides is unknown, and so are the units
+  }
+  const auto joint = static_cast<std::size_t>(*spring.joint);
+  if (joint_type_known[joint]) {
+    const bool turns = mechanism.joints[joint].type == JointType::kRevolute;
+    read_numbers(table, turns ? kOnPivot : kOnSlide, spring);
+  }
+}
+
+void read_spring(TableReader& table, const Mechanism& mechanism, const std::vector<bool>& joint_type_known,
+                 Spring& spring) {
+  const auto joint = table.take("joint");
+  const auto between = table.take("between");
+  if (joint && between) {
+    report(table.reading(), *joint, "a spring acts on a joint or between two points, not both");
+  } else if (joint) {
+    read_on_joint(table, *joint, mechanism, joint_type_known, spring);
+  } else if (table.need("between", "two points, [\"body.point\", \"body.point\"], or `joint` instead")) {
+    read_between(table, *between, mechanism, spring);
+  }
+}
+
+}  // namespace
+
+void read_springs(TableReader& root, Mechanism& mechanism, const std::vector<bool>& joint_type_known) {
+  const auto springs = root.take("springs");
+  if (!springs) {
+    return;
+  }
+  for_each_table(root.reading(), *springs, "a spring (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   Spring spring;
+                   spring.name = name;
+                   read_spring(table, mechanism, joint_type_known, spring);
+                   mechanism.springs.push_back(spring);
+                 });
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "higherpair/io/profile.hpp"
+#include "higherpair/mechanism/description.hpp"
+#include "table_reader.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair::io_detail {
+
+/// The parts of a profile, each read by its own function and in this order: every one may refer to names that
+/// an earlier one has put into the mechanism. Mistakes go to the reading; a thing with a mistake in it still
+/// gets its name and place, so that references to it are understood.
+
+/// \name References
+/// @{
+[[nodiscard]] std::optional<int> as_body(Reading& reading, const Item& item, const Mechanism& mechanism);
+[[nodiscard]] std::optional<int> as_joint(Reading& reading, const Item& item, const Mechanism& mechanism);
+
+/// A point of a body by its name alone.
+[[nodiscard]] std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& body);
+
+struct PointPair {
+  PointRef first;
+  PointRef second;
+};
+
+struct CurvePair {
+  CurveRef first;
+  CurveRef second;
+};
+
+/// `between = ["body.point", "body.point"]`, on different bodies.
+[[nodiscard]] std::optional<PointPair> as_point_pair(Reading& reading, const Item& item,
+                                                     const Mechanism& mechanism);
+/// `between = ["body.curve", "body.curve"]`, on different bodies.
+[[nodiscard]] std::optional<CurvePair> as_curve_pair(Reading& reading, const Item& item,
+                                                     const Mechanism& mechanism);
+/// @}
+
+/// The base units; kept at their defaults where they are wrong.
+void read_units(TableReader& root);
+
+/// Bodies with their points, curves, poses and masses; adds ground as bodies[0].
+void read_bodies(TableReader& root, Mechanism& mechanism);
+
+/// `curves.NAME` of a body. One with a mistake becomes a circle of radius 0, which fits everywhere.
+void read_curves(Reading& reading, const Item& item, Body& body);
+
+/// \return for each joint of the mechanism whether its type is known: units of what refers to it hang on it.
+[[nodiscard]] std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism);
+
+void read_contacts(TableReader& root, Mechanism& mechanism);
+
+/// Loads and springs.
+void read_loads(TableReader& root, Mechanism& mechanism);
+void read_springs(TableReader& root, Mechanism& mechanism, const std::vector<bool>& joint_type_known);
+
+/// Drivers and what they are to do; needs at least one.
+void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known);
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,316 @@
+#include "table_reader.hpp"
+
+#include "names.hpp"
+#include "suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::array<std::string_view, 12> kTopLevelKeys = {"format", "title",   "description", "gravity",
+                                                            "units",  "bodies",  "joints",      "contacts",
+                                                            "driver", "drivers", "loads",       "springs"};
+
+constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
+
+bool is_top_level(std::string_view key) {
+  return std::find(kTopLevelKeys.begin(), kTopLevelKeys.end(), key) != kTopLevelKeys.end();
+}
+
+void report_kind(Reading& reading, const Item& item, std::string_view what) {
+  report(reading, item, fmt::format("expected {}, found {}", what, kind_of(*item.value)));
+}
+
+std::string what_number(const Dimension& dimension, const Units& units) {
+  if (dimension == dimension::kNumber) {
+    return "a number";
+  }
+  return fmt::format("{} (a number in {} or a string with its unit)", describe(dimension),
+                     unit_text(dimension, units));
+}
+
+bool has_sign(double value, Sign sign) {
+  return sign == Sign::kAny || value > 0 || (sign == Sign::kNotNegative && value == 0);
+}
+
+// A plain number of the profile, with its unit for messages.
+std::optional<Quantity> plain_quantity(Reading& reading, const Item& item, double value,
+                                       const Dimension& dimension) {
+  const Quantity quantity = {value, to_si(dimension, reading.units).apply(value), value};
+  if (!std::isfinite(quantity.si)) {
+    report(reading, item, "must be a finite number");
+    return std::nullopt;
+  }
+  return quantity;
+}
+
+std::optional<Quantity> quantity_of_any_sign(Reading& reading, const Item& item, const Dimension& dimension) {
+  if (const auto* integer = std::get_if<std::int64_t>(&item.value->content)) {
+    return plain_quantity(reading, item, static_cast<double>(*integer), dimension);
+  }
+  if (const auto* number = std::get_if<double>(&item.value->content)) {
+    return plain_quantity(reading, item, *number, dimension);
+  }
+  const auto* text = std::get_if<std::string>(&item.value->content);
+  if (text == nullptr || dimension == dimension::kNumber) {
+    report_kind(reading, item, what_number(dimension, reading.units));
+    return std::nullopt;
+  }
+  const auto quantity = parse_quantity(*text, dimension, reading.units);
+  if (!quantity) {
+    report(reading, item, quantity.error());
+    return std::nullopt;
+  }
+  return *quantity;
+}
+
+void report_sign(Reading& reading, const Item& item, const Expected& expected) {
+  std::string unit;
+  if (!std::holds_alternative<std::string>(item.value->content) && expected.dimension != dimension::kNumber) {
+    unit = fmt::format(" {}", unit_text(expected.dimension, reading.units));
+  }
+  reading.mistakes.push_back(
+      {item.value->mark, fmt::format("{} = {}{}: must be {} 0", item.path, text_of(*item.value), unit,
+                                     expected.sign == Sign::kPositive ? ">" : ">=")});
+}
+
+// The sine and cosine of a multiple of 90° are off zero by the rounding of the angle alone.
+Vector2d direction_of(double angle) {
+  const double rounding = std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(angle));
+  Vector2d direction = unit_vector(angle);
+  for (int axis : {0, 1}) {
+    if (std::abs(direction(axis)) <= rounding) {
+      direction(axis) = 0;
+      direction(1 - axis) = std::copysign(1.0, direction(1 - axis));
+    }
+  }
+  return direction;
+}
+
+}  // namespace
+
+Place place_of(const Reading& reading, const Mark& mark) {
+  return {reading.sources[static_cast<std::size_t>(mark.source)], mark.line, mark.column};
+}
+
+void report(Reading& reading, const Item& item, std::string_view rule) {
+  reading.mistakes.push_back(
+      {item.value->mark, fmt::format("{} = {}: {}", item.path, text_of(*item.value), rule)});
+}
+
+const Table* as_table(Reading& reading, const Item& item, std::string_view what) {
+  const auto* table = std::get_if<Table>(&item.value->content);
+  if (table == nullptr) {
+    report_kind(reading, item, what);
+  }
+  return table;
+}
+
+std::optional<std::string> as_text(Reading& reading, const Item& item) {
+  if (const auto* text = std::get_if<std::string>(&item.value->content)) {
+    return *text;
+  }
+  report_kind(reading, item, "a string");
+  return std::nullopt;
+}
+
+std::optional<bool> as_flag(Reading& reading, const Item& item) {
+  if (const auto* flag = std::get_if<bool>(&item.value->content)) {
+    return *flag;
+  }
+  report_kind(reading, item, "true or false");
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> as_integer(Reading& reading, const Item& item) {
+  if (const auto* integer = std::get_if<std::int64_t>(&item.value->content)) {
+    return *integer;
+  }
+  const auto* number = std::get_if<double>(&item.value->content);
+  constexpr double kExactIntegers = 9007199254740992;  // 2^53
+  if (number != nullptr && std::abs(*number) <= kExactIntegers && *number == std::trunc(*number)) {
+    return static_cast<std::int64_t>(*number);
+  }
+  report_kind(reading, item, "an integer");
+  return std::nullopt;
+}
+
+std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Expected& expected) {
+  const auto quantity = quantity_of_any_sign(reading, item, expected.dimension);
+  if (quantity && !has_sign(quantity->si, expected.sign)) {
+    report_sign(reading, item, expected);
+    return std::nullopt;
+  }
+  return quantity;
+}
+
+std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item, const Expected& expected,
+                                             std::size_t count) {
+  const auto* items = std::get_if<Array>(&item.value->content);
+  const std::string what = count == 0 ? "a list" : fmt::format("a list of {} numbers", count);
+  if (items == nullptr) {
+    report_kind(reading, item, what);
+    return std::nullopt;
+  }
+  if (count != 0 && items->size() != count) {
+    report(reading, item, fmt::format("expected {}, found {}", what, items->size()));
+    return std::nullopt;
+  }
+  std::vector<Quantity> list;
+  list.reserve(items->size());
+  bool complete = true;
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto quantity = as_quantity(reading, {&(*items)[i], fmt::format("{}.{}", item.path, i)}, expected);
+    complete = complete && quantity.has_value();
+    list.push_back(quantity.value_or(Quantity{}));
+  }
+  return complete ? std::optional(std::move(list)) : std::nullopt;
+}
+
+std::optional<Vector2d> as_vector(Reading& reading, const Item& item, const Dimension& dimension) {
+  const auto list = as_list(reading, item, {dimension}, 2);
+  if (!list) {
+    return std::nullopt;
+  }
+  return Vector2d((*list)[0].si, (*list)[1].si);
+}
+
+std::optional<Vector2d> as_direction(Reading& reading, const Item& item) {
+  if (!std::holds_alternative<Array>(item.value->content)) {
+    const auto angle = as_quantity(reading, item, {dimension::kAngle});
+    return angle ? std::optional(direction_of(angle->si)) : std::nullopt;
+  }
+  const auto vector = as_vector(reading, item, dimension::kNumber);
+  if (!vector) {
+    return std::nullopt;
+  }
+  if (vector->isZero(0)) {
+    report(reading, item, "must not be the zero vector");
+    return std::nullopt;
+  }
+  const Vector2d scaled = *vector / vector->cwiseAbs().maxCoeff();  // no overflow of the squares
+  return Vector2d(scaled.normalized());
+}
+
+std::optional<std::size_t> as_choice(Reading& reading, const Item& item,
+                                     const std::vector<std::string>& choices) {
+  const auto text = as_text(reading, item);
+  if (!text) {
+    return std::nullopt;
+  }
+  const auto choice = std::find(choices.begin(), choices.end(), *text);
+  if (choice == choices.end()) {
+    report(reading, item, fmt::format("expected one of {}", fmt::join(choices, ", ")));
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(choice - choices.begin());
+}
+
+std::optional<Item> TableReader::take(const std::string& key) {
+  known_.push_back(key);
+  const Value* value = find(*table_, key);
+  return value == nullptr ? std::nullopt : std::optional(Item{value, path_of(key)});
+}
+
+std::optional<Item> TableReader::need(const std::string& key, std::string_view what) {
+  auto item = take(key);
+  if (!item) {
+    reading_->mistakes.push_back({mark_, fmt::format("{} is missing: expected {}", path_of(key), what)});
+  }
+  return item;
+}
+
+void TableReader::refuse(const std::string& key, std::string_view reason) {
+  if (const auto item = take(key)) {
+    report(*reading_, *item, reason);
+  }
+}
+
+double TableReader::quantity(const std::string& key, const Expected& expected, double otherwise) {
+  const auto item = take(key);
+  const auto quantity = item ? as_quantity(*reading_, *item, expected) : std::nullopt;
+  return quantity ? quantity->si : otherwise;
+}
+
+double TableReader::need_quantity(const std::string& key, const Expected& expected) {
+  const auto item = need(key, what_number(expected.dimension, reading_->units));
+  const auto quantity = item ? as_quantity(*reading_, *item, expected) : std::nullopt;
+  return quantity ? quantity->si : 0;
+}
+
+Vector2d TableReader::need_vector(const std::string& key, const Dimension& dimension) {
+  const auto item = need(key, "[x, y]");
+  const auto vector = item ? as_vector(*reading_, *item, dimension) : std::nullopt;
+  return vector.value_or(Vector2d::Zero());
+}
+
+std::string TableReader::text(const std::string& key) {
+  const auto item = take(key);
+  return item ? as_text(*reading_, *item).value_or("") : "";
+}
+
+bool TableReader::flag(const std::string& key, bool otherwise) {
+  const auto item = take(key);
+  return item ? as_flag(*reading_, *item).value_or(otherwise) : otherwise;
+}
+
+void TableReader::finish() const {
+  for (const Entry& entry : *table_) {
+    if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) {
+      report_unknown(entry);
+    }
+  }
+}
+
+void TableReader::report_unknown(const Entry& entry) const {
+  const bool move_up = !path_.empty() && is_top_level(entry.key);
+  const std::string remedy = move_up ? std::string(kMoveUp) : suggestion(entry.key, known_);
+  reading_->mistakes.push_back(
+      {entry.key_mark, fmt::format("{}: unknown key; {}", path_of(entry.key), remedy)});
+}
+
+std::string TableReader::path_of(std::string_view key) const {
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+void for_each_named(Reading& reading, const Item& item, std::string_view what,
+                    const std::function<void(const std::string& name, const Item& item)>& read) {
+  const Table* table = as_table(reading, item, fmt::format("a table of names, each with {}", what));
+  if (table == nullptr) {
+    return;
+  }
+  for (const Entry& entry : *table) {
+    const std::string path = fmt::format("{}.{}", item.path, entry.key);
+    if (is_name(entry.key)) {
+      read(entry.key, {&entry.value, path});
+    } else {
+      reading.mistakes.push_back(
+          {entry.key_mark,
+           fmt::format("{}: a name begins with a letter or _ and goes on with letters, digits, _ and -",
+                       path)});
+    }
+  }
+}
+
+void for_each_table(Reading& reading, const Item& item, std::string_view what,
+                    const std::function<void(const std::string& name, TableReader& table)>& read) {
+  for_each_named(reading, item, what, [&](const std::string& name, const Item& entry) {
+    if (const auto* table = std::get_if<Table>(&entry.value->content)) {
+      TableReader reader(reading, *table, entry.value->mark, entry.path);
+      read(name, reader);
+    } else if (is_top_level(name)) {
+      report(reading, entry, kMoveUp);
+    } else {
+      report_kind(reading, entry, what);
+    }
+  });
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,113 @@
+#include "house/include_rules.hpp"
+
+#include "house/tree.hpp"
+
+#include <gmock/gmock.h>
+
+namespace higherpair::house {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+bool is_source(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".hpp" || extension == ".h" || extension == ".cpp" || extension == ".ipp";
+}
+
+TEST(IncludeRules, TheTreeKeepsThem) {
+  int sources = 0;
+  for (const auto& file : project_files()) {
+    if (is_source(file)) {
+      ++sources;
+      EXPECT_THAT(include_violations(file, read_file(root() / file)), IsEmpty());
+    }
+  }
+  EXPECT_GT(sources, 10) << "the tree was not found";
+}
+
+TEST(IncludeRules, ARoomMayUseItselfAndTheRoomsBelow) {
+  EXPECT_THAT(include_violations("include/higherpair/contact/track.hpp",
+                                 "#pragma once\n"
+                                 "#include \"higherpair/contact/pair.hpp\"\n"
+                                 "#include \"higherpair/linkage/dyad.hpp\"\n"
+                                 "#include <higherpair/geometry/curve.hpp>\n"),
+              IsEmpty());
+  EXPECT_THAT(include_violations("src/io/csv.cpp",
+                                 "#include \"higherpair/dynamics/reactions.hpp\"\n"
+                                 "#include \"higherpair/cam/law.hpp\"\n"),
+              IsEmpty());
+}
+
+TEST(IncludeRules, AnIncludeThatPointsUpIsFoundWithItsLine) {
+  EXPECT_THAT(include_violations("include/higherpair/geometry/curve.hpp",
+                                 "#pragma once\n\n  # include \"higherpair/contact/pair.hpp\"  // why not\n"),
+              ElementsAre("include/higherpair/geometry/curve.hpp:3: higherpair/contact/pair.hpp: "
+                          "geometry may not use contact"));
+  EXPECT_THAT(include_violations("src/linkage/dyad.cpp", "#include <higherpair/io/profile.hpp>\n"),
+              ElementsAre("src/linkage/dyad.cpp:1: higherpair/io/profile.hpp: linkage may not use io"));
+}
+
+TEST(IncludeRules, RoomsBesideEachOtherDoNotKnowEachOther) {
+  EXPECT_THAT(include_violations("src/cam/law.cpp", "#include \"higherpair/analysis/table.hpp\"\n"),
+              ElementsAre("src/cam/law.cpp:1: higherpair/analysis/table.hpp: cam may not use analysis"));
+}
+
+TEST(IncludeRules, APrivateHeaderIsFoundByAnyOfItsNames) {
+  EXPECT_THAT(include_violations("src/contact/track.cpp", "#include \"pencil.hpp\"\n"), IsEmpty());
+  EXPECT_THAT(include_violations("src/contact/track.cpp", "#include \"../analysis/run.hpp\"\n"),
+              ElementsAre("src/contact/track.cpp:1: ../analysis/run.hpp: contact may not use analysis"));
+  EXPECT_THAT(include_violations("src/contact/track.cpp", "#include \"analysis/run.hpp\"\n"),
+              ElementsAre("src/contact/track.cpp:1: analysis/run.hpp: contact may not use analysis"));
+  EXPECT_THAT(include_violations("include/higherpair/io/csv.hpp", "#include \"io/writer.hpp\"\n"),
+              ElementsAre("include/higherpair/io/csv.hpp:1: io/writer.hpp: "
+                          "a public header includes a private one"));
+}
+
+TEST(IncludeRules, TheLibraryDoesNotIncludeTestsOrTools) {
+  EXPECT_THAT(include_violations("src/io/csv.cpp", "#include \"../../tests/house/tree.hpp\"\n"),
+              ElementsAre("src/io/csv.cpp:1: ../../tests/house/tree.hpp: "
+                          "the library does not include what is outside of it"));
+}
+
+TEST(IncludeRules, PublicHeadersShowOnlyEigenAndExpected) {
+  EXPECT_THAT(include_violations("include/higherpair/contact/pair.hpp",
+                                 "#include <optional>\n"
+                                 "#include <Eigen/Core>\n"
+                                 "#include <tl/expected.hpp>\n"),
+              IsEmpty());
+  for (const std::string header : {"CGAL/Algebraic_kernel_d_1.h", "nlopt.hpp", "toml++/toml.h", "toml.hpp",
+                                   "nlohmann/json.hpp", "CLI/CLI.hpp", "fmt/core.h", "boost/version.hpp"}) {
+    EXPECT_THAT(include_violations("include/higherpair/contact/pair.hpp", "#include <" + header + ">\n"),
+                ElementsAre("include/higherpair/contact/pair.hpp:1: " + header +
+                            ": a public header includes only the standard library, Eigen and tl::expected"));
+  }
+}
+
+TEST(IncludeRules, ALibraryStaysInItsRoom) {
+  EXPECT_THAT(include_violations("src/contact/exact.cpp", "#include <CGAL/Gmpz.h>\n"), IsEmpty());
+  EXPECT_THAT(include_violations("src/io/profile.cpp", "#include <toml++/toml.h>\n"), IsEmpty());
+  EXPECT_THAT(include_violations("src/analysis/run.cpp", "#include <CGAL/Gmpz.h>\n"),
+              ElementsAre("src/analysis/run.cpp:1: CGAL/Gmpz.h: this library belongs to contact"));
+  EXPECT_THAT(include_violations("src/io/profile.cpp", "#include <CLI/CLI.hpp>\n"),
+              ElementsAre("src/io/profile.cpp:1: CLI/CLI.hpp: this library is for tools"));
+}
+
+TEST(IncludeRules, AFileOrHeaderInNoRoomIsFound) {
+  EXPECT_THAT(include_violations("include/higherpair/everything.hpp", ""),
+              ElementsAre("include/higherpair/everything.hpp: the file stands in no room that we know"));
+  EXPECT_THAT(include_violations("src/attic/box.cpp", ""),
+              ElementsAre("src/attic/box.cpp: the file stands in no room that we know"));
+  EXPECT_THAT(include_violations("src/io/csv.cpp", "#include \"higherpair/everything.hpp\"\n"),
+              ElementsAre("src/io/csv.cpp:1: higherpair/everything.hpp: "
+                          "the header stands in no room that we know"));
+}
+
+TEST(IncludeRules, TestsAndToolsAreFree) {
+  EXPECT_THAT(include_violations("tools/cli/main.cpp", "#include <CLI/CLI.hpp>\n#include <CGAL/Gmpz.h>\n"),
+              IsEmpty());
+  EXPECT_THAT(include_violations("tests/io/csv_test.cpp", "#include <nlohmann/json.hpp>\n"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace higherpair::house

@@ -1,0 +1,212 @@
+// Whatever the README shows is real: its commands run, its profile is analysed, its C++ is the program that
+// the install test compiles, the paths that it names exist. Blocks are told apart by their language:
+//   sh, console   commands; those of higherpair are run, in console with the output that is shown
+//   toml          a whole profile
+//   cpp, cmake    parts of tests/install
+//   text          nothing to run
+#include "house/readme.hpp"
+
+#include "house/tree.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <sys/wait.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace higherpair::house {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string readme() {
+  return read_file(root() / "README.md");
+}
+
+std::vector<Block> blocks_in(const std::set<std::string>& languages) {
+  std::vector<Block> chosen;
+  for (const Block& block : fenced_blocks(readme())) {
+    if (languages.contains(block.language)) {
+      chosen.push_back(block);
+    }
+  }
+  return chosen;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  std::string word;
+  while (stream >> word) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+// A folder in which the commands of the README work as in the root of the tree, but leave nothing there.
+class ReadmeCommands : public testing::Test {
+protected:
+  void SetUp() override {
+    if (!fs::exists(fs::path(HIGHERPAIR_PROGRAM_DIR) / "higherpair")) {
+      GTEST_SKIP() << "the program is not part of this build";
+    }
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(HIGHERPAIR_PROGRAM_DIR).parent_path().parent_path() / "readme_test" / name;
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "out");
+    fs::create_directory_symlink(root() / "profiles", folder_ / "profiles");
+  }
+
+  struct Outcome {
+    int exit_code = -1;
+    std::string output;
+    std::string errors;
+  };
+
+  [[nodiscard]] Outcome run(const std::string& command) const {
+    const std::string script = "cd '" + folder_.string() +
+                               "' && PATH='" HIGHERPAIR_PROGRAM_DIR "':\"$PATH\" && (" + command +
+                               ") >output.txt 2>errors.txt </dev/null";
+    const int status = std::system(script.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "output.txt"),
+            read_file(folder_ / "errors.txt")};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ReadmeCommands, OfHigherpairRunAndPrintWhatIsShown) {
+  for (const Block& block : blocks_in({"sh", "console"})) {
+    for (const Command& command : commands_of(block)) {
+      if (words_of(command.line).front() != "higherpair") {
+        continue;
+      }
+      const Outcome outcome = run(command.line);
+      EXPECT_EQ(outcome.exit_code, 0) << command.line << "\n" << outcome.errors;
+      if (block.language == "console") {
+        EXPECT_TRUE(matches_with_gaps(outcome.output, command.output))
+            << command.line << "\nprints\n"
+            << outcome.output << "and the README shows\n"
+            << command.output;
+      }
+    }
+  }
+}
+
+TEST_F(ReadmeCommands, AnalyseTheProfilesThatAreShown) {
+  for (const Block& block : blocks_in({"toml"})) {
+    std::ofstream(folder_ / "shown.toml") << block.text;
+    const Outcome outcome = run("higherpair analyze shown.toml");
+    EXPECT_EQ(outcome.exit_code, 0) << "README.md:" << block.line << "\n" << outcome.errors;
+  }
+}
+
+TEST(Readme, EveryBlockIsOfAKindThatIsChecked) {
+  const std::set<std::string> known = {"sh", "console", "toml", "cpp", "cmake", "text"};
+  for (const Block& block : fenced_blocks(readme())) {
+    EXPECT_TRUE(known.contains(block.language)) << "README.md:" << block.line << ": " << block.language;
+  }
+}
+
+TEST(Readme, ShowsTheTwoCommandsOnItsFirstScreen) {
+  const std::vector<Block> blocks = fenced_blocks(readme());
+  ASSERT_FALSE(blocks.empty());
+  EXPECT_LT(blocks.front().line, 25);
+  EXPECT_THAT(blocks.front().text, HasSubstr("tools/demo"));
+  EXPECT_THAT(blocks.front().text, HasSubstr("tools/test"));
+}
+
+TEST(Readme, CommandsNameScriptsAndPresetsThatExist) {
+  const auto presets = nlohmann::json::parse(read_file(root() / "CMakePresets.json"));
+  std::set<std::string> names;
+  for (const auto& preset : presets["configurePresets"]) {
+    names.insert(preset["name"].get<std::string>());
+  }
+  for (const Block& block : blocks_in({"sh", "console"})) {
+    for (const Command& command : commands_of(block)) {
+      const std::vector<std::string> words = words_of(command.line);
+      const std::string& program = words.front();
+      if (program.starts_with("tools/")) {
+        const auto permissions = fs::status(root() / program).permissions();
+        EXPECT_NE(permissions & fs::perms::owner_exec, fs::perms::none) << command.line;
+      } else {
+        EXPECT_THAT(program, testing::AnyOf("cmake", "ctest", "higherpair")) << command.line;
+      }
+      for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        EXPECT_TRUE(words[i] != "--preset" || names.contains(words[i + 1])) << command.line;
+      }
+    }
+  }
+}
+
+TEST(Readme, ShowsTheProgramThatTheInstallTestCompiles) {
+  const std::vector<Block> examples = blocks_in({"cpp"});
+  ASSERT_EQ(examples.size(), 1U);
+  EXPECT_EQ(examples.front().text, read_file(root() / "tests/install/main.cpp"));
+}
+
+TEST(Readme, ShowsCMakeLinesThatTheInstallTestRuns) {
+  const std::string project = read_file(root() / "tests/install/CMakeLists.txt");
+  for (const Block& block : blocks_in({"cmake"})) {
+    EXPECT_THAT(project, HasSubstr(block.text)) << "README.md:" << block.line;
+  }
+}
+
+TEST(Readme, PathsInBackticksExist) {
+  const std::string text = readme();
+  const std::regex path("`((include|src|tests|tools|profiles|cmake)/[\\w./-]*)`");
+  int count = 0;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), path); match != std::sregex_iterator();
+       ++match) {
+    ++count;
+    EXPECT_TRUE(fs::exists(root() / (*match)[1].str())) << (*match)[1];
+  }
+  EXPECT_GT(count, 5);
+}
+
+TEST(FencedBlocks, AreFoundWithLanguageAndLine) {
+  const auto blocks = fenced_blocks("a\n```sh\nls\n\n```\nb\n```\nplain\n```\n");
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks[0].line, 2);
+  EXPECT_EQ(blocks[0].language, "sh");
+  EXPECT_EQ(blocks[0].text, "ls\n\n");
+  EXPECT_EQ(blocks[1].line, 7);
+  EXPECT_EQ(blocks[1].language, "");
+  EXPECT_EQ(blocks[1].text, "plain\n");
+}
+
+TEST(Commands, OfAScriptAreItsLinesWithoutComments) {
+  std::vector<std::string> lines;
+  for (const Command& command : commands_of({1, "sh", "# first\nls -l   # all\n\ncp a \\\n  b\n"})) {
+    lines.push_back(command.line);
+  }
+  EXPECT_THAT(lines, ElementsAre("ls -l", "cp a   b"));
+}
+
+TEST(Commands, OfAConsoleCarryTheirOutput) {
+  const auto commands = commands_of({1, "console", "$ echo a\na\n$ true\n"});
+  ASSERT_EQ(commands.size(), 2U);
+  EXPECT_EQ(commands[0].line, "echo a");
+  EXPECT_EQ(commands[0].output, "a\n");
+  EXPECT_EQ(commands[1].line, "true");
+  EXPECT_EQ(commands[1].output, "");
+}
+
+TEST(MatchesWithGaps, TakesAnEllipsisForAnyLines) {
+  EXPECT_TRUE(matches_with_gaps("a\nb\nc\n", "a\nb\nc\n"));
+  EXPECT_TRUE(matches_with_gaps("a\nb\nc\n", "a\n…\n"));
+  EXPECT_TRUE(matches_with_gaps("a\nb\nc\n", "…\nb\n…\nc\n"));
+  EXPECT_FALSE(matches_with_gaps("a\nb\nc\n", "a\nb\n"));
+  EXPECT_FALSE(matches_with_gaps("a\nb\nc\n", "a\n…\nd\n"));
+  EXPECT_FALSE(matches_with_gaps("a\nb\n", "a\nb\nc\n"));
+}
+
+}  // namespace
+}  // namespace higherpair::house

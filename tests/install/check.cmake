@@ -1,0 +1,56 @@
+# Installs the built library, moves the installation, then configures, builds and runs the second project
+# against it.
+#   cmake -D BUILD_DIR=… -D SOURCE_DIR=… -D CONFIG=… -D GENERATOR=… -D COMPILER=… -D FLAGS=… -P check.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(work ${BUILD_DIR}/install_test)
+file(REMOVE_RECURSE ${work})
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    string(JOIN " " command ${ARGN})
+    message(FATAL_ERROR "${command}\nfailed (${result}):\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/installed --config ${CONFIG})
+file(RENAME ${work}/installed ${work}/moved)
+
+# The package knows nothing of the machine that built it.
+file(GLOB_RECURSE package_files ${work}/moved/*.cmake)
+if(NOT package_files)
+  message(FATAL_ERROR "no package files are installed")
+endif()
+cmake_path(GET SOURCE_DIR PARENT_PATH tests_dir)
+cmake_path(GET tests_dir PARENT_PATH higherpair_dir)
+foreach(file IN LISTS package_files)
+  file(READ ${file} text)
+  foreach(path ${BUILD_DIR} ${higherpair_dir} ${work})
+    string(FIND "${text}" "${path}" place)
+    if(NOT place EQUAL -1)
+      message(FATAL_ERROR "${file} names ${path}")
+    endif()
+  endforeach()
+endforeach()
+
+run(${CMAKE_COMMAND}
+    -S ${SOURCE_DIR}
+    -B ${work}/build
+    -G ${GENERATOR}
+    -D CMAKE_BUILD_TYPE=${CONFIG}
+    -D CMAKE_CXX_COMPILER=${COMPILER}
+    "-DCMAKE_CXX_FLAGS=${FLAGS}"
+    -D CMAKE_PREFIX_PATH=${work}/moved
+    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+run(${CMAKE_COMMAND} --build ${work}/build --config ${CONFIG})
+run(${work}/build/second_project)
+if(NOT output STREQUAL "speed 0.04 m/s, acceleration 0.16 m/s^2\n")
+  message(FATAL_ERROR "the second project printed: ${output}")
+endif()
+
+# The program, where it was built, runs from where it is installed.
+if(EXISTS ${work}/moved/bin/higherpair)
+  run(${work}/moved/bin/higherpair --version)
+endif()

@@ -1,0 +1,247 @@
+#include "higherpair/io/driver_schedule.hpp"
+
+#include "higherpair/io/profile_reader.hpp"
+#include "io/profile_testing.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::crank_profile;
+using ::testing::ElementsAre;
+using testing::read;
+using testing::slider_profile;
+using Samples = std::optional<std::int64_t>;
+
+DriverSchedule analyze(const std::string& text, Samples samples = {}) {
+  return DriverSchedule::analyze(read(text), samples).value();
+}
+
+DriverSchedule step(const std::string& text, Samples samples = {}) {
+  return DriverSchedule::step(read(text), samples).value();
+}
+
+std::vector<std::string> lines(const tl::expected<DriverSchedule, Diagnostics>& schedule) {
+  std::vector<std::string> result;
+  if (!schedule) {
+    for (const Diagnostic& diagnostic : schedule.error()) result.push_back(to_string(diagnostic));
+  }
+  return result;
+}
+
+std::vector<double> positions(const DriverSchedule& schedule) {
+  std::vector<double> result;
+  for (std::int64_t k = 0; k < schedule.size(); ++k) result.push_back(schedule.state(k).profile.position);
+  return result;
+}
+
+std::vector<double> times(const DriverSchedule& schedule) {
+  std::vector<double> result;
+  for (std::int64_t k = 0; k < schedule.size(); ++k) result.push_back(schedule.time(k));
+  return result;
+}
+
+TEST(AnalyzeSchedule, SpacesItsRowsEquallyWithBothEnds) {
+  EXPECT_THAT(positions(analyze(crank_profile("start = -10\nend = 20\nsamples = 4\n"))),
+              ElementsAre(-10, 0, 10, 20));
+  EXPECT_THAT(positions(analyze(crank_profile("start = 0.1\nend = 0.5\nsamples = 5\n"))),
+              ElementsAre(0.1, 0.2, 0.3, 0.4, 0.5));
+  EXPECT_THAT(positions(analyze(crank_profile("start = 1\nend = 0\nsamples = 6\n"))),
+              ElementsAre(1, 0.8, 0.6, 0.4, 0.2, 0));
+}
+
+TEST(AnalyzeSchedule, GivesWholeDegreesOverATurn) {
+  const DriverSchedule schedule = analyze(crank_profile("start = 0\nend = 360\n"));
+  ASSERT_EQ(schedule.size(), 361);
+  EXPECT_FALSE(schedule.is_timed());
+  EXPECT_EQ(schedule.driver_count(), 1U);
+  for (std::int64_t k = 0; k <= 360; ++k)
+    EXPECT_EQ(schedule.state(k).profile.position, static_cast<double>(k));
+  EXPECT_EQ(schedule.state(90).si.position, kPi / 2);
+}
+
+TEST(AnalyzeSchedule, EndsExactlyWhateverTheRounding) {
+  const DriverSchedule schedule = analyze(crank_profile("start = 1e17\nend = 0.3\nsamples = 1000003\n"));
+  EXPECT_EQ(schedule.state(0).profile.position, 1e17);
+  EXPECT_EQ(schedule.state(schedule.size() - 1).profile.position, 0.3);
+}
+
+TEST(AnalyzeSchedule, OneSampleIsTheStart) {
+  EXPECT_THAT(positions(analyze(crank_profile("start = 7\nend = 20\nsamples = 1\n"))), ElementsAre(7));
+}
+
+TEST(AnalyzeSchedule, WithoutEndATurnIsMadeOrASliderStays) {
+  const DriverSchedule turn = analyze(crank_profile("start = 30\n"));
+  EXPECT_EQ(turn.size(), 361);
+  EXPECT_EQ(turn.state(360).profile.position, 390);
+  EXPECT_EQ(turn.state(17).profile.position, 47);
+  EXPECT_THAT(positions(analyze(slider_profile("start = 30\n"))), ElementsAre(30));
+}
+
+TEST(AnalyzeSchedule, RepeatsExplicitPositionsDigitByDigit) {
+  EXPECT_THAT(positions(analyze(
+                  crank_profile("start = 5\nend = 6\nsamples = 9\npositions = [0.1, 40, -15.7, 40]\n"))),
+              ElementsAre(0.1, 40, -15.7, 40));
+}
+
+TEST(AnalyzeSchedule, HasTheVelocityAndAccelerationOfTheProfileInEveryRow) {
+  const DriverSchedule schedule =
+      analyze(crank_profile("end = 90\nvelocity = \"300 rpm\"\nacceleration = 45\n"));
+  for (const std::int64_t k : {0, 77, 360}) {
+    const DriverState state = schedule.state(k);
+    EXPECT_EQ(state.profile.velocity, 1800);
+    EXPECT_EQ(state.profile.acceleration, 45);
+    EXPECT_EQ(state.si.velocity, 10 * kPi);
+    EXPECT_EQ(state.si.acceleration, kPi / 4);
+    EXPECT_EQ(schedule.time(k), 0);
+  }
+}
+
+TEST(AnalyzeSchedule, TheOptionSamplesTakesThePlaceOfTheProfiles) {
+  EXPECT_THAT(positions(analyze(crank_profile("start = 0\nend = 30\nsamples = 99\n"), 3)),
+              ElementsAre(0, 15, 30));
+  EXPECT_EQ(analyze(crank_profile(), 10'000'001).size(), 10'000'001);
+  EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile()), 0)),
+              ElementsAre("--samples 0: must be an integer from 1 to 2^53"));
+}
+
+TEST(AnalyzeSchedule, RefusesWhatHasNoMeaning) {
+  EXPECT_THAT(
+      lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
+      ElementsAre(
+          "test.toml:10:1: driver.positions are given one by one: --samples has no meaning for them"));
+  EXPECT_THAT(
+      lines(DriverSchedule::analyze(read(slider_profile("samples = 7\n")))),
+      ElementsAre(
+          "test.toml:11:1: driver.end is missing: 7 samples need one (the same as start to stay there)"));
+  EXPECT_THAT(lines(DriverSchedule::analyze(read(slider_profile("start = -1e308\nend = 1e308\n")))),
+              ElementsAre("test.toml:11:1: driver.end is too far from start for the range of a double"));
+}
+
+constexpr const char* kTwoDrivers = R"([bodies.ground]
+points.A = [0, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [31, 0]
+[bodies.arm]
+points.B = [0, 0]
+[joints.one]
+type = "revolute"
+between = ["ground.A", "crank.A"]
+[joints.two]
+type = "prismatic"
+between = ["crank.B", "arm.B"]
+direction = 0
+)";
+
+TEST(AnalyzeSchedule, SeveralDriversHaveEquallyManyPositions) {
+  const std::string one = "[drivers.a]\njoint = \"one\"\nend = 360\nsamples = 3\n";
+  const std::string two = "[drivers.b]\njoint = \"two\"\n";
+  const DriverSchedule schedule = analyze(kTwoDrivers + one + two + "positions = [4, 5, 7]\n");
+  EXPECT_EQ(schedule.size(), 3);
+  EXPECT_EQ(schedule.driver_count(), 2U);
+  EXPECT_EQ(schedule.state(1, 0).profile.position, 180);
+  EXPECT_EQ(schedule.state(1, 1).profile.position, 5);
+  EXPECT_EQ(schedule.state(1, 1).si.position, 0.005);
+  EXPECT_THAT(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "positions = [4, 5]\n"))),
+              ElementsAre("test.toml:19:1: drivers.b.samples gives 2 positions where the first driver has 3: "
+                          "all drivers need equally many"));
+}
+
+TEST(StepSchedule, HasARowAtEveryTimeStepAndAtBothEnds) {
+  const DriverSchedule schedule = step(testing::kCamProfile);
+  ASSERT_EQ(schedule.size(), 601);
+  EXPECT_TRUE(schedule.is_timed());
+  for (std::int64_t k = 0; k <= 600; ++k) {
+    EXPECT_EQ(schedule.time(k), static_cast<double>(k) / 100);
+    EXPECT_EQ(schedule.time_si(k), schedule.time(k));
+    EXPECT_NEAR(schedule.state(k).profile.position, 0.6 * static_cast<double>(k), 1e-13);
+  }
+}
+
+TEST(StepSchedule, EndsAtTheDurationAlsoIfItIsNoMultiple) {
+  EXPECT_THAT(times(step(crank_profile("duration = 1\ntime_step = 0.3\n"))),
+              ElementsAre(0, 0.3, 2 * 0.3, 3 * 0.3, 1));
+  EXPECT_THAT(times(step(crank_profile("duration = 0.1\ntime_step = 0.3\n"))), ElementsAre(0, 0.1));
+  EXPECT_THAT(times(step(crank_profile("duration = 0\ntime_step = 0.3\n"))), ElementsAre(0));
+}
+
+TEST(StepSchedule, RoundingOfDurationAndTimeStepMakesNoRow) {
+  for (const double step_size : {0.1, 0.2, 0.3, 0.7, 0.001, 1e-4, 1.0 / 3, 0.07}) {
+    for (const int steps : {1, 3, 10, 57, 999, 100'000}) {
+      Profile profile = read(crank_profile());
+      profile.programs[0].time_step = step_size;
+      profile.programs[0].duration = step_size * steps;
+      const auto schedule = DriverSchedule::step(profile);
+      ASSERT_TRUE(schedule);
+      EXPECT_EQ(schedule->size(), steps + 1) << step_size;
+      EXPECT_EQ(schedule->time(steps), step_size * steps);
+    }
+  }
+}
+
+TEST(StepSchedule, MovesUniformlyAccelerated) {
+  const DriverSchedule schedule =
+      step(crank_profile("start = 3\nvelocity = -7\nacceleration = 11\nduration = 2\ntime_step = 0.25\n"));
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    const double t = 0.25 * static_cast<double>(k);
+    const DriverState state = schedule.state(k);
+    EXPECT_DOUBLE_EQ(state.profile.position, 3 - 7 * t + 5.5 * t * t);
+    EXPECT_DOUBLE_EQ(state.profile.velocity, -7 + 11 * t);
+    EXPECT_EQ(state.profile.acceleration, 11);
+    EXPECT_NEAR(state.si.position, state.profile.position * kPi / 180, 1e-16);
+  }
+}
+
+TEST(StepSchedule, CountsTimeInTheUnitOfTheProfile) {
+  const DriverSchedule schedule = step(crank_profile(
+      "velocity = \"60 deg/s\"\nduration = \"2 s\"\ntime_step = 500\n", "[units]\ntime = \"ms\"\n"));
+  EXPECT_THAT(times(schedule), ElementsAre(0, 500, 1000, 1500, 2000));
+  EXPECT_EQ(schedule.time_si(1), 0.5);
+  EXPECT_NEAR(schedule.state(1).profile.position, 30, 1e-14);
+}
+
+TEST(StepSchedule, TheOptionSamplesDividesTheDuration) {
+  EXPECT_THAT(times(step(crank_profile("duration = 1\ntime_step = 0.3\n"), 5)),
+              ElementsAre(0, 0.25, 0.5, 0.75, 1));
+  EXPECT_THAT(times(step(crank_profile("duration = 1\n"), 2)), ElementsAre(0, 1));
+  EXPECT_THAT(times(step(crank_profile("duration = 1\n"), 1)), ElementsAre(0));
+}
+
+TEST(StepSchedule, NeedsADurationAndATimeStep) {
+  EXPECT_THAT(
+      lines(DriverSchedule::step(read(crank_profile()))),
+      ElementsAre(
+          "test.toml:10:1: driver.duration is missing: `step` needs to know how long to run",
+          "test.toml:10:1: driver.time_step is missing: give the time between two rows, or --samples"));
+}
+
+TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {
+  EXPECT_THAT(
+      lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e-9\n")))),
+      ElementsAre(
+          "test.toml:10:1: driver.time_step is too small: the duration would have more than 2^53 rows"));
+  EXPECT_THAT(lines(DriverSchedule::step(
+                  read(crank_profile("duration = 1e200\ntime_step = 1e199\nacceleration = 1\n")))),
+              ElementsAre("test.toml:10:1: driver.duration takes the driver out of the range of a double"));
+  EXPECT_EQ(step(crank_profile("duration = 1e6\ntime_step = 1e-9\n")).size(), 1'000'000'000'000'001);
+}
+
+TEST(StepSchedule, SeveralDriversShareTheirTime) {
+  const std::string drivers =
+      "[drivers.a]\njoint = \"one\"\nduration = 2\n[drivers.b]\njoint = \"two\"\ntime_step = 1\n";
+  EXPECT_THAT(times(step(kTwoDrivers + drivers)), ElementsAre(0, 1, 2));
+  EXPECT_EQ(step(kTwoDrivers + drivers).state(2, 1).profile.position, -29);  // drawn at -31 mm, 1 mm/s
+  EXPECT_THAT(
+      lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
+      ElementsAre("test.toml:18:1: drivers.b.duration differs from that of another driver: all move in the "
+                  "same time"));
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,91 @@
+#include "higherpair/io/profile_reader.hpp"
+#include "io/profile_testing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::crank_profile;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kCamProfile;
+using testing::messages;
+using testing::read;
+
+TEST(Override, ReplacesAValueOfTheFile) {
+  const Profile profile = read(kCamProfile, {"driver.samples=721", "bodies.cam.curves.disc.radius = \"1 in\"",
+                                             "units.force=kN", "title=plain words"});
+  EXPECT_EQ(profile.programs[0].samples, 721);
+  EXPECT_EQ(profile.mechanism.bodies[1].curves[0].curve.semi_latus, 0.0254);
+  EXPECT_EQ(profile.mechanism.loads[0].force, Vector2d(0, -12'000));
+  EXPECT_EQ(profile.mechanism.title, "plain words");
+}
+
+TEST(Override, ReplacesItemsOfListsByNumber) {
+  const Profile profile =
+      read(kCamProfile, {"bodies.ground.points.O2.0=90", "contacts.touch.between.1=follower.roller"});
+  EXPECT_EQ(profile.mechanism.bodies[0].points[1].p_B, Vector2d(0.09, 0));
+}
+
+TEST(Override, AppendsTheNextItemOfAList) {
+  const Profile profile = read(crank_profile("positions = [1]\n"), {"driver.positions.1=5"});
+  EXPECT_EQ(profile.programs[0].positions, (std::vector<double>{1, 5}));
+}
+
+TEST(Override, AddsKeysAndTablesBehindThoseOfTheFile) {
+  const Profile profile =
+      read(kCamProfile, {"bodies.aaa.points.P=[1, 2]", "bodies.aaa.pose.x=3", "description=\"x\"",
+                         "extra.more.of.it=true", "loads.zero={ body = \"cam\", torque = 1 }"});
+  ASSERT_EQ(profile.mechanism.bodies.size(), 4U);
+  EXPECT_EQ(profile.mechanism.bodies[3].name, "aaa");
+  EXPECT_EQ(profile.mechanism.bodies[3].points[0].p_B, Vector2d(0.001, 0.002));
+  EXPECT_EQ(profile.mechanism.bodies[3].guess_p_WB.x(), 0.003);
+  EXPECT_EQ(profile.mechanism.description, "x");
+  EXPECT_EQ(profile.mechanism.loads[2].name, "zero");
+}
+
+TEST(Override, TheLastOneOfAKeyCounts) {
+  EXPECT_EQ(read(kCamProfile, {"driver.end=10", "driver.end=20"}).programs[0].end, 20);
+}
+
+TEST(Override, ValuesThatAreNoTomlAreStrings) {
+  EXPECT_EQ(read(kCamProfile, {"title=a = b"}).mechanism.title, "a = b");
+  EXPECT_EQ(read(kCamProfile, {"title="}).mechanism.title, "");
+  EXPECT_EQ(read(kCamProfile, {"title=one\ntwo = 2"}).mechanism.title, "one\ntwo = 2");
+  EXPECT_EQ(read(kCamProfile, {"title=1\ntwo = 2"}).mechanism.title, "1\ntwo = 2");
+}
+
+TEST(Override, IsThePlaceOfItsMistakes) {
+  EXPECT_THAT(messages(kCamProfile, {"driver.samples=0"}),
+              ElementsAre("--set driver.samples=0: driver.samples = 0: must be an integer from 1 to 2^53"));
+  EXPECT_THAT(
+      messages(kCamProfile, {"bodies.cam.curves.disc.radius=-12"}),
+      ElementsAre(
+          "--set bodies.cam.curves.disc.radius=-12: bodies.cam.curves.disc.radius = -12 mm: must be > 0"));
+  EXPECT_THAT(messages(kCamProfile, {"driver.speed=3"}),
+              ElementsAre(HasSubstr("--set driver.speed=3: driver.speed: unknown key; there are joint, ")));
+}
+
+TEST(Override, MistakesComeBehindThoseOfTheFile) {
+  EXPECT_THAT(messages(crank_profile("samples = 0\n"), {"bodies.crank.pose.x=x", "driver.end=y"}),
+              ElementsAre(HasSubstr("test.toml:12:11: driver.samples"),
+                          HasSubstr("--set bodies.crank.pose.x=x: "), HasSubstr("--set driver.end=y: ")));
+}
+
+TEST(Override, APathThatLeadsNowhereIsExplained) {
+  EXPECT_THAT(messages(kCamProfile, {"nothing"}),
+              ElementsAre("--set nothing: expected PATH=VALUE, such as driver.samples=721"));
+  EXPECT_THAT(messages(kCamProfile, {"driver.joint.x=3"}),
+              ElementsAre("--set driver.joint.x=3: there is no `x` in \"cam_pivot\", which is a string"));
+  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.3=3"}),
+              ElementsAre(HasSubstr("`3` is no item of a list of 2 (the first one is 0)")));
+  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.x=3"}),
+              ElementsAre(HasSubstr("`x` is no item")));
+  EXPECT_THAT(messages(kCamProfile, {"driver..end=3"}), ElementsAre(HasSubstr("`` is no name")));
+  EXPECT_THAT(messages(kCamProfile, {"=3"}), ElementsAre(HasSubstr("`` is no name")));
+}
+
+}  // namespace
+}  // namespace higherpair

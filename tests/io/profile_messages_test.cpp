@@ -1,0 +1,460 @@
+#include "higherpair/io/profile_reader.hpp"
+#include "io/profile_testing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::crank_profile;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::messages;
+using testing::slider_profile;
+
+// The messages about the crank's profile with more text behind it; that begins at line 12.
+std::vector<std::string> about(const std::string& more) {
+  return messages(crank_profile(more));
+}
+
+// A curve in the crank, its table at line 13, column 5.
+std::vector<std::string> about_curve(const std::string& table) {
+  return about("[bodies.crank.curves]\nc = " + table + "\n");
+}
+
+TEST(ProfileMessages, ThereAreNoneAboutTheProfilesTheyStartFrom) {
+  EXPECT_THAT(messages(crank_profile()), IsEmpty());
+  EXPECT_THAT(messages(slider_profile()), IsEmpty());
+}
+
+TEST(ProfileMessages, ComeAllAtOnceInTheOrderOfTheFile) {
+  EXPECT_THAT(
+      messages(R"(format = 0
+title = 3
+[driver]
+joint = "pivo"
+samples = 0
+[joints.pivot]
+type = "revolut"
+between = ["ground.A", "crank.B"]
+[bodies.crank]
+points.A = [0, 0, 0]
+mass = -1
+[units]
+length = "furlong"
+)"),
+      ElementsAre("test.toml:1:10: format = 0: expected format 1",
+                  "test.toml:2:9: title = 3: expected a string, found an integer",
+                  "test.toml:4:9: driver.joint = \"pivo\": there is no joint `pivo`; did you mean `pivot`?",
+                  "test.toml:5:11: driver.samples = 0: must be an integer from 1 to 2^53",
+                  "test.toml:7:8: joints.pivot.type = \"revolut\": expected one of revolute, prismatic, slot",
+                  "test.toml:8:12: joints.pivot.between.0 = \"ground.A\": there is no point of `ground` `A`; "
+                  "there is none",
+                  "test.toml:8:24: joints.pivot.between.1 = \"crank.B\": there is no point of `crank` `B`; "
+                  "did you mean `A`?",
+                  "test.toml:9:1: bodies.crank.center_of_mass is missing: expected [x, y]",
+                  "test.toml:10:12: bodies.crank.points.A = [0, 0, 0]: expected a list of 2 numbers, found 3",
+                  "test.toml:11:8: bodies.crank.mass = -1 kg: must be >= 0",
+                  "test.toml:13:10: units.length = \"furlong\": expected one of m, cm, mm, um, km, in, ft"));
+}
+
+TEST(ProfileMessages, ANewerFormatIsTheOnlyComplaint) {
+  EXPECT_THAT(
+      messages("format = 2\nnonsense = 3\n"),
+      ElementsAre(
+          "test.toml:1:10: format = 2: this profile needs a newer higherpair; this one reads format 1"));
+  EXPECT_THAT(messages(crank_profile("", "format = \"1\"\n")),
+              ElementsAre("test.toml:1:10: format = \"1\": expected an integer, found a string"));
+}
+
+TEST(ProfileMessages, UnknownKeysGetTheNearestOne) {
+  EXPECT_THAT(about("velocty = 3\n"),
+              ElementsAre("test.toml:12:1: driver.velocty: unknown key; did you mean `velocity`?"));
+  EXPECT_THAT(
+      messages(crank_profile("", "nonsense = 3\n")),
+      ElementsAre(
+          "test.toml:1:1: nonsense: unknown key; there are format, units, title, description, gravity, "
+          "bodies, joints, contacts, driver, drivers, loads, springs, …"));
+  EXPECT_THAT(
+      about_curve("{ type = \"circle\", center = [0, 0], radius = 2, diameter = 4 }"),
+      ElementsAre(
+          "test.toml:13:53: bodies.crank.curves.c.diameter: unknown key; there are type, side, center, "
+          "radius"));
+  EXPECT_THAT(about("[bodies.crank.pose]\nz = 1\n"),
+              ElementsAre("test.toml:13:1: bodies.crank.pose.z: unknown key; did you mean `x` or `y`?"));
+}
+
+TEST(ProfileMessages, KeysOfTheTopLevelAreToBeMovedUp) {
+  EXPECT_THAT(
+      about("gravity = [0, -9810]\n"),
+      ElementsAre(
+          "test.toml:12:1: driver.gravity: unknown key; it belongs to the top level: move it above the "
+          "first [table]"));
+  EXPECT_THAT(
+      about("[bodies]\ntitle = \"x\"\n"),
+      ElementsAre(
+          "test.toml:13:9: bodies.title = \"x\": it belongs to the top level: move it above the first "
+          "[table]"));
+}
+
+TEST(ProfileMessages, AWrongKindSaysWhatIsExpectedAndWhatIsFound) {
+  EXPECT_THAT(
+      about("start = true\nend = [1]\nsamples = \"many\"\npositions = 5\nduration = {}\n"),
+      ElementsAre(
+          "test.toml:12:9: driver.start = true: expected an angle (a number in deg or a string with its "
+          "unit), found a boolean",
+          "test.toml:13:7: driver.end = [1]: expected an angle (a number in deg or a string with its "
+          "unit), found a list",
+          "test.toml:14:11: driver.samples = \"many\": expected an integer, found a string",
+          "test.toml:15:13: driver.positions = 5: expected a list, found an integer",
+          "test.toml:16:12: driver.duration = {…}: expected a time (a number in s or a string with its "
+          "unit), found a table"));
+  EXPECT_THAT(
+      messages("bodies = 1\ndriver = 1979-05-27\n"),
+      ElementsAre(
+          "test.toml:1:10: bodies = 1: expected a table of names, each with a body (a table), found an "
+          "integer",
+          "test.toml:2:10: driver = (a date): expected a table, found a date"));
+  EXPECT_THAT(about("samples = 2.5\n"),
+              ElementsAre("test.toml:12:11: driver.samples = 2.5: expected an integer, found a number"));
+  EXPECT_THAT(about("[bodies]\nx = 3\n"),
+              ElementsAre("test.toml:13:5: bodies.x = 3: expected a body (a table), found an integer"));
+}
+
+TEST(ProfileMessages, QuantitiesOfAnotherDimensionAreRefused) {
+  EXPECT_THAT(
+      about("velocity = \"3 mm/s\"\n"),
+      ElementsAre("test.toml:12:12: driver.velocity = \"3 mm/s\": mm/s is a velocity, expected an angular "
+                  "velocity, such as deg/s"));
+  EXPECT_THAT(
+      messages(slider_profile("velocity = \"300 rpm\"\n")),
+      ElementsAre("test.toml:13:12: driver.velocity = \"300 rpm\": rpm is an angular velocity, expected a "
+                  "velocity, such as mm/s"));
+}
+
+TEST(ProfileMessages, NumbersMustBeFinite) {
+  EXPECT_THAT(about("start = nan\nend = -inf\n"),
+              ElementsAre("test.toml:12:9: driver.start = nan: must be a finite number",
+                          "test.toml:13:7: driver.end = -inf: must be a finite number"));
+  EXPECT_THAT(messages(crank_profile("[bodies.x]\npose.x = 1e308\n", "[units]\nlength = \"km\"\n")),
+              ElementsAre("test.toml:15:10: bodies.x.pose.x = 1e+308: must be a finite number"));
+}
+
+TEST(ProfileMessages, NamesAreWords) {
+  EXPECT_THAT(
+      about("[bodies.\"my cam\"]\n[bodies.2b]\n"),
+      ElementsAre("test.toml:12:9: bodies.my cam: a name begins with a letter or _ and goes on with letters, "
+                  "digits, _ and -",
+                  "test.toml:13:9: bodies.2b: a name begins with a letter or _ and goes on with letters, "
+                  "digits, _ and -"));
+}
+
+TEST(ProfileMessages, StayOnOneLineWhateverTheNames) {
+  EXPECT_THAT(about("\"a\\nb\" = 1\n"),
+              ElementsAre(::testing::StartsWith("test.toml:12:1: driver.a?b: unknown key;")));
+  EXPECT_THAT(
+      messages(crank_profile(), {"driver.joint=a\nb"}),
+      ElementsAre(
+          "--set driver.joint=a?b: driver.joint = \"a?b\": there is no joint `a?b`; there is only pivot"));
+}
+
+TEST(ProfileMessages, CutLongValuesBetweenCharacters) {
+  std::string text = "x";
+  for (int i = 0; i < 40; ++i) text += "ö";
+  EXPECT_THAT(about("samples = \"" + text + "\"\n"),
+              ElementsAre("test.toml:12:11: driver.samples = \"" + text.substr(0, 39) +
+                          "…\": expected an integer, found a string"));
+}
+
+TEST(ProfileMessages, GroundHasNoPoseAndNoMass) {
+  EXPECT_THAT(
+      about("[bodies.ground.pose]\nx = 1\n"),
+      ElementsAre(
+          "test.toml:12:1: bodies.ground.pose = {…}: ground is the frame and never moves: it has no pose "
+          "and no mass"));
+}
+
+TEST(ProfileMessages, AnInertiaNeedsAMass) {
+  EXPECT_THAT(
+      about("[bodies.x]\ninertia = 1\n"),
+      ElementsAre(
+          "test.toml:13:11: bodies.x.inertia = 1: needs a mass beside it (mass = 0 if the inertia alone "
+          "counts)"));
+  EXPECT_THAT(about("[bodies.x]\nmass = 1\ncenter_of_mass = [0, 0]\ninertia = -3\n"),
+              ElementsAre("test.toml:15:11: bodies.x.inertia = -3 kg*mm^2: must be >= 0"));
+}
+
+TEST(ProfileMessages, SizesOfCurvesMustBePositive) {
+  EXPECT_THAT(about_curve("{ type = \"circle\", center = [0, 0], radius = -12 }"),
+              ElementsAre("test.toml:13:50: bodies.crank.curves.c.radius = -12 mm: must be > 0"));
+  EXPECT_THAT(about_curve("{ type = \"circle\", center = [0, 0], radius = \"-12 in\" }"),
+              ElementsAre("test.toml:13:50: bodies.crank.curves.c.radius = \"-12 in\": must be > 0"));
+  EXPECT_THAT(about_curve("{ type = \"ellipse\", center = [0, 0], semi_axes = [3, 0] }"),
+              ElementsAre("test.toml:13:58: bodies.crank.curves.c.semi_axes.1 = 0 mm: must be > 0"));
+  EXPECT_THAT(about_curve("{ type = \"parabola\", vertex = [0, 0], focal_length = -1 }"),
+              ElementsAre("test.toml:13:58: bodies.crank.curves.c.focal_length = -1 mm: must be > 0"));
+}
+
+TEST(ProfileMessages, CurvesNeedATypeAndItsParts) {
+  EXPECT_THAT(
+      about_curve("{ center = [0, 0] }"),
+      ElementsAre("test.toml:13:5: bodies.crank.curves.c.type is missing: expected a kind of curve, such as "
+                  "\"circle\""));
+  EXPECT_THAT(
+      about_curve("{ type = \"spline\" }"),
+      ElementsAre("test.toml:13:14: bodies.crank.curves.c.type = \"spline\": expected one of conic, circle, "
+                  "ellipse, parabola, hyperbola, line, point"));
+  EXPECT_THAT(
+      about_curve("{ type = \"circle\" }"),
+      ElementsAre(
+          "test.toml:13:5: bodies.crank.curves.c.center is missing: expected [x, y]",
+          "test.toml:13:5: bodies.crank.curves.c.radius is missing: expected a length (a number in mm "
+          "or a string with its unit)"));
+}
+
+TEST(ProfileMessages, OnlyConicsHaveSides) {
+  EXPECT_THAT(
+      about_curve("{ type = \"point\", at = [0, 0], side = \"inside\" }"),
+      ElementsAre("test.toml:13:43: bodies.crank.curves.c.side = \"inside\": a line or point has no sides to "
+                  "choose from"));
+  EXPECT_THAT(
+      about_curve("{ type = \"circle\", center = [0, 0], radius = 1, side = \"out\" }"),
+      ElementsAre("test.toml:13:60: bodies.crank.curves.c.side = \"out\": expected one of inside, outside"));
+}
+
+TEST(ProfileMessages, ConicsMustBeCurves) {
+  const auto about_conic = [](const std::string& keys) {
+    return about_curve("{ type = \"conic\", coefficients = " + keys + " }");
+  };
+  const std::string place = "test.toml:13:38: bodies.crank.curves.c.coefficients = ";
+  EXPECT_THAT(
+      about_conic("[16, -9, 0, 0, 0, -144]"),
+      ElementsAre(place +
+                  "[16, -9, 0, 0, 0, -144]: is a hyperbola: near = [x, y] must say which branch is meant"));
+  EXPECT_THAT(
+      about_conic("[16, -9, 0, 0, 0, -144], near = [0, 3]"),
+      ElementsAre(place + "[16, -9, 0, 0, 0, -144]: is a hyperbola and `near` lies between its branches"));
+  EXPECT_THAT(about_conic("[1, 1, 0, 0, 0, 25]"),
+              ElementsAre(place + "[1, 1, 0, 0, 0, 25]: has no real point (imaginary conic)"));
+  EXPECT_THAT(
+      about_conic("[1, 1, 0, 0, 0, 0]"),
+      ElementsAre(place + "[1, 1, 0, 0, 0, 0]: is a single point (use type \"point\" for a knife edge)"));
+  EXPECT_THAT(
+      about_conic("[1, -1, 0, 0, 0, 0]"),
+      ElementsAre(place +
+                  "[1, -1, 0, 0, 0, 0]: is degenerate: a pair of lines (use type \"line\" for a flat face)"));
+  EXPECT_THAT(
+      about_conic("[0, 0, 0, 1, 1, 0]"),
+      ElementsAre(
+          place +
+          "[0, 0, 0, 1, 1, 0]: is no conic: A, B and C are all 0 (use type \"line\" for a flat face)"));
+  EXPECT_THAT(about_conic("[1, 1, 0, 0]"),
+              ElementsAre(place + "[1, 1, 0, 0]: expected a list of 6 numbers, found 4"));
+  EXPECT_THAT(
+      about_conic("[1, \"1 mm\", 0, 0, 0, -1]"),
+      ElementsAre(
+          "test.toml:13:42: bodies.crank.curves.c.coefficients.1 = \"1 mm\": expected a number, found a "
+          "string"));
+}
+
+TEST(ProfileMessages, NormalsAndDirectionsMustPointSomewhere) {
+  EXPECT_THAT(
+      about_curve("{ type = \"line\", point = [0, 0], normal = [0, 0] }"),
+      ElementsAre("test.toml:13:47: bodies.crank.curves.c.normal = [0, 0]: must not be the zero vector"));
+  EXPECT_THAT(messages(slider_profile("", "[0, 0.0]")),
+              ElementsAre("test.toml:10:13: joints.slide.direction = [0, 0]: must not be the zero vector"));
+}
+
+// A second joint, its keys beginning at line 13.
+std::vector<std::string> about_joint(const std::string& keys) {
+  return about("[joints.j]\n" + keys);
+}
+
+TEST(ProfileMessages, JointsConnectPointsOfTwoBodies) {
+  EXPECT_THAT(
+      about_joint("type = \"revolute\"\nbetween = [\"crank.A\", \"crank.P\"]\n"),
+      ElementsAre("test.toml:14:11: joints.j.between = [\"crank.A\", \"crank.P\"]: both are on body `crank`: "
+                  "expected two bodies"));
+  EXPECT_THAT(
+      about_joint("type = \"revolute\"\nbetween = [\"crank.A\"]\n"),
+      ElementsAre("test.toml:14:11: joints.j.between = [\"crank.A\"]: expected two points on two bodies, "
+                  "[\"body.point\", \"body.point\"]"));
+  EXPECT_THAT(about_joint("type = \"revolute\"\nbetween = [\"crank\", 3]\n"),
+              ElementsAre("test.toml:14:12: joints.j.between.0 = \"crank\": expected \"body.point\"",
+                          "test.toml:14:21: joints.j.between.1 = 3: expected a string, found an integer"));
+  EXPECT_THAT(
+      about_joint("type = \"revolute\"\nbetween = [\"grund.A\", \"crank.Q\"]\n"),
+      ElementsAre(
+          "test.toml:14:12: joints.j.between.0 = \"grund.A\": there is no body `grund`; did you mean "
+          "`ground`?",
+          "test.toml:14:23: joints.j.between.1 = \"crank.Q\": there is no point of `crank` `Q`; did you "
+          "mean `A` or `P`?"));
+  EXPECT_THAT(
+      about_joint("type = \"revolute\"\n[bodies.crank.curves.c]\ntype = \"point\"\nat = [0, 0]\n"
+                  "[joints.k]\ntype = \"revolute\"\nbetween = [\"crank.c\", \"ground.A\"]\n"),
+      ElementsAre("test.toml:12:1: joints.j.between is missing: expected two points, [\"body.point\", "
+                  "\"body.point\"]",
+                  "test.toml:19:12: joints.k.between.0 = \"crank.c\": this is a curve, expected a point"));
+}
+
+TEST(ProfileMessages, EveryTypeOfJointHasItsKeys) {
+  const std::string between = "between = [\"ground.B\", \"crank.P\"]\n";
+  EXPECT_THAT(
+      about_joint("type = \"slot\"\n" + between),
+      ElementsAre(
+          "test.toml:12:1: joints.j.direction is missing: expected an angle or [dx, dy] in the frame of "
+          "the first body"));
+  EXPECT_THAT(
+      about_joint("type = \"prismatic\"\n" + between),
+      ElementsAre(
+          "test.toml:12:1: joints.j.direction is missing: expected an angle or [dx, dy] in the frame of "
+          "the first body"));
+  EXPECT_THAT(
+      about_joint("type = \"slot\"\ndirection = 0\nangle = 5\n" + between),
+      ElementsAre(
+          "test.toml:15:9: joints.j.angle = 5: has a meaning for prismatic joints only: in the others "
+          "the body turns"));
+  EXPECT_THAT(about_joint("type = \"revolute\"\ndirection = 5\n" + between),
+              ElementsAre("test.toml:14:13: joints.j.direction = 5: a revolute joint has no direction"));
+  EXPECT_THAT(about_joint(between),
+              ElementsAre("test.toml:12:1: joints.j.type is missing: expected revolute, prismatic "
+                          "or slot"));
+}
+
+// A contact between two curves: one on ground and one on the crank; `between` is at line 18, column 11.
+std::vector<std::string> about_contact(const std::string& on_ground, const std::string& on_crank) {
+  return about("[bodies.ground.curves]\na = " + on_ground + "\n[bodies.crank.curves]\nb = " + on_crank +
+               "\n[contacts.k]\n" + "rolling = false\n" + "between = [\"ground.a\", \"crank.b\"]\n");
+}
+
+constexpr const char* kLine = "{ type = \"line\", point = [0, 0], normal = 0 }";
+constexpr const char* kPoint = "{ type = \"point\", at = [0, 0] }";
+constexpr const char* kDisc = "{ type = \"circle\", center = [0, 0], radius = 3 }";
+constexpr const char* kRing = "{ type = \"circle\", center = [0, 0], radius = 5, side = \"outside\" }";
+constexpr const char* kParabola = "{ type = \"parabola\", vertex = [0, 0], focal_length = 2 }";
+
+TEST(ProfileMessages, CurvesThatCannotTouchAreRefused) {
+  const std::string place = "test.toml:18:11: contacts.k.between = [\"ground.a\", \"crank.b\"]: ";
+  EXPECT_THAT(about_contact(kLine, kLine), ElementsAre(place + "two lines cannot make a contact"));
+  EXPECT_THAT(about_contact(kPoint, kPoint),
+              ElementsAre(place + "two points cannot make a contact (join them by a revolute joint)"));
+  EXPECT_THAT(about_contact(kLine, kRing),
+              ElementsAre(place + "a line cannot touch a concave curve (side = \"outside\")"));
+  EXPECT_THAT(about_contact(kRing, kLine),
+              ElementsAre(place + "a line cannot touch a concave curve (side = \"outside\")"));
+  EXPECT_THAT(about_contact(kRing, kRing),
+              ElementsAre(place + "two concave curves (side = \"outside\") cannot make a contact"));
+  EXPECT_THAT(
+      about_contact("{ type = \"circle\", center = [0, 0], radius = 6 }", kRing),
+      ElementsAre(
+          place +
+          "the convex curve is nowhere sharp enough to fit into the concave one (side = \"outside\")"));
+}
+
+TEST(ProfileMessages, CurvesThatCanTouchAreAccepted) {
+  EXPECT_THAT(about_contact(kLine, kPoint), IsEmpty());
+  EXPECT_THAT(about_contact(kLine, kDisc), IsEmpty());
+  EXPECT_THAT(about_contact(kLine, kParabola), IsEmpty());
+  EXPECT_THAT(about_contact(kRing, kPoint), IsEmpty());
+  EXPECT_THAT(about_contact(kRing, kDisc), IsEmpty());
+  EXPECT_THAT(about_contact(kRing, kParabola), IsEmpty());
+  EXPECT_THAT(about_contact(kDisc, kPoint), IsEmpty());
+  EXPECT_THAT(about_contact(kDisc, kDisc), IsEmpty());
+  // The ellipse is flat enough at the ends of its minor axis: 20²/3 > 6.
+  EXPECT_THAT(
+      about_contact("{ type = \"ellipse\", center = [0, 0], semi_axes = [20, 3], side = \"outside\" }",
+                    "{ type = \"circle\", center = [0, 0], radius = 6 }"),
+      IsEmpty());
+}
+
+TEST(ProfileMessages, ACurveWithAMistakeMakesNoSecondMistakeInItsContact) {
+  EXPECT_THAT(
+      about_contact(kLine, "{ type = \"line\", point = [0, 0] }"),
+      ElementsAre(
+          "test.toml:15:5: bodies.crank.curves.b.normal is missing: expected the outward normal, [nx, ny] "
+          "or an angle"));
+}
+
+TEST(ProfileMessages, ContactsAreBetweenCurves) {
+  EXPECT_THAT(
+      about("[contacts.k]\nbetween = [\"ground.A\", \"crank.c\"]\napproach = \"near\"\nrolling = 1\n"),
+      ElementsAre(
+          "test.toml:13:12: contacts.k.between.0 = \"ground.A\": this is a point, expected a curve",
+          "test.toml:13:24: contacts.k.between.1 = \"crank.c\": there is no curve of `crank` `c`; there "
+          "is none",
+          "test.toml:14:12: contacts.k.approach = \"near\": expected one of nearest, +, -",
+          "test.toml:15:11: contacts.k.rolling = 1: expected true or false, found an integer"));
+}
+
+TEST(ProfileMessages, DriversDriveRevoluteOrPrismaticJoints) {
+  EXPECT_THAT(
+      messages(
+          "[bodies.ground]\npoints.A = [0, 0]\n[bodies.b]\npoints.A = [0, 0]\n[joints.j]\ntype = \"slot\"\n"
+          "direction = 0\nbetween = [\"ground.A\", \"b.A\"]\n[driver]\njoint = \"j\"\nsamples = -1\nsped = "
+          "3\n"),
+      ElementsAre(
+          "test.toml:10:9: driver.joint = \"j\": a slot leaves two freedoms: expected a revolute or "
+          "prismatic joint",
+          "test.toml:11:11: driver.samples = -1: must be an integer from 1 to 2^53",
+          "test.toml:12:1: driver.sped: unknown key; there are joint, start, end, positions, velocity, "
+          "acceleration, samples, duration, time_step"));
+  EXPECT_THAT(messages("[driver]\n"),
+              ElementsAre("test.toml:1:1: driver.joint is missing: expected the name of a joint"));
+}
+
+TEST(ProfileMessages, ThereIsOneDriverOrAreNamedOnes) {
+  EXPECT_THAT(
+      about("[drivers.x]\njoint = \"pivot\"\n"),
+      ElementsAre(
+          "test.toml:12:1: drivers = {…}: expected either one [driver] or several [drivers.NAME], not "
+          "both",
+          "test.toml:13:9: drivers.x.joint = \"pivot\": another driver drives this joint already"));
+}
+
+TEST(ProfileMessages, ADriverHasPositionsAndTimesThatMakeSense) {
+  EXPECT_THAT(about("positions = []\nduration = -1\ntime_step = 0\n"),
+              ElementsAre("test.toml:12:13: driver.positions = []: must have at least one position",
+                          "test.toml:13:12: driver.duration = -1 s: must be >= 0",
+                          "test.toml:14:13: driver.time_step = 0 s: must be > 0"));
+}
+
+TEST(ProfileMessages, LoadsActOnMovingBodies) {
+  EXPECT_THAT(
+      about("[loads]\na = { body = \"crnk\", torque = 1 }\nb = { body = \"ground\", torque = 1 }\n"
+            "c = { body = \"crank\" }\nd = { body = \"crank\", force = [1, 2], point = \"Z\", frame = "
+            "\"world\" }\n"
+            "e = { body = \"crank\", torque = 1, point = \"A\" }\n"),
+      ElementsAre(
+          "test.toml:13:14: loads.a.body = \"crnk\": there is no body `crnk`; did you mean `crank`?",
+          "test.toml:14:14: loads.b.body = \"ground\": ground never moves: a load on it does nothing",
+          "test.toml:15:5: loads.c.force is missing: expected [x, y] (or a torque)",
+          "test.toml:16:47: loads.d.point = \"Z\": there is no point of `crank` `Z`; did you mean `A` or "
+          "`P`?",
+          "test.toml:16:60: loads.d.frame = \"world\": expected one of ground, body",
+          "test.toml:17:43: loads.e.point = \"A\": belongs to a force: a torque has no point"));
+}
+
+TEST(ProfileMessages, SpringsActBetweenPointsOrOnAJoint) {
+  EXPECT_THAT(
+      about("[springs]\na = { joint = \"pivot\", between = [\"ground.A\", \"crank.P\"], stiffness = 1 }\n"
+            "b = { stiffness = 1 }\nc = { joint = \"pivot\", stiffness = \"1 N/mm\" }\n"
+            "d = { joint = \"pivot\", stiffness = 1, free_length = 3 }\n"
+            "e = { between = [\"ground.A\", \"crank.P\"], stiffness = -1, free_length = -2 }\n"
+            "f = { joint = \"pivt\", stiffness = 1 }\ng = { joint = \"pivot\" }\n"),
+      ElementsAre(
+          "test.toml:13:15: springs.a.joint = \"pivot\": a spring acts on a joint or between two points, "
+          "not both",
+          "test.toml:14:5: springs.b.between is missing: expected two points, [\"body.point\", "
+          "\"body.point\"], or `joint` instead",
+          "test.toml:15:36: springs.c.stiffness = \"1 N/mm\": N/mm is a stiffness, expected an angular "
+          "stiffness, such as N*mm/deg",
+          "test.toml:16:53: springs.d.free_length = 3: this spring has a free_angle",
+          "test.toml:17:54: springs.e.stiffness = -1 N/mm: must be >= 0",
+          "test.toml:17:72: springs.e.free_length = -2 mm: must be >= 0",
+          "test.toml:18:15: springs.f.joint = \"pivt\": there is no joint `pivt`; did you mean `pivot`?",
+          "test.toml:19:5: springs.g.stiffness is missing: expected an angular stiffness (or a damping)"));
+}
+
+}  // namespace
+}  // namespace higherpair
