@@ -22,14 +22,22 @@ double arc_from_vertex(const Curve& curve, double psi) {
 }  // namespace
 
 double arc_length(const Curve& curve, double psi) {
-  if (!is_conic(curve)) { return 0; }
-  if (curve.kind == CurveKind::kCircle) { return curve.semi_latus * psi; }
-  if (curve.q <= 0) { return arc_from_vertex(curve, psi); }
+  if (!is_conic(curve)) {
+    return 0;
+  }
+  if (curve.kind == CurveKind::kCircle) {
+    return curve.semi_latus * psi;
+  }
+  if (curve.q <= 0) {
+    return arc_from_vertex(curve, psi);
+  }
   const double half_turns = std::round(psi / kPi);
   const double rest = arc_from_vertex(curve, psi - half_turns * kPi);
   return half_turns == 0 ? rest : rest + 2 * half_turns * arc_from_vertex(curve, kPi / 2);
 }
 
-double vertex_normal_angle(const Curve& curve) { return angle_of(-curve.axis_B); }
+double vertex_normal_angle(const Curve& curve) {
+  return angle_of(-curve.axis_B);
+}
 
 }  // namespace higherpair

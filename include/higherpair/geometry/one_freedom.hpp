@@ -4,8 +4,8 @@
 
 namespace higherpair {
 
-/// A body that a grounded joint leaves one freedom, its coordinate q: turning about a pivot (q: angle of the body's
-/// frame [rad]) or sliding along a line (q: displacement [m]).
+/// A body that a grounded joint leaves one freedom, its coordinate q: turning about a pivot (q: angle of the
+/// body's frame [rad]) or sliding along a line (q: displacement [m]).
 struct OneFreedom {
   bool turns = true;
   Vector2d p_WO = Vector2d::Zero();          ///< pivot, or the point of the line where q = 0 [m]

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <cmath>
-
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
+
+#include <cmath>
 
 namespace higherpair {
 
 /// `a` where the condition holds, else `b`; overloaded for scalars that hold several configurations.
-[[nodiscard]] inline double select(bool condition, double a, double b) { return condition ? a : b; }
+[[nodiscard]] inline double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
 
 /// A curve where its body stands now, expressed in ground W; same vertex form as Curve.
 template <class T>
@@ -31,15 +33,15 @@ template <class T>
 struct SupportPoint {
   Vector2<T> p_W;  ///< the point [m]
   T rho;           ///< signed radius of curvature there [m]: > 0 convex, < 0 concave, 0 for a point
-  T w2;            ///< n_x² + q n_y² > 0 where the point exists (see has_point for the sheet of a hyperbola)
+  T w2;  ///< n_x² + q n_y² > 0 where the point exists (see has_point for the sheet of a hyperbola)
 };
 
 /// The point of a conic (or the knife edge) at which the body's outward unit normal is n_W, in closed form.
 /// With N = ±n (the sign of the side) in the frame of the axis and w = √(N_x² + q N_y²):
 ///     y = ℓ N_y / w,   x = ℓ N_y² / (w (w - N_x)) = ℓ (w + N_x) / (q w),   |ρ| = ℓ / w³.
-/// The first form of x is used on the near half (N_x <= 0), the second on the far half that only ellipses have, so
-/// nothing cancels. Derivation: ∇f ∥ N on y² = 2ℓx - qx². Where no point has this normal (has_point is false) the
-/// result is meaningless and may be NaN. Not for lines.
+/// The first form of x is used on the near half (N_x <= 0), the second on the far half that only ellipses
+/// have, so nothing cancels. Derivation: ∇f ∥ N on y² = 2ℓx - qx². Where no point has this normal (has_point
+/// is false) the result is meaningless and may be NaN. Not for lines.
 template <class T>
 [[nodiscard]] inline SupportPoint<T> support_point(const PlacedCurve<T>& curve, const Vector2<T>& n_W) {
   using std::sqrt;
@@ -55,10 +57,12 @@ template <class T>
   return {curve.vertex_W + x * curve.axis_W + y * across_W, curve.side * scale / w2, w2};
 }
 
-/// Whether some point of the conic has the outward unit normal n_W: always for ellipses and points; for a parabola or
-/// a branch of a hyperbola only the normals within a cone about the normal at the vertex.
+/// Whether some point of the conic has the outward unit normal n_W: always for ellipses and points; for a
+/// parabola or a branch of a hyperbola only the normals within a cone about the normal at the vertex.
 [[nodiscard]] inline bool has_point(const PlacedCurve<double>& curve, const Vector2d& n_W) {
-  if (curve.q > 0) { return true; }
+  if (curve.q > 0) {
+    return true;
+  }
   const double N_x = curve.side * n_W.dot(curve.axis_W);
   const double N_y = cross(curve.axis_W, n_W);
   return N_x < 0 && N_x * N_x + curve.q * N_y * N_y > 0;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "higherpair/geometry/curve.hpp"
+#include "higherpair/geometry/one_freedom.hpp"
+
+namespace higherpair {
+
+/// Two curves that touch: one on the driver (body 1), one on the follower (body 2), each with one freedom
+/// against ground. Their coordinates are u (driver) and q (follower).
+struct ContactPair {
+  Curve curve1;
+  OneFreedom motion1;
+  Curve curve2;
+  OneFreedom motion2;
+};
+
+/// Where the two curves touch and how the contact moves with the driver; vectors in ground W.
+/// n_W is the outward normal of body 1; body 2 has -n_W. t = n turned +90°. p2 - p1 = 0 up to rounding.
+struct ContactPosition {
+  double u = 0;                      ///< driver coordinate [rad or m]
+  double q = 0;                      ///< follower coordinate [rad or m]
+  Vector2d n_W = Vector2d::UnitX();  ///< unit common normal, out of body 1
+  Vector2d p1_W = Vector2d::Zero();  ///< point of curve 1 with the outward normal n [m]
+  Vector2d p2_W = Vector2d::Zero();  ///< point of curve 2 with the outward normal -n [m]
+  double rho1 = 0;                   ///< signed radii of curvature [m]; meaningless for a line
+  double rho2 = 0;
+  double dq = 0;       ///< dq/du
+  double d2q = 0;      ///< d²q/du²
+  double dphi = 0;     ///< d(angle of n)/du
+  double sliding = 0;  ///< t·(v2 - v1) of the material points for du/dt = 1 [m per unit of u]
+  double gap_q = 0;    ///< ∂(gap)/∂q = n·(velocity of body 2 at p per q); 0 at a limit position
+};
+
+/// Why there is no ContactPosition.
+enum class ContactStatus {
+  kOk,
+  kNoContact,  ///< the osculating circles cannot touch here, or no point has the normal: at or beyond a limit
+  kNotConverged,  ///< 8 passes did not bring the two points together
+  kOtherBranch,   ///< the solution found has the other sign of gap_q
+};
+
+struct ContactResult {
+  ContactStatus status = ContactStatus::kNotConverged;
+  ContactPosition at;  ///< meaningful with kOk only
+  double step_n = 0;   ///< |change of n| from the guess to the solution
+};
+
+/// The follower's position that makes the two curves touch, by osculating circles: both curves are replaced
+/// by their circles of curvature for the normals n and -n, the equivalent linkage is solved in closed form
+/// for the follower, its line of centres is the next n. Written in increments from the present pose, so that
+/// huge radii do not cancel. \param u       driver coordinate \param q       guess of the follower's
+/// coordinate; the answer is continuous with it (no whole turns are taken off) \param n_W     guess of the
+/// common normal, out of body 1 (ignored where a body is a line) \param branch  +1 or -1: the sign of ∂gap/∂q
+/// of the contact wanted Rates are those of a unit driver velocity; they are 0 where gap_q = 0.
+[[nodiscard]] ContactResult solve_contact(const ContactPair& pair, double u, double q, const Vector2d& n_W,
+                                          int branch);
+
+}  // namespace higherpair
