@@ -1,0 +1,25 @@
+#pragma once
+
+#include "higherpair/geometry/curve.hpp"
+#include "higherpair/geometry/pose.hpp"
+
+namespace higherpair {
+
+/// How far two bodies are apart, over their whole boundaries; vectors in ground W.
+struct Separation {
+  double gap = 0;  ///< signed distance [m]: > 0 apart, 0 touching, < 0 overlapping; -inf: always
+  Vector2d n_W =
+      Vector2d::UnitX();  ///< the normal (out of body 1) at which it is taken; contact happens there
+};
+
+/// Signed distance of two bodies, each inside or outside of its curve, where they stand.
+/// With g(n) = (p2 - p1)·n for the points of outward normals n and -n: two convex bodies are apart iff max g
+/// > 0, and that maximum is the distance; a convex body is clear of one with a concave curve (in a ring) iff
+/// min g > 0. The extreme over all n is found by subdivision: on an arc of normals of half-width d about m,
+/// from g'' + g = -(ρ1 + ρ2) and a bound R of ±(ρ1 + ρ2), g is at most R + (g_m - R) cos δ + g'_m sin δ. No
+/// extreme is missed. \param tolerance the result is within this of the true distance [m]; > 0 -inf where no
+/// common normal exists (the bodies overlap however far they are moved along their opening).
+[[nodiscard]] Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
+                                    const Pose<double>& X_W2, double tolerance);
+
+}  // namespace higherpair

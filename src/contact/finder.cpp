@@ -1,0 +1,142 @@
+#include "higherpair/contact/finder.hpp"
+
+#include "higherpair/contact/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMaxSteps = 20000;
+constexpr double kTouching =
+    1e-9;  // of the size: distances below count as a touch, the start of the last iteration
+
+bool has_finite_extent(const Curve& curve) {
+  return curve.q > 0 && curve.kind != CurveKind::kLine;
+}
+
+// Largest distance of the points within a circle or ellipse (or of a point) from p.
+double reach_from(const Curve& curve, const Pose<double>& X_WB, const Vector2d& p_W) {
+  if (curve.kind == CurveKind::kPoint) {
+    return (X_WB * curve.vertex_B - p_W).norm();
+  }
+  return (X_WB * center(curve) - p_W).norm() + semi_axes(curve)[0];
+}
+
+double extent(const ContactPair& pair, double u, double q) {
+  const Pose<double> X1 = pose_at(pair.motion1, u);
+  const Pose<double> X2 = pose_at(pair.motion2, q);
+  return (X1 * pair.curve1.vertex_B - X2 * pair.curve2.vertex_B).norm() + pair.curve1.semi_latus +
+         pair.curve2.semi_latus + (X2 * pair.curve2.vertex_B - pair.motion2.p_WO).norm();
+}
+
+// How fast the signed distance can change with q: at most by the speed of the bounded body's fastest point.
+std::optional<double> speed_bound(const ContactPair& pair, double u, double q) {
+  const bool finite1 = has_finite_extent(pair.curve1);
+  const bool finite2 = has_finite_extent(pair.curve2);
+  if (!pair.motion2.turns) {
+    return 1.0;
+  }
+  if (!finite1 && !finite2) {
+    return std::nullopt;
+  }
+  double bound = INFINITY;
+  if (finite1) {
+    bound = reach_from(pair.curve1, pose_at(pair.motion1, u), pair.motion2.p_WO);
+  }
+  if (finite2) {
+    bound = std::min(bound, reach_from(pair.curve2, pose_at(pair.motion2, q), pair.motion2.p_WO));
+  }
+  return bound;
+}
+
+Separation separation_at(const ContactPair& pair, double u, double q, double tolerance) {
+  return separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2, pose_at(pair.motion2, q), tolerance);
+}
+
+// The contact that the two nearly touching bodies have here; it must be one where they touch nowhere else.
+std::optional<FindResult> touch(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
+                                double size) {
+  const ContactResult result = solve_contact(pair, u, q, n_W, branch);
+  const double moved = std::abs(result.at.q - q) * (pair.motion2.turns ? 1 : 1 / size);
+  if (result.status != ContactStatus::kOk || !(moved < 1e-2) || !(result.step_n < 0.3)) {
+    return std::nullopt;
+  }
+  const Separation check = separation_at(pair, u, result.at.q, 1e-12 * size);
+  if (!(std::abs(check.gap) <= 10 * kTouching * size)) {
+    return std::nullopt;
+  }
+  return FindResult{FindStatus::kFound, result.at, branch};
+}
+
+}  // namespace
+
+FindResult find_contact(const ContactPair& pair, double u, double q, int direction, bool from_overlap) {
+  const double size = extent(pair, u, q);
+  const std::optional<double> bound = speed_bound(pair, u, q);
+  FindResult result;
+  if (!bound) {
+    result.status = FindStatus::kUnbounded;
+    return result;
+  }
+  const double tolerance = 1e-12 * size;
+  const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
+  const double start = q;
+  bool overlapping = false;
+  for (int i = 0; i < kMaxSteps && std::abs(q - start) <= range; ++i) {
+    const Separation here = separation_at(pair, u, q, tolerance);
+    if (here.gap == -INFINITY) {
+      result.status = FindStatus::kOverlapAtStart;
+      return result;
+    }
+    if (i == 0) {
+      overlapping = here.gap < -kTouching * size;
+      if (overlapping && !from_overlap) {
+        result.status = FindStatus::kOverlapAtStart;
+        return result;
+      }
+    }
+    if (std::abs(here.gap) <= kTouching * size) {
+      // Coming from the gap the distance falls with q·direction; out of an overlap it grows.
+      const int branch = overlapping ? direction : -direction;
+      if (const auto found = touch(pair, u, q, here.n_W, branch, size)) {
+        return *found;
+      }
+      if (const auto other = i == 0 ? touch(pair, u, q, here.n_W, -branch, size) : std::nullopt) {
+        return *other;
+      }
+    }
+    q += direction * std::max(std::abs(here.gap) * (1 - 1e-12), 0.1 * kTouching * size) / *bound;
+  }
+  result.status = FindStatus::kNoContact;
+  return result;
+}
+
+FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std::optional<int> branch) {
+  FindResult best;
+  for (const int direction : {1, -1}) {
+    FindResult found = find_contact(pair, u, q, direction, true);
+    if (found.status == FindStatus::kFound && branch && found.branch != *branch) {
+      // The other end of the overlap, or of the gap, has the other sign.
+      const double size = extent(pair, u, found.at.q);
+      const double beyond = direction * 1e-6 * (pair.motion2.turns ? 1 : size);
+      found = find_contact(pair, u, found.at.q + beyond, direction, true);
+      if (found.branch != *branch) {
+        found.status = FindStatus::kNoContact;
+      }
+    }
+    if (best.status == FindStatus::kUnbounded) {
+      break;
+    }
+    const bool better =
+        found.status == FindStatus::kFound &&
+        (best.status != FindStatus::kFound || std::abs(found.at.q - q) < std::abs(best.at.q - q));
+    if (better || (best.status != FindStatus::kFound && direction == 1)) {
+      best = found;
+    }
+  }
+  return best;
+}
+
+}  // namespace higherpair
