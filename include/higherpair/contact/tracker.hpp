@@ -1,0 +1,43 @@
+#pragma once
+
+#include "higherpair/contact/contact_pair.hpp"
+
+#include <optional>
+
+namespace higherpair {
+
+/// A contact that is followed while the driver moves.
+struct ContactTrack {
+  ContactPair pair;
+  int branch = 0;         ///< sign of ∂gap/∂q; changes only where branches cross
+  ContactPosition at;     ///< where it was held last
+  double phi = 0;         ///< angle of at.n_W, continuous [rad]
+  bool assembled = true;  ///< false: lost at a limit; `at` is the last position before it
+};
+
+/// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0.
+struct LimitPosition {
+  double u = 0;
+  double q = 0;
+};
+
+enum class TrackStatus {
+  kOk,              ///< the track stands at the driver position asked for
+  kNotAssemblable,  ///< no contact of this branch there; the track waits for a position where there is one
+};
+
+struct TrackResult {
+  TrackStatus status = TrackStatus::kNotAssemblable;
+  std::optional<LimitPosition> limit;  ///< passed on the way, if any
+};
+
+/// Starts to follow a contact. \pre `at` solves the pair and branch = ±1.
+[[nodiscard]] ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int branch);
+
+/// Moves the track along the straight path of the driver to u, in as many inner steps as it takes: each is
+/// predicted to second order and accepted only if the solution agrees with the prediction. At a limit
+/// position the driver position is located by Newton's method on the extended system; beyond it later calls
+/// look for the branch again.
+[[nodiscard]] TrackResult follow_to(ContactTrack& track, double u);
+
+}  // namespace higherpair

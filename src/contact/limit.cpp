@@ -1,0 +1,126 @@
+#include "limit.hpp"
+
+#include "higherpair/geometry/support.hpp"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace higherpair {
+namespace {
+
+bool is_line(const Curve& curve) {
+  return curve.kind == CurveKind::kLine;
+}
+
+Vector2d foot_on(const PlacedCurve<double>& line, const Vector2d& p) {
+  return p - (p - line.vertex_W).dot(line.axis_W) * line.axis_W;
+}
+
+}  // namespace
+
+bool place_points(const ContactPair& pair, ContactPosition& at) {
+  const PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, at.u));
+  const PlacedCurve<double> second = place(pair.curve2, pose_at(pair.motion2, at.q));
+  if (is_line(pair.curve2)) {
+    at.n_W = second.axis_W;
+  }
+  if (is_line(pair.curve1)) {
+    at.n_W = -first.axis_W;
+  }
+  const Vector2d inward = -at.n_W;
+  if (!is_line(pair.curve1)) {
+    if (!has_point(first, at.n_W)) {
+      return false;
+    }
+    const SupportPoint<double> s = support_point(first, at.n_W);
+    at.p1_W = s.p_W;
+    at.rho1 = s.rho;
+  }
+  if (!is_line(pair.curve2)) {
+    if (!has_point(second, inward)) {
+      return false;
+    }
+    const SupportPoint<double> s = support_point(second, inward);
+    at.p2_W = s.p_W;
+    at.rho2 = s.rho;
+  }
+  if (is_line(pair.curve1)) {
+    at.p1_W = foot_on(first, at.p2_W);
+  }
+  if (is_line(pair.curve2)) {
+    at.p2_W = foot_on(second, at.p1_W);
+  }
+  return true;
+}
+
+GapDerivatives gap_derivatives(const ContactPair& pair, const ContactPosition& at) {
+  const Vector2d n = at.n_W;
+  const Vector2d t = perp(n);
+  const Vector2d v1 = velocity_per_q(pair.motion1, at.p1_W);
+  const Vector2d v2 = velocity_per_q(pair.motion2, at.p2_W);
+  const double turns1 = pair.motion1.turns ? 1 : 0;
+  const double turns2 = pair.motion2.turns ? 1 : 0;
+  const double g = (at.p2_W - at.p1_W).dot(n);
+  GapDerivatives d;
+  d.g_u = -n.dot(v1);
+  d.g_q = n.dot(v2);
+  if (is_line(pair.curve2)) {
+    // n turns with q; p2 is the foot of p1.
+    d.g_qq = turns2 * (t.dot(v2) + g - at.rho1);
+    d.g_qu = turns2 * (turns1 * at.rho1 - t.dot(v1));
+    return d;
+  }
+  d.g_phiq = t.dot(v2) + turns2 * at.rho2;
+  d.g_qq = -turns2 * d.g_phiq;
+  if (is_line(pair.curve1)) {
+    // n turns with u; p1 is the foot of p2.
+    d.g_qu = turns1 * d.g_phiq;
+    d.g_phiq = 0;
+    return d;
+  }
+  d.g_phiphi = -(at.rho1 + at.rho2) - g;
+  d.g_phiu = turns1 * at.rho1 - t.dot(v1);
+  return d;
+}
+
+std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start) {
+  ContactPosition at = start;
+  const bool has_line = is_line(pair.curve1) || is_line(pair.curve2);
+  double last = INFINITY;
+  for (int i = 0; i < 40; ++i) {
+    if (!place_points(pair, at)) {
+      return std::nullopt;
+    }
+    const GapDerivatives d = gap_derivatives(pair, at);
+    const Vector2d distance = at.p2_W - at.p1_W;
+    Eigen::Matrix3d J;
+    Eigen::Vector3d r;
+    if (has_line) {
+      J << 1, 0, 0, 0, d.g_q, d.g_u, 0, d.g_qq, d.g_qu;
+      r << 0, distance.dot(at.n_W), d.g_q;
+    } else {
+      const double g_phi = distance.dot(perp(at.n_W));
+      J << g_phi, d.g_q, d.g_u, d.g_phiphi, d.g_phiq, d.g_phiu, d.g_phiq, d.g_qq, d.g_qu;
+      r << distance.dot(at.n_W), g_phi, d.g_q;
+    }
+    const Eigen::Vector3d step = J.fullPivLu().solve(-r);
+    if (!step.allFinite() || !(step.norm() < 1e3 * (1 + std::abs(at.q) + std::abs(at.u)))) {
+      return std::nullopt;
+    }
+    at.n_W = Rotation<double>::from_angle(step(0)) * at.n_W;
+    at.q += step(1);
+    at.u += step(2);
+    const double size = std::abs(step(0)) + std::abs(step(1)) + std::abs(step(2));
+    if (size < 1e-7 && size >= last / 2) {
+      return LimitPosition{at.u, at.q};
+    }
+    if (size == 0) {
+      return LimitPosition{at.u, at.q};
+    }
+    last = size;
+  }
+  return std::nullopt;
+}
+
+}  // namespace higherpair
