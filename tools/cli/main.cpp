@@ -1,0 +1,61 @@
+#include "run_command.hpp"
+
+#include <exception>
+#include <new>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using higherpair::cli::RunOptions;
+
+CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& text,
+                          RunOptions& options) {
+  CLI::App* command = app.add_subcommand(name, text);
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("--csv", options.csv, "write the table as CSV to this file (-: standard output)");
+  command->add_option("--json", options.json, "write the table and the events as JSON to this file");
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--samples", options.samples, "number of rows");
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "largest closure error of an ok row, relative to the size")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--quiet", options.quiet, "no events and no progress on standard error");
+  command->add_flag("--summary", options.summary, "print the range of every column on standard output");
+  return command;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Analyses planar mechanisms whose bodies touch, by their equivalent linkages.", "higherpair");
+  app.set_version_flag("--version", "higherpair " HIGHERPAIR_VERSION);
+  app.require_subcommand(1);
+  RunOptions analyze;
+  RunOptions step;
+  step.timed = true;
+  const CLI::App* analyze_command =
+      add_run_command(app, "analyze", "motion at every driver position of the profile", analyze);
+  add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? higherpair::cli::kExitOk : higherpair::cli::kExitInput;
+  }
+  return higherpair::cli::run_command(analyze_command->parsed() ? analyze : step);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "higherpair: out of memory\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "higherpair: {}\n", error.what());
+  }
+  return higherpair::cli::kExitMachine;
+}

@@ -1,0 +1,80 @@
+#include "output_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+
+namespace higherpair::cli {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  if (path == "-") {
+    file_ = stdout;
+    return;
+  }
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
+  if (direct) {
+    file_ = std::fopen(path.c_str(), "wb");
+  } else {
+    target_ = fs::exists(status) ? fs::canonical(path, code).string() : path;
+    if (target_.empty()) {
+      target_ = path;
+    }
+    temporary_ = target_ + ".part" + std::to_string(getpid());
+    file_ = std::fopen(temporary_.c_str(), "wb");
+  }
+  if (file_ == nullptr) {
+    fail("cannot write " + path);
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (file_ != nullptr && file_ != stdout) {
+    std::fclose(file_);
+  }
+  if (!temporary_.empty()) {
+    std::remove(temporary_.c_str());
+  }
+}
+
+void OutputFile::fail(const std::string& what) {
+  if (error_.empty()) {
+    error_ = what + ": " + std::strerror(errno);
+  }
+}
+
+void OutputFile::write(std::string_view text) {
+  if (file_ == nullptr || !good()) {
+    return;
+  }
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
+    fail("cannot write " + path_);
+  }
+}
+
+void OutputFile::commit() {
+  if (file_ == nullptr) {
+    return;
+  }
+  if (std::fflush(file_) != 0) {
+    fail("cannot write " + path_);
+  }
+  if (file_ != stdout && std::fclose(file_) != 0) {
+    fail("cannot write " + path_);
+  }
+  file_ = nullptr;
+  if (temporary_.empty() || !good()) {
+    return;
+  }
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    fail("cannot write " + path_);
+    return;
+  }
+  temporary_.clear();
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace higherpair::cli {
+
+/// Where a table goes: standard output ("-"), a device or pipe (written directly), or a regular file, which
+/// is written beside its place and renamed by commit(): what is not committed leaves no trace.
+class OutputFile {
+public:
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// False on any failure so far; error() says which.
+  [[nodiscard]] bool good() const { return error_.empty(); }
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+  void write(std::string_view text);
+  void commit();
+
+private:
+  void fail(const std::string& what);
+
+  std::string path_;
+  std::string target_;     ///< the file that a link names
+  std::string temporary_;  ///< empty: written directly
+  std::FILE* file_ = nullptr;
+  std::string error_;
+};
+
+}  // namespace higherpair::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair::cli {
+
+inline constexpr int kExitOk = 0;
+inline constexpr int kExitMachine = 1;
+inline constexpr int kExitInput = 2;
+inline constexpr int kExitMechanism = 3;
+inline constexpr int kExitRows = 4;
+inline constexpr int kExitInterrupted = 130;
+
+struct RunOptions {
+  std::string profile;
+  bool timed = false;  ///< step instead of analyze
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::vector<std::string> overrides;
+  std::optional<std::int64_t> samples;
+  double tolerance = 1e-9;
+  bool quiet = false;
+  bool summary = false;
+};
+
+/// Runs `analyze` or `step`; returns the exit code.
+[[nodiscard]] int run_command(const RunOptions& options);
+
+}  // namespace higherpair::cli
