@@ -1,0 +1,119 @@
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Program : public ::testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("higherpair-cli-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = std::string(HIGHERPAIR_PROGRAM) + " " + arguments + " >" +
+                                (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+
+  fs::path folder_;
+};
+
+std::string profile(const std::string& name) {
+  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
+}
+
+TEST_F(Program, RunsEveryShippedProfile) {
+  for (const auto& entry : fs::directory_iterator(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles")) {
+    const Outcome outcome = run("analyze " + entry.path().string());
+    const bool locks_up = entry.path().stem() == "lock_up";
+    EXPECT_EQ(outcome.code, locks_up ? 4 : 0) << entry.path() << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(locks_up ? "not_assemblable" : ",ok,"));
+  }
+}
+
+TEST_F(Program, ReportsTheLimitPositionsToTheLastDigits) {
+  const Outcome outcome = run("analyze " + profile("lock_up.toml") + " --json -");
+  EXPECT_EQ(outcome.code, 4);
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json.at("events").size(), 2U);
+  // |O2 - C1| = 75 mm.
+  EXPECT_NEAR(json.at("events").at(0).at("driver").get<double>(), 65.83442067466342, 1e-12);
+  EXPECT_NEAR(json.at("events").at(1).at("driver").get<double>(), 360 - 65.83442067466342, 1e-12);
+  EXPECT_EQ(json.at("events").at(0).at("type"), "limit_position");
+  EXPECT_EQ(json.at("rows").size(), 361U);
+}
+
+TEST_F(Program, SaysWhereTheFileIsWrongAndWritesNothing) {
+  const fs::path table = folder_ / "table.csv";
+  const Outcome outcome = run("analyze " + profile("knife_edge.toml") +
+                              " --set bodies.cam.curves.disc.radius=-12 --csv " + table.string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("must be > 0"));
+  EXPECT_FALSE(fs::exists(table));
+  EXPECT_EQ(run("analyze no_such_file.toml").code, 2);
+  EXPECT_EQ(run("analyze " + profile("knife_edge.toml") + " --no-such-option").code, 2);
+  EXPECT_EQ(run("").code, 2);
+}
+
+TEST_F(Program, SaysThatThereIsNoContact) {
+  const fs::path table = folder_ / "table.csv";
+  const Outcome outcome =
+      run("analyze " + profile("lock_up.toml") + " --set driver.start=180 --csv " + table.string());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("do not touch"));
+  EXPECT_FALSE(fs::exists(table));
+}
+
+TEST_F(Program, RefusesAnOverlapAtThePoseWhenTheFollowerIsToBeMovedUntilItTouches) {
+  const Outcome outcome = run("analyze " + profile("knife_edge.toml") + " --set bodies.follower.pose.y=10");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("overlap"));
+}
+
+TEST_F(Program, FailsWhereItCannotWrite) {
+  EXPECT_EQ(
+      run("analyze " + profile("knife_edge.toml") + " --csv " + (folder_ / "none" / "t.csv").string()).code,
+      1);
+  EXPECT_EQ(run("analyze " + profile("knife_edge.toml") + " --csv /dev/full").code, 1);
+}
+
+TEST_F(Program, WritesTheSameRowsToFilesAsToStandardOutput) {
+  const fs::path table = folder_ / "table.csv";
+  const Outcome direct = run("step " + profile("offset_translating_roller.toml"));
+  EXPECT_EQ(direct.code, 0);
+  EXPECT_EQ(run("step " + profile("offset_translating_roller.toml") + " --csv " + table.string()).code, 0);
+  EXPECT_EQ(read_file(table), direct.out);
+  EXPECT_EQ(std::count(direct.out.begin(), direct.out.end(), '\n'), 202);
+  EXPECT_THAT(direct.out, HasSubstr("time[s],driver[deg],driver.velocity[deg/s]"));
+}
+
+}  // namespace
