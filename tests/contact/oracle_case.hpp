@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct OracleCase {
   std::string id;
   ContactPair pair;
   nlohmann::json data;
+
+  friend void PrintTo(const OracleCase& reference, std::ostream* out) { *out << reference.id; }
 };
 
 inline Vector2d vector_of(const nlohmann::json& xy) {
