@@ -1,0 +1,207 @@
+#include "higherpair/contact/rolling.hpp"
+
+#include "higherpair/contact/details.hpp"
+#include "limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <Eigen/QR>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMaxSteps = 60;
+constexpr double kMaxTurn = kPi / 36;  // of the driver in one inner step [rad]
+constexpr double kRankTolerance = 1e-9;
+
+using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
+
+bool is_line(const Curve& curve) {
+  return curve.kind == CurveKind::kLine;
+}
+
+double size_of(const ContactPair& pair, const ContactPosition& at) {
+  return (at.p1_W - pair.motion1.p_WO).norm() + (at.p2_W - pair.motion2.p_WO).norm() + 1e-300;
+}
+
+// Change of a point of contact with q at the given normal, and with the normal.
+struct Equations {
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();
+  Jacobian J = Jacobian::Zero();
+};
+
+// The two conditions of a contact; where a body is a line, φ is not free.
+Equations contact_equations(const ContactPair& pair, const ContactPosition& at) {
+  const GapDerivatives d = gap_derivatives(pair, at);
+  Equations equations;
+  equations.r(0) = (at.p2_W - at.p1_W).dot(at.n_W);
+  equations.J(0, 0) = d.g_q;
+  if (!is_line(pair.curve1) && !is_line(pair.curve2)) {
+    equations.r(1) = (at.p2_W - at.p1_W).dot(perp(at.n_W));
+    equations.J.row(1) << d.g_phiq, d.g_phiphi;
+  }
+  return equations;
+}
+
+double arc_difference(const ContactPair& pair, const ContactPosition& at, double phi) {
+  const ContactDetails details = details_of(pair, at, phi);
+  return details.side1.arc - details.side2.arc;
+}
+
+void add_arcs(const RollingTrack& track, double phi, Equations& equations) {
+  const ContactPosition& at = track.at;
+  equations.r(2) = arc_difference(track.pair, at, phi) - track.arc_difference;
+  const double turns2 = track.pair.motion2.turns ? 1 : 0;
+  if (is_line(track.pair.curve1) || is_line(track.pair.curve2)) {
+    equations.J(2, 0) = perp(at.n_W).dot(velocity_per_q(track.pair.motion2, at.p2_W));
+  } else {
+    equations.J.row(2) << -turns2 * at.rho2, at.rho1 + at.rho2;
+  }
+}
+
+// v1 and v2 per unit of u and q are parallel at p: the contact point can be an instant centre.
+void add_instant_centre(const ContactPair& pair, const ContactPosition& at, Equations& equations) {
+  const Vector2d t = perp(at.n_W);
+  const Vector2d v1 = velocity_per_q(pair.motion1, at.p1_W);
+  const Vector2d v2 = velocity_per_q(pair.motion2, at.p2_W);
+  const double scale = 1 / (v1.norm() + v2.norm() + 1e-300) *
+                       (pair.motion1.turns && pair.motion2.turns ? 1 : size_of(pair, at));
+  equations.r(2) = scale * cross(v1, v2);
+  // Points move with φ by ρ1 t and -ρ2 t, the second with q also by v2 + ρ2 t.
+  const auto derivative = [&](const Vector2d& dp1, const Vector2d& dp2) {
+    const Vector2d dv1 = pair.motion1.turns ? perp(dp1) : Vector2d::Zero();
+    const Vector2d dv2 = pair.motion2.turns ? perp(dp2) : Vector2d::Zero();
+    return scale * (cross(dv1, v2) + cross(v1, dv2));
+  };
+  const double turns2 = pair.motion2.turns ? 1 : 0;
+  const Vector2d none = Vector2d::Zero();
+  if (is_line(pair.curve2)) {
+    equations.J(2, 0) = derivative(turns2 * at.rho1 * t, turns2 * at.rho1 * t);
+  } else if (is_line(pair.curve1)) {
+    const Vector2d along = t.dot(v2 + turns2 * at.rho2 * t) * t;
+    equations.J(2, 0) = derivative(along, along);
+  } else {
+    equations.J.row(2) << derivative(none, v2 + turns2 * at.rho2 * t), derivative(at.rho1 * t, -at.rho2 * t);
+  }
+}
+
+double angle_between(const Vector2d& from, const Vector2d& to) {
+  return std::atan2(cross(from, to), from.dot(to));
+}
+
+// Gauss-Newton on the three conditions; false where a curve has no such point.
+RollingResult solve(RollingTrack& track, const std::function<void(double, Equations&)>& add_third) {
+  RollingResult result;
+  ContactPosition& at = track.at;
+  double best = INFINITY;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Vector2d n_before = at.n_W;
+    if (!place_points(track.pair, at)) {
+      return result;
+    }
+    track.phi += angle_between(n_before, at.n_W);
+    Equations equations = contact_equations(track.pair, at);
+    add_third(track.phi, equations);
+    // Columns of one unit: a turn of φ and q or a displacement moves points by lengths.
+    const double size = size_of(track.pair, at);
+    Jacobian J = equations.J / size;
+    if (!track.pair.motion2.turns) {
+      J.col(0) *= size;
+    }
+    Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition;
+    decomposition.setThreshold(kRankTolerance);
+    decomposition.compute(J);
+    const Eigen::Vector2d step = decomposition.solve(-equations.r / size);
+    const double length = step.norm();
+    result.mismatch = equations.r.cwiseAbs().maxCoeff();
+    if (length <= 1e-15 || (length < 1e-9 && length >= best / 2)) {
+      result.converged = true;
+      return result;
+    }
+    best = length;
+    const double damping = std::min(1.0, 0.3 / length);
+    at.q += damping * step(0) * (track.pair.motion2.turns ? 1 : size);
+    const double turn = is_line(track.pair.curve1) || is_line(track.pair.curve2) ? 0 : damping * step(1);
+    at.n_W = Rotation<double>::from_angle(turn) * at.n_W;
+    at.n_W.normalize();
+    track.phi += turn;
+  }
+  return result;
+}
+
+// Rates for du/dt = 1.
+void add_rates(RollingTrack& track) {
+  const ContactPair& pair = track.pair;
+  ContactPosition& at = track.at;
+  const Vector2d p = (at.p1_W + at.p2_W) / 2;
+  const Vector2d v1 = velocity_per_q(pair.motion1, p);
+  const Vector2d v2 = velocity_per_q(pair.motion2, p);
+  at.gap_q = v2.dot(at.n_W);
+  at.dq = v1.dot(v2) / v2.squaredNorm();
+  at.sliding = (at.dq * v2 - v1).dot(perp(at.n_W));
+  const double omega1 = pair.motion1.turns ? 1 : 0;
+  const double omega2 = pair.motion2.turns ? at.dq : 0;
+  const double omega_r = omega2 - omega1;
+  // u1 = u2 = z ω_r, φ̇ = ω1 + w1 ω_r, with κ = 0 for a line.
+  double z = at.rho1 * at.rho2 / (at.rho1 + at.rho2);
+  double w1 = at.rho2 / (at.rho1 + at.rho2);
+  if (is_line(pair.curve2)) {
+    z = at.rho1;
+    w1 = 1;
+  }
+  if (is_line(pair.curve1)) {
+    z = at.rho2;
+    w1 = 0;
+  }
+  at.dphi = omega1 + w1 * omega_r;
+  const Vector2d relative = omega_r * z * omega_r * at.n_W;
+  const Vector2d a1 = acceleration_per_q(pair.motion1, p);
+  const Vector2d a2 = at.dq * at.dq * acceleration_per_q(pair.motion2, p);
+  at.d2q = (a1 + relative - a2).dot(v2) / v2.squaredNorm();
+}
+
+}  // namespace
+
+RollingResult start_rolling(RollingTrack& track, const ContactPair& pair, double u, double q,
+                            const Vector2d& n_W) {
+  track = {};
+  track.pair = pair;
+  track.at.u = u;
+  track.at.q = q;
+  track.at.n_W = n_W;
+  track.phi = angle_of(n_W);
+  const RollingResult result = solve(
+      track, [&](double, Equations& equations) { add_instant_centre(track.pair, track.at, equations); });
+  if (!result.converged) {
+    return result;
+  }
+  track.arc_difference = arc_difference(pair, track.at, track.phi);
+  add_rates(track);
+  return result;
+}
+
+RollingResult roll_to(RollingTrack& track, double u) {
+  RollingResult result;
+  result.converged = true;
+  const double scale = track.pair.motion1.turns ? 1 : size_of(track.pair, track.at);
+  const double from = track.at.u;
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(u - from) / (kMaxTurn * scale))));
+  for (int i = 1; i <= steps; ++i) {
+    const double to = i == steps ? u : from + (u - from) * i / steps;
+    const double h = to - track.at.u;
+    track.at.u = to;
+    track.at.q += h * (track.at.dq + h / 2 * track.at.d2q);
+    track.at.n_W = Rotation<double>::from_angle(h * track.at.dphi) * track.at.n_W;
+    track.phi += h * track.at.dphi;
+    result = solve(track, [&](double phi, Equations& equations) { add_arcs(track, phi, equations); });
+    if (!result.converged) {
+      return result;
+    }
+    add_rates(track);
+  }
+  return result;
+}
+
+}  // namespace higherpair
