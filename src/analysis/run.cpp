@@ -1,6 +1,7 @@
 #include "higherpair/analysis/run.hpp"
 
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/separation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,14 +52,14 @@ std::string explain(FindStatus status, const std::string& contact) {
          "driver.start or the pose of the follower";
 }
 
-void add_contact(const Run& run, double u_dot, double u_ddot, MotionRow& row) {
+void add_contact(const Run& run, const ContactPosition& at, double phi, double u_dot, double u_ddot,
+                 MotionRow& row) {
   const ContactGroup& group = *run.plan.group;
-  const ContactPosition& at = run.track->at;
   row.contact = at;
-  row.normal_angle = run.track->phi;
-  row.residual = (at.p2_W - at.p1_W).norm();
+  row.normal_angle = phi;
+  row.residual = std::max(row.residual, (at.p2_W - at.p1_W).norm());
   const double lever = velocity_per_q(group.pair.motion2, at.p2_W).norm();
-  const bool singular = std::abs(at.gap_q) <= kSingularShare * std::max(lever, 1e-300);
+  const bool singular = !run.rolling && std::abs(at.gap_q) <= kSingularShare * std::max(lever, 1e-300);
   const double q_dot = singular ? 0 : at.dq * u_dot;
   const double q_ddot = singular ? 0 : at.d2q * u_dot * u_dot + at.dq * u_ddot;
   row.sliding = at.sliding * u_dot;
@@ -73,6 +74,32 @@ void add_contact(const Run& run, double u_dot, double u_ddot, MotionRow& row) {
   }
 }
 
+// Sets up the rolling contact near the pose (or near the slipping contact that was found); says why it cannot
+// roll.
+std::optional<std::string> start_rolling_contact(Run& run, double driver, const FindResult& found) {
+  const ContactGroup& group = *run.plan.group;
+  const double u = run.plan.driver.sign * driver;
+  const double q = coordinate_in_pose(run.mechanism, group.follower);
+  const Pose<double> X_W1 = pose_at(group.pair.motion1, u);
+  const Pose<double> X_W2 = pose_at(group.pair.motion2, q);
+  const Separation here = separation(group.pair.curve1, X_W1, group.pair.curve2, X_W2, 1e-6 * run.plan.size);
+  RollingTrack track;
+  const RollingResult start = start_rolling(track, group.pair, u, q, here.n_W);
+  if (start.converged && start.mismatch <= run.tolerance * run.plan.size) {
+    run.rolling = track;
+    return std::nullopt;
+  }
+  const std::string name = run.mechanism.contacts[static_cast<std::size_t>(group.contact)].name;
+  if (found.status != FindStatus::kFound) {
+    return explain(found.status, name);
+  }
+  return "contacts." + name + ": this pair cannot roll: already at the first driver position it slips by " +
+         std::to_string(std::abs(found.at.sliding)) +
+         (group.pair.motion1.turns ? " m for each radian" : " m for each metre") +
+         " of the driver; set rolling = false, or choose curves and joints whose contact point stays at the "
+         "instant centre";
+}
+
 }  // namespace
 
 tl::expected<Run, std::string> start_run(const Mechanism& mechanism, double driver, double tolerance) {
@@ -80,18 +107,40 @@ tl::expected<Run, std::string> start_run(const Mechanism& mechanism, double driv
   if (!plan) {
     return tl::unexpected(plan.error());
   }
-  Run run{mechanism, std::move(*plan), std::nullopt, tolerance};
+  Run run{mechanism, std::move(*plan), std::nullopt, std::nullopt, tolerance};
   if (!run.plan.group) {
     return run;
   }
   const ContactGroup& group = *run.plan.group;
   const FindResult found = first_contact(mechanism, group, run.plan.driver.sign * driver);
+  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(group.contact)];
+  if (contact.rolling) {
+    if (auto reason = start_rolling_contact(run, driver, found)) {
+      return tl::unexpected(*reason);
+    }
+    return run;
+  }
   if (found.status != FindStatus::kFound) {
     return tl::unexpected(
         explain(found.status, mechanism.contacts[static_cast<std::size_t>(group.contact)].name));
   }
   run.track = start_track(group.pair, found.at, found.branch);
   return run;
+}
+
+std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions) {
+  if (!run.rolling) {
+    return std::nullopt;
+  }
+  RollingTrack track = *run.rolling;
+  for (const double position : positions) {
+    const RollingResult result = roll_to(track, run.plan.driver.sign * position);
+    const bool slips = std::abs(track.at.sliding) > run.tolerance * run.plan.size;
+    if (!result.converged || !(result.mismatch <= run.tolerance * run.plan.size) || slips) {
+      return Slip{position, track.at.sliding};
+    }
+  }
+  return std::nullopt;
 }
 
 RunStep move_to(Run& run, double position, double velocity, double acceleration) {
@@ -102,6 +151,13 @@ RunStep move_to(Run& run, double position, double velocity, double acceleration)
   step.row.bodies[static_cast<std::size_t>(driver.body)] =
       motion_at(driver.freedom, u, driver.sign * velocity, driver.sign * acceleration);
   step.row.status = RowStatus::kOk;
+  if (run.rolling) {
+    const RollingResult result = roll_to(*run.rolling, u);
+    step.row.residual = result.mismatch;
+    add_contact(run, run.rolling->at, run.rolling->phi, driver.sign * velocity, driver.sign * acceleration,
+                step.row);
+    return step;
+  }
   if (!run.track) {
     return step;
   }
@@ -110,7 +166,8 @@ RunStep move_to(Run& run, double position, double velocity, double acceleration)
     step.limit = LimitEvent{driver.sign * result.limit->u};
   }
   if (result.status == TrackStatus::kOk) {
-    add_contact(run, driver.sign * velocity, driver.sign * acceleration, step.row);
+    add_contact(run, run.track->at, run.track->phi, driver.sign * velocity, driver.sign * acceleration,
+                step.row);
   } else {
     step.row.status = RowStatus::kNotAssemblable;
   }

@@ -48,7 +48,7 @@ bool is_grounded(const Joint& joint) {
 tl::unexpected<std::string> refuse(const std::string& reason) {
   return tl::unexpected(
       "only a driver and one follower, each on its own revolute or prismatic joint to ground and "
-      "touching in one slipping contact, can be solved: " +
+      "touching in one contact, can be solved: " +
       reason);
 }
 
@@ -85,9 +85,6 @@ tl::expected<ContactGroup, std::string> contact_group(const Mechanism& mechanism
     return refuse("there is not exactly one contact");
   }
   const Contact& contact = mechanism.contacts.front();
-  if (contact.rolling) {
-    return refuse("contacts." + contact.name + " rolls");
-  }
   ContactGroup group;
   group.driver_is_first = contact.first.body == driver.body;
   const CurveRef& on_driver = group.driver_is_first ? contact.first : contact.second;

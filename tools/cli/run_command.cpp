@@ -127,6 +127,29 @@ Event limit_event(const LimitEvent& limit, const Profile& profile, const Plan& p
           "the two bodies cannot be kept in contact on this branch beyond this position of the driver"};
 }
 
+// Driver positions over the whole run, at most a thousand, in SI units.
+std::vector<double> some_positions(const DriverSchedule& schedule) {
+  std::vector<double> positions;
+  const std::int64_t stride = std::max<std::int64_t>(1, schedule.size() / 1000);
+  for (std::int64_t k = 0; k < schedule.size(); k += stride) {
+    positions.push_back(schedule.state(k).si.position);
+  }
+  return positions;
+}
+
+int report_slip(const Slip& slip, const RunOptions& options, const Profile& profile, const Run& run) {
+  const Dimension dimension = run.plan.driver.freedom.turns ? dimension::kAngle : dimension::kLength;
+  fmt::print(
+      stderr,
+      "{}: contacts.{}: this pair cannot roll through the whole run: at driver = {} {} it slips by {} {} a "
+      "unit of the driver; set rolling = false\n",
+      options.profile, profile.mechanism.contacts[static_cast<std::size_t>(run.plan.group->contact)].name,
+      from_si(dimension, profile.units).apply(slip.driver), unit_text(dimension, profile.units),
+      from_si(dimension::kLength / dimension, profile.units).apply(slip.velocity),
+      unit_text(dimension::kLength / dimension, profile.units));
+  return kExitMechanism;
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
@@ -143,6 +166,9 @@ int run_command(const RunOptions& options) {
   if (!run) {
     fmt::print(stderr, "{}: {}\n", options.profile, run.error());
     return kExitMechanism;
+  }
+  if (const auto slip = find_slip(*run, some_positions(*schedule))) {
+    return report_slip(*slip, options, *profile, *run);
   }
   auto table = MotionTable::make(*profile, run->plan, options.timed);
   if (!table) {

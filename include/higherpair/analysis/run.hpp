@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/rolling.hpp"
 #include "higherpair/contact/tracker.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
@@ -41,14 +42,25 @@ struct LimitEvent {
 struct Run {
   Mechanism mechanism;
   Plan plan;
-  std::optional<ContactTrack> track;
-  double tolerance = 1e-9;  ///< of plan.size: larger residuals are not `ok`
+  std::optional<ContactTrack> track;    ///< of a slipping contact
+  std::optional<RollingTrack> rolling;  ///< of a rolling one
+  double tolerance = 1e-9;              ///< of plan.size: larger residuals are not `ok`
 };
 
 /// Starts a run at a driver position: the contact that the profile's `approach` picks is found.
 /// The error says why there is none.
 [[nodiscard]] tl::expected<Run, std::string> start_run(const Mechanism& mechanism, double driver,
                                                        double tolerance = 1e-9);
+
+/// Where and how fast a pair that ought to roll would have to slip.
+struct Slip {
+  double driver = 0;    ///< coordinate of the driven joint [rad or m]
+  double velocity = 0;  ///< sliding velocity for a unit velocity of the driven joint [m/rad or 1]
+};
+
+/// Rolls through the driver positions and returns the first at which the contact would have to slip, if any:
+/// rolling removes two freedoms, and between two grounded joints only special pairs move all the same.
+[[nodiscard]] std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions);
 
 struct RunStep {
   MotionRow row;
