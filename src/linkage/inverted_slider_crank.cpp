@@ -21,17 +21,17 @@ InvertedSliderCrankMotion inverted_slider_crank_by_crank(const InvertedSliderCra
                                                          const AngleMotion& link2, AssemblyMode mode) {
   const SlotLoop<double> loop = crank_loop(linkage);
   const Rotation<double> u2 = Rotation<double>::from_angle(link2.theta - linkage.theta1);
-  const SlotPosition<double> position = slot_position(loop, u2, sign(mode));
+  const RprPosition<double> position = slot_position(loop, u2, sign(mode));
 
   InvertedSliderCrankMotion motion;
   motion.status = status_at_angle(position.reach, link2.theta, linkage.theta1);
   motion.theta2 = link2.theta;
   if (motion.status == LinkageStatus::kNotAssemblable) return motion;
-  motion.theta3 = absolute_angle(position.u3, linkage.theta1);
-  motion.r3 = position.r3;
+  motion.theta3 = absolute_angle(position.u, linkage.theta1);
+  motion.r3 = position.s;
   if (motion.status == LinkageStatus::kOk) {
-    const SlotRates<double> rates = slot_rates(loop, position, u2, link2.omega, link2.alpha);
-    motion.rates = {link2.omega, rates.omega3, rates.r3_dot, link2.alpha, rates.alpha3, rates.r3_ddot};
+    const RprRates<double> rates = slot_rates(loop, position, u2, link2.omega, link2.alpha);
+    motion.rates = {link2.omega, rates.omega, rates.s_dot, link2.alpha, rates.alpha, rates.s_ddot};
   }
   return motion;
 }

@@ -1,5 +1,7 @@
 #include "higherpair/linkage/rrr_dyad.hpp"
 
+#include "higherpair/linkage/moving_guide.hpp"
+
 #include <cassert>
 
 namespace higherpair {
@@ -7,21 +9,22 @@ namespace higherpair {
 RrrMotion rrr_dyad(const PointMotion& A, const PointMotion& B, double a, double b, AssemblyMode mode) {
   assert(a > 0 && b > 0);
   const Vector2d D = B.p_W - A.p_W;
-  const double extent = std::max(A.p_W.cwiseAbs().maxCoeff(), B.p_W.cwiseAbs().maxCoeff());
-  const Reach<double> reach = rrr_reach(D, a, b, extent);
+  const Vector2d D_dot = B.v_W - A.v_W;
 
   RrrMotion motion;
-  motion.status = status_of(reach);
+  motion.reach = rrr_reach(D, a, b, extent_of(A.p_W, B.p_W));
+  motion.reach_rate = rrr_reach_rate(D, D_dot);
+  motion.status = status_of(motion.reach);
   if (motion.status == LinkageStatus::kNotAssemblable) return motion;
 
-  const RrrPosition<double> position = rrr_position(D, a, b, reach, sign(mode));
+  const RrrPosition<double> position = rrr_position(D, a, b, motion.reach, sign(mode));
   const Vector2d u_a(position.u_a.cos, position.u_a.sin);
-  motion.theta_a = absolute_angle(position.u_a, 0);
-  motion.theta_b = absolute_angle(position.u_b, 0);
+  motion.u_a = position.u_a;
+  motion.u_b = position.u_b;
   motion.p_WC = A.p_W + a * u_a;
   if (motion.status == LinkageStatus::kSingular) return motion;
 
-  const RrrRates<double> rates = rrr_rates<double>(position, a, b, B.v_W - A.v_W, B.a_W - A.a_W);
+  const RrrRates<double> rates = rrr_rates<double>(position, a, b, D_dot, B.a_W - A.a_W);
   motion.rates = {rates.omega_a,
                   rates.omega_b,
                   rates.alpha_a,

@@ -142,12 +142,12 @@ TEST(Pack, SlidingKernelsRunOnSeveralConfigurationsAtOnce) {
   const auto slot_rate = slot_rates(slot_loop, slot, directions(), Pack(1.3), Pack(-0.7));
   const auto one_slot_loop = make_slot_loop(2.0, 5.0, 0.75);
   const auto one_slot = slot_position(one_slot_loop, u2, 1.0);
-  expect_lane(slot.u3.sin, 0, one_slot.u3.sin);
-  expect_lane(slot_rate.r3_ddot, 0, slot_rates(one_slot_loop, one_slot, u2, 1.3, -0.7).r3_ddot);
+  expect_lane(slot.u.sin, 0, one_slot.u.sin);
+  expect_lane(slot_rate.s_ddot, 0, slot_rates(one_slot_loop, one_slot, u2, 1.3, -0.7).s_ddot);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_TRUE(std::isfinite(arm_rates.alpha_leg.lane[i]));
     EXPECT_TRUE(std::isfinite(slider_rate.alpha_a.lane[i]));
-    EXPECT_TRUE(std::isfinite(slot_rate.alpha3.lane[i]));
+    EXPECT_TRUE(std::isfinite(slot_rate.alpha.lane[i]));
   }
 
   const Rotation<Pack> straight{Pack(0), Pack(1)};

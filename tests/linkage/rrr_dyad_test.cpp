@@ -1,7 +1,7 @@
 #include "higherpair/linkage/rrr_dyad.hpp"
 
 #include "higherpair/linkage/four_bar.hpp"
-#include "linkage/linkage_testing.hpp"
+#include "linkage/moving_ends.hpp"
 
 namespace higherpair {
 namespace {
@@ -60,8 +60,8 @@ TEST_F(WattSixBar, BothLoopsAgreeWithTheReferenceOverTheWholeTurn) {
         place.see(std::abs(H.p_W[i] - number(row["H"][static_cast<std::size_t>(i)])));
         place.see(std::abs(second.p_WC[i] - number(row["D"][static_cast<std::size_t>(i)])));
       }
-      angle.see(angle_error(second.theta_a + kPi, number(row["theta5"])));
-      angle.see(angle_error(second.theta_b + kPi, number(row["theta6"])));
+      angle.see(angle_error(angle_of(second.u_a) + kPi, number(row["theta5"])));
+      angle.see(angle_error(angle_of(second.u_b) + kPi, number(row["theta6"])));
       omega.see(std::abs(second.rates->omega_a - number(row["omega5"])));
       omega.see(std::abs(second.rates->omega_b - number(row["omega6"])));
       alpha.see(std::abs(second.rates->alpha_a - number(row["alpha5"])));
@@ -97,35 +97,26 @@ TEST_F(WattSixBar, OtherAssemblyOfTheFirstLoopStopsWhereTheReferenceSays) {
   EXPECT_GT(rows, 0);
 }
 
-PointMotion moving_point(Random& random) {
-  const auto vector = [&] { return Vector2d(random.between(-1, 1), random.between(-1, 1)); };
-  const Vector2d p = vector(), v = vector(), a = vector();
-  return {p, v, a};
-}
-
-PointMotion at(const PointMotion& point, double t) {
-  return {point.p_W + t * point.v_W + 0.5 * t * t * point.a_W, Vector2d::Zero(), Vector2d::Zero()};
-}
-
 TEST(RrrDyad, JoinsTwoMovingPointsAndMovesByTheDerivatives) {
   Random random(51);
   Worst closure;
   RatesCheck check;
   while (check.count() < 4000) {
-    const PointMotion A = moving_point(random), B = moving_point(random);
+    const MovingPoint A = random_point(random), B = random_point(random);
     const double a = random.between(0.2, 2), b = random.between(0.2, 2);
     const AssemblyMode mode = mode_of(check.count() % 2 == 0 ? 1 : -1);
-    const RrrMotion motion = rrr_dyad(A, B, a, b, mode);
+    const RrrMotion motion = rrr_dyad(A.at(0), B.at(0), a, b, mode);
     if (motion.status != LinkageStatus::kOk) continue;
-    const Vector2d u_a = unit_vector(motion.theta_a), u_b = unit_vector(motion.theta_b);
-    closure.see((A.p_W + a * u_a - B.p_W - b * u_b).norm());
-    closure.see((A.p_W + a * u_a - motion.p_WC).norm());
-    EXPECT_GT(sign(mode) * cross<double>(B.p_W - A.p_W, motion.p_WC - A.p_W), 0);
-    if (std::abs(std::sin(motion.theta_b - motion.theta_a)) < 0.5) continue;
+    const Vector2d u_a = vector_of(motion.u_a), u_b = vector_of(motion.u_b);
+    const Vector2d p_A = A.at(0).p_W, p_B = B.at(0).p_W;
+    closure.see((p_A + a * u_a - p_B - b * u_b).norm());
+    closure.see((p_A + a * u_a - motion.p_WC).norm());
+    EXPECT_GT(sign(mode) * cross<double>(p_B - p_A, motion.p_WC - p_A), 0);
+    if (std::abs(cross(u_a, u_b)) < 0.5) continue;
 
     const auto values_at = [&](double t) {
-      const RrrMotion there = rrr_dyad(at(A, t), at(B, t), a, b, mode);
-      return std::array<double, 4>{there.theta_a, there.theta_b, there.p_WC.x(), there.p_WC.y()};
+      const RrrMotion there = rrr_dyad(A.at(t), B.at(t), a, b, mode);
+      return std::array<double, 4>{angle_of(there.u_a), angle_of(there.u_b), there.p_WC.x(), there.p_WC.y()};
     };
     const RrrMotion::Rates& rates = motion.rates.value();
     check.compare<4>(values_at, {true, true, false, false},
@@ -134,6 +125,42 @@ TEST(RrrDyad, JoinsTwoMovingPointsAndMovesByTheDerivatives) {
   }
   EXPECT_AT_MOST(closure.value(), 1e-14);
   check.expect_small();
+}
+
+TEST(RrrDyad, ReachRateIsTheDerivativeOfTheReachAlsoBeyondTheLimit) {
+  Random random(53);
+  Worst worst;
+  int beyond = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const MovingPoint A = random_point(random), B = random_point(random);
+    const double a = random.between(0.2, 2), b = random.between(0.2, 2);
+    const RrrMotion motion = rrr_dyad(A.at(0), B.at(0), a, b, AssemblyMode::kPlus);
+    const auto reach_at = [&](double t) {
+      const Reach<double> reach = rrr_dyad(A.at(t), B.at(t), a, b, AssemblyMode::kPlus).reach;
+      return std::array<double, 2>{reach.stretch, reach.fold};
+    };
+    const auto expected = differentiate<2>(reach_at, {false, false}, 0.002);
+    worst.see(std::abs(motion.reach_rate.stretch - expected.first[0]));
+    worst.see(std::abs(motion.reach_rate.fold - expected.first[1]));
+    if (motion.status == LinkageStatus::kNotAssemblable) ++beyond;
+  }
+  EXPECT_GT(beyond, 100);
+  EXPECT_AT_MOST(worst.value(), 1e-11);
+}
+
+TEST(RrrDyad, AtAChangePointTheSlackVanishesTogetherWithItsRate) {
+  // B swings out to the full stretch and back: it touches the limit at t = 0.
+  const double a = 0.7, b = 1.1;
+  const auto B_at = [&](double t) {
+    const Vector2d p = (a + b) * std::cos(t) * Vector2d(0.6, 0.8);
+    return PointMotion{p, -(a + b) * std::sin(t) * Vector2d(0.6, 0.8), Vector2d::Zero()};
+  };
+  for (const double t : {-0.3, 0.0, 0.3}) {
+    const RrrMotion motion = rrr_dyad(PointMotion{}, B_at(t), a, b, AssemblyMode::kPlus);
+    EXPECT_EQ(motion.status, t == 0 ? LinkageStatus::kSingular : LinkageStatus::kOk);
+    const double expected = (a + b) * (a + b) * std::sin(2 * t);  // of (a + b)² sin² t
+    EXPECT_AT_MOST(std::abs(motion.reach_rate.slack(motion.reach) - expected), 2e-15);
+  }
 }
 
 TEST(RrrDyad, TellsEachStatus) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/linkage/driver.hpp"
+#include "higherpair/linkage/rpr_dyad.hpp"
 #include "higherpair/linkage/rrp_dyad.hpp"
 
 #include <optional>
@@ -58,7 +59,8 @@ struct InvertedSliderCrankMotion {
 [[nodiscard]] DriverRange inverted_slider_crank_crank_range(const InvertedSliderCrank& linkage);
 [[nodiscard]] DriverRange inverted_slider_crank_slot_range(const InvertedSliderCrank& linkage);
 
-/// \name Kernel in the frame of the ground link (x from O1 to O2), driven by the crank.
+/// \name Kernel in the frame of the ground link (x from O1 to O2), driven by the crank: `rpr_dyad.hpp` with D
+/// from O2 to the pin.
 /// Driven by the slot it is `rrp_dyad.hpp` in the slot's frame: arm r1 at angle θ1 - θ3 + 180°, leg r2.
 /// @{
 
@@ -71,21 +73,6 @@ struct SlotLoop {
 };
 
 template <class T>
-struct SlotPosition {
-  Rotation<T> u3;
-  T r3{0};
-  Reach<T> reach;  ///< stretch and fold are both r3², negative where the pin cannot reach the slot
-};
-
-template <class T>
-struct SlotRates {
-  T omega3{0};
-  T alpha3{0};
-  T r3_dot{0};
-  T r3_ddot{0};
-};
-
-template <class T>
 [[nodiscard]] SlotLoop<T> make_slot_loop(T r1, T r2, T r4) {
   const T none(0);
   return {r1, r2, r4,
@@ -93,44 +80,25 @@ template <class T>
                            balance(r1, r2, -r4, none) * balance(r1, r2, r4, none), T(2) * r1 * r2)};
 }
 
-/// u3 = D turned back by the angle of (r3, r4), D = r3 u3 + r4 u4 from O2 to the pin; D = 0: u3 along +x.
+/// u: the slot's direction, s = r3.
 template <class T>
-[[nodiscard]] SlotPosition<T> slot_position(const SlotLoop<T>& loop, const Rotation<T>& u2, T sigma) {
+[[nodiscard]] RprPosition<T> slot_position(const SlotLoop<T>& loop, const Rotation<T>& u2, T sigma) {
   using std::copysign;
-  using std::max;
-  using std::sqrt;
   const Reach<T> reach = reach_at(loop.square, loop.square, u2);
-  const T r3 = sigma * sqrt(max(reach.fold, T(0)));
   // r2 cos - r1, without cancelling where the crank lies on the ground link.
   const T r2 = copysign(loop.r2, u2.cos);
-  const T x = (r2 - loop.r1) - r2 * versine_of(u2);
-  const T y = loop.r2 * u2.sin;
-  const T d2 = x * x + y * y;
-  const T inv_d = safe_inverse(sqrt(d2));
-  const T body2 = r3 * r3 + loop.r4 * loop.r4;
-  const T inv_body = safe_inverse(sqrt(body2));
-  const Rotation<T> pin{select(d2 > T(0), x * inv_d, T(1)), y * inv_d};
-  const Rotation<T> body{select(body2 > T(0), r3 * inv_body, T(1)), loop.r4 * inv_body};
-  return {(pin * body.inverse()).normalised(), r3, reach};
+  const Vector2<T> D((r2 - loop.r1) - r2 * versine_of(u2), loop.r2 * u2.sin);
+  return rpr_position(D, loop.r4, reach, sigma);
 }
 
-/// r3 ω3 = Ḋ·u4,  ṙ3 = Ḋ·u3 + r4 ω3,  r3 α3 = D̈·u4 - 2 ṙ3 ω3 + r4 ω3²,  r̈3 = D̈·u3 + r3 ω3² + r4 α3.
-/// Finite but meaningless where r3 = 0.
 template <class T>
-[[nodiscard]] SlotRates<T> slot_rates(const SlotLoop<T>& loop, const SlotPosition<T>& position,
-                                      const Rotation<T>& u2, T omega2, T alpha2) {
-  const Rotation<T> u = u2 * position.u3.inverse();  // the crank seen from the slot
+[[nodiscard]] RprRates<T> slot_rates(const SlotLoop<T>& loop, const RprPosition<T>& position,
+                                     const Rotation<T>& u2, T omega2, T alpha2) {
   const T v = loop.r2 * omega2;
   const T a_t = loop.r2 * alpha2;
   const T a_n = v * omega2;
-  const T inv = safe_inverse(position.r3);
-  SlotRates<T> rates;
-  rates.omega3 = v * u.cos * inv;
-  rates.r3_dot = loop.r4 * rates.omega3 - v * u.sin;
-  const T square = rates.omega3 * rates.omega3;
-  rates.alpha3 = (a_t * u.cos - a_n * u.sin - T(2) * rates.r3_dot * rates.omega3 + loop.r4 * square) * inv;
-  rates.r3_ddot = loop.r4 * rates.alpha3 + position.r3 * square - a_t * u.sin - a_n * u.cos;
-  return rates;
+  return rpr_rates(position, loop.r4, Vector2<T>(-v * u2.sin, v * u2.cos),
+                   Vector2<T>(-a_t * u2.sin - a_n * u2.cos, a_t * u2.cos - a_n * u2.sin));
 }
 /// @}
 

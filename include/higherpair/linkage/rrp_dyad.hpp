@@ -1,26 +1,17 @@
 #pragma once
 
-#include "higherpair/geometry/pose.hpp"
+#include "higherpair/linkage/driver.hpp"
+#include "higherpair/linkage/moving_guide.hpp"
 #include "higherpair/linkage/reach.hpp"
+
+#include <optional>
 
 namespace higherpair {
 
-/// A leg from the end of a turning arm to a straight line, in the line's frame (x along it, origin at the
-/// arm's pivot):
-///     arm u_arm + leg u_leg = (along, offset).
-/// h = offset - arm sin φ is what the leg must bridge across the line: sin = h/leg, cos = σ√(leg² - h²)/leg.
-/// Mode σ = +1: the leg's foot is ahead (+x) of the arm's end. The slider-crank is this; the inverted
-/// slider-crank driven by its slot is this seen from the slot.
-///
-/// Its reach: stretch = leg - h, fold = leg + h, linear in sin φ = cos ψ with ψ = φ - 90°.
-template <class T>
-struct RrpLoop {
-  T arm{0};
-  T leg{0};
-  CosineLine<T> stretch;
-  CosineLine<T> fold;
-};
-
+/// A leg from a point A = (x, y) to a straight line, in the line's frame (x along it):
+///     A + leg u_leg = (along, 0).
+/// -y is what the leg must bridge across the line: sin = -y/leg, cos = σ√(leg² - y²)/leg.
+/// Mode σ = +1: the leg's foot is ahead (+x) of A. Its reach: stretch = leg + y, fold = leg - y [m].
 template <class T>
 struct RrpPosition {
   Rotation<T> u_leg;
@@ -34,6 +25,48 @@ struct RrpRates {
   T alpha_leg{0};
   T along_dot{0};
   T along_ddot{0};
+};
+
+/// \param x      of A [m]; y comes with `reach`, from the caller, who may know it better than y does.
+/// \pre leg > 0.
+template <class T>
+[[nodiscard]] RrpPosition<T> rrp_position(T x, T leg, const Reach<T>& reach, T sigma) {
+  const T inv_leg = T(1) / leg;
+  const Rotation<T> u_leg =
+      Rotation<T>{sigma * root_of(reach) * inv_leg, T(0.5) * (reach.fold - reach.stretch) * inv_leg}
+          .normalised();
+  return {u_leg, x + leg * u_leg.cos, reach};
+}
+
+/// With λ the leg's angle, from the derivatives of y + leg sin λ = 0 and x + leg cos λ = along:
+///     leg ω cos λ = -ẏ,   leg α cos λ = -ÿ + leg ω² sin λ.
+/// Finite but meaningless where cos λ = 0.
+template <class T>
+[[nodiscard]] RrpRates<T> rrp_rates(const RrpPosition<T>& position, T leg, const Vector2<T>& A_dot,
+                                    const Vector2<T>& A_ddot) {
+  const Rotation<T>& u_leg = position.u_leg;
+  const T inv = safe_inverse(leg * u_leg.cos);
+  RrpRates<T> rates;
+  rates.omega_leg = -A_dot.y() * inv;
+  const T pull = leg * rates.omega_leg * rates.omega_leg;
+  rates.alpha_leg = (pull * u_leg.sin - A_ddot.y()) * inv;
+  rates.along_dot = A_dot.x() - leg * rates.omega_leg * u_leg.sin;
+  rates.along_ddot = A_ddot.x() - leg * rates.alpha_leg * u_leg.sin - pull * u_leg.cos;
+  return rates;
+}
+
+/// \name A is the end of an arm that turns about a point beside the line.
+///     arm u_arm + leg u_leg = (along, offset).
+/// The slider-crank is this; the inverted slider-crank driven by its slot is this seen from the slot. The
+/// reach is linear in sin φ = cos ψ, φ the arm's angle, ψ = φ - 90°.
+/// @{
+
+template <class T>
+struct RrpLoop {
+  T arm{0};
+  T leg{0};
+  CosineLine<T> stretch;
+  CosineLine<T> fold;
 };
 
 /// \pre arm >= 0, leg > 0; `offset` has a sign: positive on the left of the line's direction.
@@ -51,30 +84,47 @@ template <class T>
 template <class T>
 [[nodiscard]] RrpPosition<T> rrp_position(const RrpLoop<T>& loop, const Rotation<T>& u_arm, T sigma) {
   const Reach<T> reach = reach_at(loop.stretch, loop.fold, Rotation<T>{u_arm.sin, u_arm.cos});
-  const T inv_leg = T(1) / loop.leg;
-  const Rotation<T> u_leg =
-      Rotation<T>{sigma * root_of(reach) * inv_leg, T(0.5) * (reach.fold - reach.stretch) * inv_leg}
-          .normalised();
-  return {u_leg, loop.arm * u_arm.cos + loop.leg * u_leg.cos, reach};
+  return rrp_position(T(loop.arm * u_arm.cos), loop.leg, reach, sigma);
 }
 
-/// With φ the arm's angle and λ the leg's:
-///     leg ω_λ cos λ = -arm ω_φ cos φ,   leg α_λ cos λ = arm (ω_φ² sin φ - α_φ cos φ) + leg ω_λ² sin λ,
-/// and `along` by differentiating arm cos φ + leg cos λ. Finite but meaningless where cos λ = 0.
 template <class T>
 [[nodiscard]] RrpRates<T> rrp_rates(const RrpLoop<T>& loop, const RrpPosition<T>& position,
                                     const Rotation<T>& u_arm, T omega_arm, T alpha_arm) {
-  const Rotation<T>& u_leg = position.u_leg;
-  const T inv = safe_inverse(loop.leg * u_leg.cos);
-  RrpRates<T> rates;
-  rates.omega_leg = -loop.arm * omega_arm * u_arm.cos * inv;
-  const T pull_arm = loop.arm * omega_arm * omega_arm;
-  const T pull_leg = loop.leg * rates.omega_leg * rates.omega_leg;
-  rates.alpha_leg = (pull_arm * u_arm.sin - loop.arm * alpha_arm * u_arm.cos + pull_leg * u_leg.sin) * inv;
-  rates.along_dot = -loop.arm * omega_arm * u_arm.sin - loop.leg * rates.omega_leg * u_leg.sin;
-  rates.along_ddot = -loop.arm * alpha_arm * u_arm.sin - pull_arm * u_arm.cos -
-                     loop.leg * rates.alpha_leg * u_leg.sin - pull_leg * u_leg.cos;
-  return rates;
+  const T v = loop.arm * omega_arm;
+  const T a_t = loop.arm * alpha_arm;
+  const T a_n = v * omega_arm;
+  return rrp_rates(position, loop.leg, Vector2<T>(-v * u_arm.sin, v * u_arm.cos),
+                   Vector2<T>(-a_t * u_arm.sin - a_n * u_arm.cos, a_t * u_arm.cos - a_n * u_arm.sin));
 }
+/// @}
+
+/// \name A and the line both move.
+/// @{
+
+/// A link from a moving point A to a point C that runs on a moving guide, C = P + s u.
+struct RrpMotion {
+  struct Rates {
+    double omega = 0;  ///< of the link [rad/s]
+    double alpha = 0;  ///< [rad/s²]
+    double s_dot = 0;  ///< seen from the guide [m/s]
+    double s_ddot = 0;
+    Vector2d v_WC = Vector2d::Zero();  ///< [m/s]
+    Vector2d a_WC = Vector2d::Zero();  ///< [m/s²]
+  };
+  LinkageStatus status = LinkageStatus::kNotAssemblable;
+  Reach<double> reach;               ///< [m]; like its rate it holds with every status
+  ReachRate<double> reach_rate;      ///< [m/s]
+  Rotation<double> u_link;           ///< unit direction from A to C
+  double s = 0;                      ///< where on the guide C is [m]
+  Vector2d p_WC = Vector2d::Zero();  ///< [m]
+  std::optional<Rates> rates;        ///< with kOk only
+};
+
+/// \param r     length of the link [m]
+/// \param mode  kPlus: C is ahead of A, (C - A)·u > 0.
+/// kSingular: the link stands across the guide to rounding.
+/// \pre r > 0: without length the link has no direction, and A itself must run on the guide.
+[[nodiscard]] RrpMotion rrp_dyad(const PointMotion& A, const GuideMotion& guide, double r, AssemblyMode mode);
+/// @}
 
 }  // namespace higherpair

@@ -91,6 +91,13 @@ template <class T>
           T(kReachRoundings) * eps * (d * (d + extent) + eps * sum * sum)};
 }
 
+/// d(d²)/dt = 2 D·Ḋ, with opposite signs [m²/s].
+template <class T>
+[[nodiscard]] ReachRate<T> rrr_reach_rate(const Vector2<T>& D, const Vector2<T>& D_dot) {
+  const T growth = T(2) * (D.x() * D_dot.x() + D.y() * D_dot.y());
+  return {-growth, growth};
+}
+
 /// What hangs between two moving points.
 struct RrrMotion {
   struct Rates {
@@ -102,8 +109,10 @@ struct RrrMotion {
     Vector2d a_WC = Vector2d::Zero();  ///< [m/s²]
   };
   LinkageStatus status = LinkageStatus::kNotAssemblable;
-  double theta_a = 0;                ///< direction from A to C, in (-π, π] [rad]
-  double theta_b = 0;                ///< direction from B to C
+  Reach<double> reach;               ///< [m²]; like its rate it holds with every status
+  ReachRate<double> reach_rate;      ///< [m²/s]
+  Rotation<double> u_a;              ///< unit direction from A to C
+  Rotation<double> u_b;              ///< unit direction from B to C
   Vector2d p_WC = Vector2d::Zero();  ///< the joint [m]
   std::optional<Rates> rates;        ///< with kOk only
 };
