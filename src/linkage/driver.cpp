@@ -16,12 +16,11 @@ double absolute_angle(const Rotation<double>& u, double reference) {
   return principal_angle(std::atan2(u.sin, u.cos) + reference);
 }
 
-namespace {
-
-/// The angle in [0, π] where a line changes its sign; its ends have opposite signs.
 double root_angle(const CosineLine<double>& line) {
   return 2 * std::atan2(std::sqrt(std::abs(line.at_0)), std::sqrt(std::abs(line.at_pi)));
 }
+
+namespace {
 
 DriverInterval interval_from(double begin, double width) {
   const double principal = principal_angle(begin);

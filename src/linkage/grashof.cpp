@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -16,6 +17,35 @@ double transmission_from(double stretch, double fold) {
 FourBarLoop<double> loop_of(const FourBar& linkage) {
   assert(linkage.r1 >= 0 && linkage.r2 >= 0 && linkage.r3 > 0 && linkage.r4 > 0);
   return make_four_bar_loop(linkage.r1, linkage.r2, linkage.r3, linkage.r4);
+}
+
+std::array<double, 4> lengths_of(const FourBar& linkage) {
+  return {linkage.r1, linkage.r2, linkage.r3, linkage.r4};
+}
+
+std::array<double, 4> sorted_lengths(const FourBar& linkage) {
+  std::array<double, 4> sorted = lengths_of(linkage);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+FourBar with_length(const FourBar& linkage, FourBarLink link, double length) {
+  std::array<double, 4> lengths = lengths_of(linkage);
+  lengths[static_cast<std::size_t>(link) - 1] = length;
+  return {lengths[0], lengths[1], lengths[2], lengths[3], linkage.theta1};
+}
+
+/// The lengths > 0 of a link with which the four balance, rising, each once.
+std::vector<double> balanced_lengths(const FourBar& linkage, FourBarLink link) {
+  const std::array<double, 4> others = sorted_lengths(with_length(linkage, link, 0));
+  const double a = others[1], b = others[2], c = others[3];
+  assert(a > 0);
+  std::vector<double> lengths{std::abs(balance(a, b, -c, 0.0)), balance(a, c, -b, 0.0),
+                              balance(b, c, -a, 0.0), balance(a, b, c, 0.0)};
+  std::sort(lengths.begin(), lengths.end());
+  lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
+  if (lengths.front() == 0) lengths.erase(lengths.begin());
+  return lengths;
 }
 
 }  // namespace
@@ -41,21 +71,60 @@ std::string_view name_of(GrashofClass grashof) {
 }
 
 GrashofClass classify_grashof(const FourBar& linkage) {
-  const std::array<double, 4> lengths{linkage.r1, linkage.r2, linkage.r3, linkage.r4};
-  std::array<double, 4> sorted = lengths;
-  std::sort(sorted.begin(), sorted.end());
-
+  const std::array<double, 4> sorted = sorted_lengths(linkage);
   const double closing = balance(sorted[0], sorted[1], sorted[2], -sorted[3]);
   if (closing < 0) return GrashofClass::kCannotClose;
-  const double excess = balance(sorted[0], sorted[3], -sorted[1], -sorted[2]);
-  if (closing == 0 || excess == 0) return GrashofClass::kChangePoint;
-  if (excess > 0) return GrashofClass::kTripleRocker;
+  const double margin = grashof_margin(linkage);
+  if (closing == 0 || margin == 0) return GrashofClass::kChangePoint;
+  if (margin < 0) return GrashofClass::kTripleRocker;
 
   // The shortest is unique here: two shortest lengths have s + l >= p + q.
   constexpr std::array<GrashofClass, 4> by_shortest{GrashofClass::kDoubleCrank, GrashofClass::kCrankRocker,
                                                     GrashofClass::kDoubleRocker, GrashofClass::kRockerCrank};
+  const std::array<double, 4> lengths = lengths_of(linkage);
   const auto shortest = std::min_element(lengths.begin(), lengths.end());
   return by_shortest[static_cast<std::size_t>(shortest - lengths.begin())];
+}
+
+double grashof_margin(const FourBar& linkage) {
+  const std::array<double, 4> sorted = sorted_lengths(linkage);
+  return balance(sorted[1], sorted[2], -sorted[0], -sorted[3]);
+}
+
+bool turns_fully(const FourBar& linkage, FourBarLink link) {
+  assert(link != FourBarLink::kGround);
+  switch (classify_grashof(linkage)) {
+    case GrashofClass::kDoubleCrank:
+      return true;
+    case GrashofClass::kCrankRocker:
+      return link == FourBarLink::kCrank;
+    case GrashofClass::kDoubleRocker:
+      return link == FourBarLink::kCoupler;
+    case GrashofClass::kRockerCrank:
+      return link == FourBarLink::kRocker;
+    default:
+      return false;
+  }
+}
+
+std::vector<LengthInterval> lengths_for(const FourBar& linkage, FourBarLink link, GrashofClass wanted) {
+  const std::vector<double> bounds = balanced_lengths(linkage, link);
+  std::vector<LengthInterval> intervals;
+  if (wanted == GrashofClass::kChangePoint) {
+    for (const double length : bounds) intervals.push_back({length, length});
+    return intervals;
+  }
+  double begin = 0;
+  for (const double end : bounds) {
+    if (classify_grashof(with_length(linkage, link, 0.5 * (begin + end))) == wanted) {
+      intervals.push_back({begin, end});
+    }
+    begin = end;
+  }
+  if (wanted == GrashofClass::kCannotClose) {
+    intervals.push_back({begin, std::numeric_limits<double>::infinity()});
+  }
+  return intervals;
 }
 
 std::optional<double> transmission_angle(const FourBar& linkage, double theta2) {
@@ -73,10 +142,21 @@ std::optional<TransmissionRange> transmission_range(const FourBar& linkage) {
   // γ grows with the diagonal, so its ends are at crank angles 0 and π, or 0 and π itself at a limit.
   const double first = transmission_from(loop.stretch.at_0, loop.fold.at_0);
   const double last = transmission_from(loop.stretch.at_pi, loop.fold.at_pi);
-  const bool first_obtuse = loop.fold.at_0 > loop.stretch.at_0;
-  const bool last_obtuse = loop.fold.at_pi > loop.stretch.at_pi;
-  const double largest = first_obtuse != last_obtuse ? kPi / 2 : std::max(first, last);
-  return TransmissionRange{std::min(first, last), largest};
+  const double psi_first = loop.fold.at_0 >= 0 ? 0 : root_angle(loop.fold);
+  const double psi_last = loop.stretch.at_pi >= 0 ? kPi : root_angle(loop.stretch);
+  const auto theta2 = [&](double psi) { return principal_angle(linkage.theta1 + psi); };
+  TransmissionRange range{first, last, theta2(psi_first), theta2(psi_last)};
+  if (first > last) range = {last, first, range.at_largest, range.at_smallest};
+
+  // γ - 90° has the sign of fold - stretch, which is linear in the cosine as well.
+  const CosineLine<double> obtuse =
+      make_cosine_line(loop.fold.at_0 - loop.stretch.at_0, loop.fold.at_pi - loop.stretch.at_pi,
+                       loop.fold.half_swing - loop.stretch.half_swing);
+  if (obtuse.at_0 < 0 && obtuse.at_pi > 0) {
+    range.largest = kPi / 2;
+    range.at_largest = theta2(root_angle(obtuse));
+  }
+  return range;
 }
 
 }  // namespace higherpair

@@ -44,6 +44,91 @@ TEST(Grashof, ReproducesTheTextbookExerciseOnADoubleRocker) {
   EXPECT_EQ(classify_grashof({frame, shortest_arm, coupler, shortest_arm, 0}), GrashofClass::kChangePoint);
 }
 
+TEST(Grashof, ReproducesTheTextbookMarginOfACouplerThatTurnsFully) {
+  const auto data = textbook("exercise3_000");
+  const double coupler = number(data["coupler_2a"]), frame = number(data["frame_2d"]);
+  const double arm = number(data["arm"]), shortest_arm = number(data["limits"]["c_min"]);
+  EXPECT_EQ(grashof_margin({frame, arm, coupler, arm, 0}), number(data["limits"]["margin"]));
+  EXPECT_TRUE(turns_fully({frame, arm, coupler, arm, 0}, FourBarLink::kCoupler));
+  EXPECT_FALSE(turns_fully({frame, arm, coupler, arm, 0}, FourBarLink::kCrank));
+  EXPECT_EQ(grashof_margin({frame, shortest_arm, coupler, shortest_arm, 0}), 0);
+  EXPECT_FALSE(turns_fully({frame, shortest_arm, coupler, shortest_arm, 0}, FourBarLink::kCoupler));
+}
+
+TEST(Grashof, ALinkTurnsFullyIfItsRangeIsAFullTurn) {
+  Random random(43);
+  int full = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const FourBar linkage{random.between(0.2, 3), random.between(0.2, 3), random.between(0.2, 3),
+                          random.between(0.2, 3), 0.4};
+    const FourBar from_O4{linkage.r1, linkage.r4, linkage.r3, linkage.r2, 0.4 + kPi};
+    const auto is_full = [&](const DriverRange& range) { return range.reach == DriverReach::kFullTurn; };
+    EXPECT_EQ(turns_fully(linkage, FourBarLink::kCrank), is_full(four_bar_crank_range(linkage)));
+    EXPECT_EQ(turns_fully(linkage, FourBarLink::kCoupler), is_full(four_bar_coupler_range(linkage)));
+    EXPECT_EQ(turns_fully(linkage, FourBarLink::kRocker), is_full(four_bar_crank_range(from_O4)));
+    full += turns_fully(linkage, FourBarLink::kRocker) ? 1 : 0;
+  }
+  EXPECT_GT(full, 500);
+}
+
+constexpr std::array kClasses{GrashofClass::kCannotClose, GrashofClass::kChangePoint,
+                              GrashofClass::kCrankRocker, GrashofClass::kRockerCrank,
+                              GrashofClass::kDoubleCrank, GrashofClass::kDoubleRocker,
+                              GrashofClass::kTripleRocker};
+
+TEST(Grashof, LengthsForAClassReproduceTheTextbookDifference) {
+  const auto data = textbook("grashof_003");
+  const FourBar linkage{number(data["frame"]), number(data["s"]), 0, number(data["rocker"]), 0};
+  const auto intervals = lengths_for(linkage, FourBarLink::kCoupler, GrashofClass::kCrankRocker);
+  ASSERT_EQ(intervals.size(), 1U);
+  EXPECT_EQ(intervals[0].begin, number(data["x_min"]));
+  EXPECT_EQ(intervals[0].end, number(data["x_max"]));
+  EXPECT_EQ(intervals[0].end - intervals[0].begin, number(data["difference"]));
+  // With 10 < x < 30 the coupler is the shortest, but then x + 100 > 30 + 60.
+  const auto double_rocker = lengths_for(linkage, FourBarLink::kCoupler, GrashofClass::kDoubleRocker);
+  EXPECT_TRUE(double_rocker.empty());
+  const auto open = lengths_for(linkage, FourBarLink::kCoupler, GrashofClass::kCannotClose);
+  ASSERT_EQ(open.size(), 2U);
+  EXPECT_EQ(open[0].end, 10);
+  EXPECT_EQ(open[1].begin, 190);
+  EXPECT_TRUE(std::isinf(open[1].end));
+}
+
+TEST(Grashof, LengthsForAllClassesShareOutTheHalfLine) {
+  Random random(44);
+  for (int i = 0; i < 3000; ++i) {
+    const std::array<double, 4> r{random.between(0.2, 3), random.between(0.2, 3), random.between(0.2, 3),
+                                  random.between(0.2, 3)};
+    const FourBar linkage{r[0], r[1], r[2], r[3], 0};
+    const auto link = static_cast<FourBarLink>(1 + i % 4);
+    const double length = r[static_cast<std::size_t>(i % 4)];
+    for (const GrashofClass wanted : kClasses) {
+      int inside = 0;
+      for (const LengthInterval& interval : lengths_for(linkage, link, wanted)) {
+        if (interval.begin < length && length < interval.end) ++inside;
+      }
+      EXPECT_EQ(inside, classify_grashof(linkage) == wanted ? 1 : 0) << name_of(wanted);
+    }
+  }
+}
+
+TEST(Grashof, EveryBoundBetweenClassesIsAChangePoint) {
+  // 0.3, 0.7, 1.1: decimals whose sums are not exact in binary.
+  const auto bounds = lengths_for({0.7, 0.3, 0, 1.1, 0}, FourBarLink::kCoupler, GrashofClass::kChangePoint);
+  ASSERT_EQ(bounds.size(), 4U);
+  const std::array<double, 4> expected{0.1, 0.7, 1.5, 2.1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(bounds[i].begin, bounds[i].end);
+    EXPECT_AT_MOST(std::abs(bounds[i].begin - expected[i]), 4e-16);
+    EXPECT_EQ(classify_grashof({0.7, 0.3, bounds[i].begin, 1.1, 0}), GrashofClass::kChangePoint);
+  }
+  // Two equal pairs need no third bound: 0 is no length, and two bounds coincide.
+  const auto fewer = lengths_for({2, 2, 0, 4, 0}, FourBarLink::kCoupler, GrashofClass::kChangePoint);
+  ASSERT_EQ(fewer.size(), 2U);
+  EXPECT_EQ(fewer[0].begin, 4);
+  EXPECT_EQ(fewer[1].begin, 8);
+}
+
 TEST(Grashof, AgreesWithTheRangesOfCrankAndCoupler) {
   Random random(41);
   for (int i = 0; i < 20000; ++i) {
@@ -94,12 +179,36 @@ TEST(Transmission, IsTheAngleBetweenCouplerAndRocker) {
   EXPECT_AT_MOST(worst.value(), 4e-14);
 }
 
+TEST(Transmission, ExtremesAreAtTheCrankAnglesTheyNameOnBothSidesOfTheFrame) {
+  Random random(45);
+  for (int i = 0; i < 3000; ++i) {
+    const FourBar linkage{random.between(0.2, 3), random.between(0.2, 3), random.between(0.2, 3),
+                          random.between(0.2, 3), random.angle()};
+    const auto range = transmission_range(linkage);
+    if (!range) continue;
+    // Near 0 the angle goes like the root of the distance from the limit, known to 1e-15.
+    const double tolerance = range->smallest > 0.01 ? 1e-12 : 3e-7;
+    for (const double side : {1.0, -1.0}) {
+      const auto mirrored = [&](double theta2) { return linkage.theta1 + side * (theta2 - linkage.theta1); };
+      EXPECT_AT_MOST(
+          std::abs(transmission_angle(linkage, mirrored(range->at_smallest)).value() - range->smallest),
+          tolerance);
+      EXPECT_AT_MOST(
+          std::abs(transmission_angle(linkage, mirrored(range->at_largest)).value() - range->largest),
+          tolerance);
+    }
+  }
+}
+
 TEST(Transmission, ExtremesOfACrankRockerAreWithTheCrankInLineWithTheFrame) {
   // 7, 2, 6, 5: diagonals 5 and 9; cosines of the angle between 6 and 5 are 36/60 and -20/60.
   const auto range = transmission_range({7, 2, 6, 5, 0.7});
   ASSERT_TRUE(range);
   EXPECT_AT_MOST(std::abs(range->smallest - std::acos(0.6)), 1e-15);
   EXPECT_AT_MOST(std::abs(range->largest - kPi / 2), 1e-15);
+  EXPECT_AT_MOST(angle_error(range->at_smallest, 0.7), 1e-15);
+  // A right angle between 6 and 5: 61 = 49 + 4 - 28 cos ψ.
+  EXPECT_AT_MOST(angle_error(range->at_largest, 0.7 + std::acos(-8.0 / 28)), 1e-15);
   // 7, 1, 6, 3: diagonals 6 and 8; cosines 9/36 and -19/36, on both sides of 90°.
   EXPECT_AT_MOST(std::abs(transmission_range({7, 1, 6, 3, 0})->smallest - std::acos(19.0 / 36)), 1e-15);
   // 4, 1, 5.5, 4: diagonals 3 and 5; cosines 37.25/44 and 21.25/44, both acute.

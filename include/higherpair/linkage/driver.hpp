@@ -40,9 +40,13 @@ struct DriverRange {
                                               ///< before angles are brought into (-π, π]
 };
 
+/// The angle in [0, π] at which a line is zero: cos ψ = c is solved as tan²(ψ/2) = (1-c)/(1+c), the ratio of
+/// the values at both ends, which keeps a few roundings of ψ also near 0 and π.
+/// \pre The ends have opposite signs, or one of them is zero.
+[[nodiscard]] double root_angle(const CosineLine<double>& line);
+
 /// The range of an angle theta = centre + ψ that can be assembled iff stretch(ψ) >= 0 and fold(ψ) >= 0.
-/// stretch falls from ψ = 0 to ±π, fold rises, and their sum is positive. Limits are good to a few roundings
-/// also near 0 and π: cos ψ = c is solved as tan²(ψ/2) = (1-c)/(1+c), the ratio of the values at both ends.
+/// stretch falls from ψ = 0 to ±π, fold rises, and their sum is positive. Limits are `root_angle`s.
 [[nodiscard]] DriverRange angle_range(const CosineLine<double>& stretch, const CosineLine<double>& fold,
                                       double centre);
 

@@ -26,6 +26,9 @@ struct FourBar {
   double theta1 = 0;  ///< direction of the ground link [rad]
 };
 
+/// A link of it by its number.
+enum class FourBarLink { kGround = 1, kCrank = 2, kCoupler = 3, kRocker = 4 };
+
 struct FourBarRates {
   double omega2 = 0;  ///< [rad/s]
   double omega3 = 0;

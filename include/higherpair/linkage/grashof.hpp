@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace higherpair {
 
@@ -23,6 +24,31 @@ enum class GrashofClass {
 
 [[nodiscard]] GrashofClass classify_grashof(const FourBar& linkage);
 
+/// p + q - s - l [m]: positive if some link turns fully against another and never passes a change point, 0 if
+/// the lengths balance to rounding.
+[[nodiscard]] double grashof_margin(const FourBar& linkage);
+
+/// Whether a link turns fully against ground without passing a change point: the margin is positive and the
+/// shortest link is this one or ground. A coupler of length 2a between equal arms c on a frame 2d > 2a does
+/// so iff a + d < c. \pre `link` is not ground.
+[[nodiscard]] bool turns_fully(const FourBar& linkage, FourBarLink link);
+
+/// An open interval of lengths; a single length where begin == end (of a change point).
+struct LengthInterval {
+  double begin = 0;  ///< [m]
+  double end = 0;    ///< [m]; infinite for kCannotClose alone
+};
+
+/// The lengths > 0 of one link for which the four-bar is of a class, given the other three (the link's own
+/// length in `linkage` is not read), in rising order. Two intervals of one class may have an end in common:
+/// that length is a change point.
+///
+/// With a <= b <= c the others, the class can change only where a sum balances: at x = b + c - a, a + c - b,
+/// |a + b - c| and a + b + c.
+/// \pre the other three lengths are finite and > 0.
+[[nodiscard]] std::vector<LengthInterval> lengths_for(const FourBar& linkage, FourBarLink link,
+                                                      GrashofClass wanted);
+
 /// The transmission angle, between the lines of coupler and rocker, at crank angle θ2: 0 to π/2 [rad]; the
 /// same in both modes; 0 at a dead point; empty where the linkage cannot be assembled.
 [[nodiscard]] std::optional<double> transmission_angle(const FourBar& linkage, double theta2);
@@ -30,10 +56,12 @@ enum class GrashofClass {
 struct TransmissionRange {
   double smallest = 0;  ///< [rad]
   double largest = 0;   ///< [rad], at most π/2
+  double at_smallest = 0;  ///< crank angle θ2 there [rad], in (-π, π]; θ2 mirrored at the ground link has the
+  double at_largest = 0;  ///< same transmission angle
 };
 
 /// Extremes of the transmission angle over all angles of the crank that can be assembled: at the crank in
-/// line with the ground link, or 0 at a limit position. Empty if there are none.
+/// line with the ground link, or 0 at a limit position, or π/2 on the way. Empty if there are none.
 [[nodiscard]] std::optional<TransmissionRange> transmission_range(const FourBar& linkage);
 
 }  // namespace higherpair

@@ -11,4 +11,9 @@ inline constexpr double kBalanceRoundings = 2;
 /// own rounding, its sine, the products and the sum together cost 6.
 inline constexpr double kReachRoundings = 8;
 
+/// Relative velocities below this part of the fastest in the mechanism count as none when an instant centre
+/// is asked for. A chain of a few groups leaves 1e-15 to 1e-14 of it; a centre further away than 1e12 sizes
+/// of the mechanism is a direction.
+inline constexpr double kPoleTolerance = 1e-12;
+
 }  // namespace higherpair
