@@ -1,5 +1,7 @@
 #include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/linkage/inverted_slider_crank.hpp"
+#include "higherpair/linkage/prp_dyad.hpp"
+#include "higherpair/linkage/rpr_dyad.hpp"
 #include "higherpair/linkage/scotch_yoke.hpp"
 #include "higherpair/linkage/slider_crank.hpp"
 #include "linkage/linkage_testing.hpp"
@@ -156,6 +158,29 @@ TEST(Pack, SlidingKernelsRunOnSeveralConfigurationsAtOnce) {
   expect_lane(yoke.r3, 0, std::sqrt(1.7 * 1.7 - 0.09));
   expect_lane(yoke_rate.r3_dot, 0, -0.3 * 1.3 / std::sqrt(1.7 * 1.7 - 0.09));
   EXPECT_TRUE(std::isfinite(yoke_rate.alpha2.lane[1]) && std::isfinite(yoke_rate.alpha2.lane[2]));
+}
+
+TEST(Pack, KernelsBetweenMovingEndsRunOnSeveralConfigurationsAtOnce) {
+  const Vector2<Pack> D(pack(0.9, 0.6, 0.3), pack(0.4, 0.8, 0.1)), D_dot(Pack(1.1), Pack(-0.3));
+  const Vector2<Pack> D_ddot(Pack(0.2), Pack(0.8));
+  const auto reach = rpr_reach(D, Pack(-0.4), Pack(1));
+  const auto position = rpr_position(D, Pack(-0.4), reach, Pack(-1));
+  const auto rates = rpr_rates(position, Pack(-0.4), D_dot, D_ddot);
+  const auto slack_rate = rrr_reach_rate(D, D_dot).slack(rrr_reach(D, Pack(0.7), Pack(0.5), Pack(1)));
+  const auto split = split_along(directions(), {Pack(0.6), Pack(0.8)}, D);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector2d D_i(D.x().lane[i], D.y().lane[i]), v(1.1, -0.3), a(0.2, 0.8);
+    const auto one_reach = rpr_reach(D_i, -0.4, 1.0);
+    const auto one = rpr_position(D_i, -0.4, one_reach, -1.0);
+    expect_lane(position.u.sin, i, one.u.sin);
+    expect_lane(rates.s_ddot, i, rpr_rates(one, -0.4, v, a).s_ddot);
+    expect_lane(slack_rate, i, rrr_reach_rate(D_i, v).slack(rrr_reach(D_i, 0.7, 0.5, 1.0)));
+    const auto one_split = split_along(Rotation<double>::from_angle(kTheta[i]), {0.6, 0.8}, D_i);
+    expect_lane(split.s1, i, one_split.s1);
+    expect_lane(split.s2, i, one_split.s2);
+  }
+  EXPECT_EQ(status_of(reach.slack().lane[2], reach.noise.lane[2]), LinkageStatus::kNotAssemblable);
+  EXPECT_TRUE(std::isfinite(rates.alpha.lane[2]));
 }
 
 }  // namespace

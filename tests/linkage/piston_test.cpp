@@ -41,8 +41,9 @@ TEST(Piston, HarmonicMotionIsConsistentInItsDerivatives) {
 
 TEST(Piston, ReproducesTheTextbookErrorsOfTheHarmonicMotion) {
   const auto errors = textbook("slider_crank_harmonic_003")["errors"];
-  for (const auto& [name, ratio] : {std::pair{"l/r=3", 3.0}, std::pair{"l/r=4", 4.0}}) {
-    const HarmonicError error = harmonic_error(1 / ratio);
+  for (const int ratio : {3, 4}) {
+    const std::string name = "l/r=" + std::to_string(ratio);
+    const HarmonicError error = harmonic_error(1.0 / ratio);
     const auto check = [&](const HarmonicError::Largest& largest, const char* key) {
       const auto& entry = errors[name][key];
       const double expected = number(entry["max_error_correct_formula"]);
