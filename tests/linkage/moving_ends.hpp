@@ -66,7 +66,7 @@ inline MovingGuide random_guide(Random& random) {
   return {body, p_B, random_direction(random)};
 }
 
-/// A body at rest in the frame of ground.
+/// A body at rest, its axes those of ground.
 inline BodyMotion resting(const Vector2d& p_W = Vector2d::Zero()) {
   BodyMotion body;
   body.X_WB.p_WB = p_W;
@@ -80,7 +80,7 @@ inline PointMotion carried(const BodyMotion& body, const PointMotion& point) {
   return {fixed.p_W, fixed.v_W + v, fixed.a_W + a + 2 * body.omega * perp(v)};
 }
 
-/// A body that turns about the origin, and the point at `radius` on its x axis.
+/// A body that turns about the origin of ground and of its own frame.
 inline BodyMotion turning(const AngleMotion& link) {
   BodyMotion body;
   body.X_WB.R_WB = Rotation<double>::from_angle(link.theta);

@@ -25,7 +25,9 @@ struct FourBarLimit {
 ///
 /// With weights w = (r2, r3, -r4) the loop is w2 u2 + w3 u3 + w4 u4 = r1 u1. For link X, and u_Z = ±u_Y of
 /// the two others, a triangle remains: (w_Y ± w_Z) u_Y + w_X u_X = r1 u1. Where w_Y ± w_Z = 0 the position is
-/// not isolated (or does not exist) and none is given. \pre r1, r2, r3, r4 > 0; `link` is not ground.
+/// not isolated (or does not exist) and none is given.
+///
+/// \pre r1, r2, r3, r4 > 0; `link` is not ground.
 [[nodiscard]] std::vector<FourBarLimit> four_bar_limits(const FourBar& linkage, FourBarLink link);
 
 }  // namespace higherpair

@@ -30,7 +30,9 @@ enum class GrashofClass {
 
 /// Whether a link turns fully against ground without passing a change point: the margin is positive and the
 /// shortest link is this one or ground. A coupler of length 2a between equal arms c on a frame 2d > 2a does
-/// so iff a + d < c. \pre `link` is not ground.
+/// so iff a + d < c.
+///
+/// \pre `link` is not ground.
 [[nodiscard]] bool turns_fully(const FourBar& linkage, FourBarLink link);
 
 /// An open interval of lengths; a single length where begin == end (of a change point).
@@ -53,11 +55,12 @@ struct LengthInterval {
 /// same in both modes; 0 at a dead point; empty where the linkage cannot be assembled.
 [[nodiscard]] std::optional<double> transmission_angle(const FourBar& linkage, double theta2);
 
+/// The crank angles mirrored at the ground link have the same transmission angles.
 struct TransmissionRange {
-  double smallest = 0;  ///< [rad]
-  double largest = 0;   ///< [rad], at most π/2
-  double at_smallest = 0;  ///< crank angle θ2 there [rad], in (-π, π]; θ2 mirrored at the ground link has the
-  double at_largest = 0;  ///< same transmission angle
+  double smallest = 0;     ///< [rad]
+  double largest = 0;      ///< [rad], at most π/2
+  double at_smallest = 0;  ///< crank angle θ2 there [rad], in (-π, π]
+  double at_largest = 0;
 };
 
 /// Extremes of the transmission angle over all angles of the crank that can be assembled: at the crank in

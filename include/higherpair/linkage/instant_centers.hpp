@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/motion.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 

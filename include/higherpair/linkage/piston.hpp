@@ -41,7 +41,10 @@ struct HarmonicError {
 ///     x: λ³ sin⁴θ/(2 (1 + w)²),   v: λ m sin θ cos θ,   a: -(m/λ) G(m)/(1 + m)².
 /// x is worst at θ = 90°, v where a vanishes, at the one root of G, and a at 90°. (Its other extreme is
 /// before that root, where -G/(1 + m)² <= 3λ² (1 - m/m_root) if λ² <= 8/9, and m (-G)/(1 + m)² <= 9/8 always:
-/// at most 3/4 of it.) \param lambda  r/l \pre 0 < lambda < 1.
+/// at most 3/4 of it.)
+///
+/// \param lambda  r/l
+/// \pre 0 < lambda < 1.
 [[nodiscard]] HarmonicError harmonic_error(double lambda);
 
 }  // namespace higherpair
