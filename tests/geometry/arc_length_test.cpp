@@ -52,15 +52,15 @@ TEST(ArcLength, OfAWholeEllipseIsItsCircumference) {
   Random random(82);
   for (int i = 0; i < 200; ++i) {
     const double a = random.between(0.1, 1);
-    const double b = i < 5 ? a * std::pow(10, -i) : random.between(0.1, 1);
+    const double b = i < 9 ? a * std::pow(10, -i) : random.between(0.1, 1);
     const Curve ellipse = make_ellipse(random.vector(1), {a, b}, random.angle()).value();
     const double major = std::max(a, b);
     const double minor = std::min(a, b);
     const double k = std::sqrt((major - minor) * (major + minor)) / major;
     const double expected = 4 * major * boost::math::ellint_2(k);
-    EXPECT_NEAR(arc_length(ellipse, 2 * kPi) / expected, 1, 2e-15);
-    EXPECT_NEAR(arc_length(ellipse, -2 * kPi) / expected, -1, 2e-15);
-    EXPECT_NEAR(arc_length(ellipse, 6 * kPi) / expected, 3, 6e-15);
+    EXPECT_NEAR(arc_length(ellipse, 2 * kPi) / expected, 1, 4e-15);
+    EXPECT_NEAR(arc_length(ellipse, -2 * kPi) / expected, -1, 4e-15);
+    EXPECT_NEAR(arc_length(ellipse, 6 * kPi) / expected, 3, 1.2e-14);
     // A quarter ends where the radius is a²/b: double's π/2 is 6e-17 short of a quarter turn.
     const double missing = 6.1e-17 * major * major / minor;
     EXPECT_NEAR((arc_length(ellipse, kPi / 2) + missing) / expected, 0.25, 1e-15 + 0.01 * missing / expected);
@@ -93,6 +93,19 @@ TEST(ArcLength, OfAParabolaIsTheClosedForm) {
     // ds = ρ dψ, ρ = 2f (1 + t²)^{3/2}: what rounding of the angle does.
     const double bound = 4e-16 * f * (1 + std::pow(1 + t * t, 1.5));
     EXPECT_NEAR(arc_length(parabola, std::atan(t)), expected, bound) << t;
+  }
+}
+
+TEST(ArcLength, OfWideAndNarrowHyperbolasIsTheIntegral) {
+  for (const double ratio : {1e-4, 1e-2, 1.0, 1e2, 1e4}) {
+    const NaturalConic conic{CurveKind::kHyperbola, {0.3, 0.1}, 0.5, 0.5 * ratio, 0.4, Side::kInside};
+    const Curve curve = conic.curve();
+    for (const double t : {1e-3, 0.1, 1.0, 4.0}) {
+      const double expected = quadrature(conic, 0, t);
+      // dψ = ds/ρ: what a rounding of ψ = atan of a slope does to the length.
+      const double bound = 5e-15 * expected + 4e-16 * conic.radius(t);
+      EXPECT_NEAR(arc_length(curve, psi_at(conic, curve, t)), expected, bound) << ratio << " " << t;
+    }
   }
 }
 
