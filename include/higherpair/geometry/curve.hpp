@@ -40,6 +40,7 @@ enum class CurveError {
   kImaginary,        ///< no real point satisfies the equation
   kSinglePoint,      ///< only one point does
   kLines,            ///< it is a pair of lines (crossing, parallel or one counted twice)
+  kOutOfRange,       ///< its size, place or axis ratio leaves the range of double (beyond 1e±150 or so)
   kBranchNeeded,     ///< a hyperbola, and no point near the wanted branch is given
   kBranchUnclear,    ///< the given point is as near to one branch as to the other
 };

@@ -1,0 +1,50 @@
+// A row of a running analysis takes no memory from the heap once the first has been made.
+#include "analysis/counting_allocator.hpp"
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/io/motion_table.hpp"
+#include "higherpair/io/profile_reader.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::allocation_count;
+
+constexpr int kRows = 3600;
+
+class RowAllocation : public ::testing::TestWithParam<const char*> {
+protected:
+  Profile profile =
+      read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + GetParam() + ".toml").value();
+  higherpair::Run run = start_run(profile.mechanism, 0).value();
+};
+
+TEST_P(RowAllocation, CellsAndTheirTextMakeNone) {
+  MotionTable table = MotionTable::make(profile, run.plan, false).value();
+  std::string text;
+  text.reserve(1 << 16);
+  std::size_t made = 0;
+  for (int k = 0; k < kRows; ++k) {
+    const double u = 2 * kPi * k / kRows;
+    const RunStep step = move_to(run, u, 1, 0.5);
+    const std::size_t before = allocation_count();
+    const auto& cells = table.cells(run, step.row, {{u, 1, 0.5}, {u, 1, 0.5}}, 0);
+    text.clear();
+    append_csv_row(cells, text);
+    made += k == 0 ? 0 : allocation_count() - before;
+    ASSERT_EQ(step.row.status, RowStatus::kOk);
+  }
+  EXPECT_EQ(made, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, RowAllocation,
+                         ::testing::Values("eccentric_disc_oscillating_roller", "ellipse_cam_roller",
+                                           "flat_faced_oscillating", "flat_faced_translating",
+                                           "rolling_ellipses"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/io/profile.hpp"
+
+#include <string>
+#include <vector>
+
+namespace higherpair::bench {
+
+inline constexpr int kStepsPerTurn = 3600;
+
+[[nodiscard]] inline double driver_position(int step) {
+  return 2 * kPi * step / kStepsPerTurn;
+}
+
+/// An ellipse (or circle) in its body's frame, the pivot being the origin [m, rad].
+struct Oval {
+  Vector2d center;
+  double a;
+  double b;
+  double rotation;
+};
+
+/// A contact pair whose answer is known without the library.
+struct Case {
+  std::string name;
+  Oval cam;
+  std::vector<Oval> follower;  ///< of a turning follower; empty for the flat face that slides along y
+  Vector2d follower_pivot;     ///< ground frame
+  Profile profile;
+  Run run;  ///< standing at driver position 0
+
+  [[nodiscard]] const ContactPair& pair() const { return run.plan.group->pair; }
+};
+
+/// Circle on circle, ellipse on circle, ellipse on ellipse (turning followers), and ellipse on a sliding flat
+/// face.
+[[nodiscard]] std::vector<Case> make_cases();
+
+/// Ends the program with a message unless the condition holds.
+void require(bool condition, const std::string& message);
+
+}  // namespace higherpair::bench

@@ -1,0 +1,201 @@
+#include "checks.hpp"
+
+#include "higherpair/contact/details.hpp"
+#include "higherpair/io/motion_table.hpp"
+#include "higherpair/linkage/four_bar.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace higherpair::bench {
+namespace {
+
+double angle_difference(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * kPi));
+}
+
+// First and second derivative by seven-point central differences.
+struct Derivatives {
+  double first;
+  double second;
+};
+
+template <class F>
+Derivatives differentiate(const F& value, double at, double h) {
+  const double middle = value(at);
+  std::array<double, 3> odd{};
+  std::array<double, 3> even{};
+  for (int k = 1; k <= 3; ++k) {
+    const double after = value(at + k * h) - middle;
+    const double before = value(at - k * h) - middle;
+    odd[static_cast<std::size_t>(k - 1)] = after - before;
+    even[static_cast<std::size_t>(k - 1)] = after + before;
+  }
+  return {(45 * odd[0] - 9 * odd[1] + odd[2]) / (60 * h),
+          (270 * even[0] - 27 * even[1] + 2 * even[2]) / (180 * h * h)};
+}
+
+// The point of an oval whose outward normal has the angle phi, by its support function; body frame.
+Vector2d oval_point(const Oval& oval, double phi) {
+  const double c = std::cos(phi - oval.rotation);
+  const double s = std::sin(phi - oval.rotation);
+  const double h = std::sqrt(oval.a * oval.a * c * c + oval.b * oval.b * s * s);
+  return oval.center + Rotation<double>::from_angle(oval.rotation) *
+                           Vector2d(oval.a * oval.a * c / h, oval.b * oval.b * s / h);
+}
+
+struct Position {
+  double u;
+  double q;
+};
+
+// Where the cam touches the follower with the normal angle phi1 in its own frame. Tangency fixes the relative
+// angle once phi2 is known too; phi2 is where the two pivots are as far apart as they are: one equation, by
+// secants from a guess.
+Position position_by_normal(const Case& reference, double phi1, double phi2_guess) {
+  const Vector2d r1 = oval_point(reference.cam, phi1);
+  const auto between_pivots = [&](double phi2) -> Vector2d {
+    const auto relative = Rotation<double>::from_angle(phi1 + kPi - phi2);
+    return r1 - relative * oval_point(reference.follower.front(), phi2);
+  };
+  const auto error = [&](double phi2) {
+    return between_pivots(phi2).norm() - reference.follower_pivot.norm();
+  };
+  double last = phi2_guess + 1e-4;
+  double phi2 = phi2_guess;
+  double last_error = error(last);
+  for (int i = 0; i < 20; ++i) {
+    const double now = error(phi2);
+    if (now == last_error || std::abs(now) < 1e-17) {
+      break;
+    }
+    const double next = phi2 - now * (phi2 - last) / (now - last_error);
+    last = phi2;
+    last_error = now;
+    phi2 = next;
+  }
+  require(std::abs(error(phi2)) < 1e-15, reference.name + ": the independent solution was not found");
+  const double u = angle_of(reference.follower_pivot) - angle_of(between_pivots(phi2));
+  return {u, u + phi1 + kPi - phi2};
+}
+
+// The flat face stands as high as the cam's support in the direction y.
+std::array<double, 3> lift(const Oval& cam, double u) {
+  const Vector2d c = Rotation<double>::from_angle(u) * cam.center;
+  const double psi = kPi / 2 - u - cam.rotation;
+  const double difference = (cam.a * cam.a - cam.b * cam.b) / 2;
+  const double g = (cam.a * cam.a + cam.b * cam.b) / 2 + difference * std::cos(2 * psi);
+  const double dg = 2 * difference * std::sin(2 * psi);  // by u
+  const double d2g = -4 * difference * std::cos(2 * psi);
+  const double h = std::sqrt(g);
+  return {c.y() + h, c.x() + dg / (2 * h), -c.y() + d2g / (2 * h) - dg * dg / (4 * g * h)};
+}
+
+double followed(ContactTrack track, double u) {
+  return follow_to(track, u).status == TrackStatus::kOk ? track.at.q : NAN;
+}
+
+// Every error is compared as !(error <= bound): a NaN is wrong.
+void require_close(const Case& reference, const std::string& what, double u, double error, double bound) {
+  require(error <= bound, fmt::format("{}: {} is wrong by {} at u = {}", reference.name, what, error, u));
+}
+
+void check_closed_form(const Case& reference, const ContactPosition& at) {
+  if (reference.follower.empty()) {
+    const auto [q, dq, d2q] = lift(reference.cam, at.u);
+    require_close(reference, "q", at.u, std::abs(at.q - q), 1e-15);
+    require_close(reference, "dq/du", at.u, std::abs(at.dq - dq), 1e-14);
+    require_close(reference, "d2q/du2", at.u, std::abs(at.d2q - d2q), 1e-13);
+    return;
+  }
+  if (reference.name == "circle_on_circle") {
+    const FourBarByHand::Motion bar = kFourBar.at(at.u);
+    require_close(reference, "q", at.u, angle_difference(at.q + kPi, bar.theta4), 1e-14);
+    require_close(reference, "dq/du", at.u, std::abs(at.dq - bar.omega4), 1e-14);
+    require_close(reference, "d2q/du2", at.u, std::abs(at.d2q - bar.alpha4), 1e-13);
+  }
+}
+
+}  // namespace
+
+void check_four_bar() {
+  const FourBarLoop<double> loop = make_four_bar_loop(kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4);
+  const FourBar linkage{kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4, 0};
+  for (int step = 0; step < kStepsPerTurn; ++step) {
+    const double theta2 = driver_position(step);
+    const FourBarByHand::Motion hand = kFourBar.at(theta2);
+    const Vector2d gap = kFourBar.r2 * unit_vector(theta2) + kFourBar.r3 * unit_vector(hand.theta3) -
+                         kFourBar.r4 * unit_vector(hand.theta4) - Vector2d(kFourBar.r1, 0);
+    require(gap.norm() <= 1e-16, "the four-bar by hand does not close");
+    const Derivatives rates =
+        differentiate([](double angle) { return kFourBar.at(angle).theta4; }, theta2, 0.01);
+    require(std::abs(rates.first - hand.omega4) <= 1e-11, "the four-bar by hand has wrong velocities");
+    require(std::abs(rates.second - hand.alpha4) <= 1e-9, "the four-bar by hand has wrong accelerations");
+
+    // σ = +1 of the library is the joint on the other side of the diagonal.
+    const FourBarMotion motion = four_bar_by_crank(linkage, {theta2, 1, 0}, AssemblyMode::kMinus);
+    require(motion.rates && angle_difference(motion.theta4, hand.theta4) <= 1e-14 &&
+                std::abs(motion.rates->omega4 - hand.omega4) <= 1e-14 &&
+                std::abs(motion.rates->alpha4 - hand.alpha4) <= 1e-13,
+            "four_bar_by_crank differs from the four-bar by hand");
+    const auto u_M = Rotation<double>::from_angle(theta2);
+    const FourBarPosition<double> position = four_bar_position(loop, u_M, -1.0);
+    const RrrRates<double> kernel = four_bar_rates(loop, position, u_M, 1.0, 0.0);
+    require(std::abs(position.links.u_b.cos - std::cos(hand.theta4)) <= 1e-14 &&
+                std::abs(position.links.u_b.sin - std::sin(hand.theta4)) <= 1e-14 &&
+                std::abs(kernel.omega_b - hand.omega4) <= 1e-14 &&
+                std::abs(kernel.alpha_b - hand.alpha4) <= 1e-13,
+            "the four-bar kernel differs from the four-bar by hand");
+  }
+}
+
+void check_tracking(const Case& reference) {
+  const Run& run = reference.run;
+  ContactTrack track = *run.track;
+  for (int step = 0; step < kStepsPerTurn; ++step) {
+    const double u = driver_position(step);
+    require(follow_to(track, u).status == TrackStatus::kOk, reference.name + ": the contact is lost");
+    const ContactPosition& at = track.at;
+    require_close(reference, "the closure", u, (at.p2_W - at.p1_W).norm(), 1e-15);
+    check_closed_form(reference, at);
+    if (step % 100 != 0) {
+      continue;
+    }
+    const Derivatives rates = differentiate([&](double other) { return followed(track, other); }, u, 0.004);
+    require_close(reference, "dq/du", u, std::abs(rates.first - at.dq), 1e-9);
+    require_close(reference, "d2q/du2", u, std::abs(rates.second - at.d2q), 1e-7);
+    if (!reference.follower.empty()) {
+      const Position other = position_by_normal(reference, track.phi - u, track.phi + kPi - at.q);
+      const double nearby = u + std::remainder(other.u - u, 2 * kPi);
+      require_close(reference, "q", u, angle_difference(followed(track, nearby), other.q), 1e-13);
+    }
+    const ContactDetails details = details_of(reference.pair(), at, track.phi);
+    require_close(reference, "a centre of curvature", u,
+                  (*details.side1.center_W + at.rho1 * at.n_W - at.p1_W).norm(), 1e-15);
+  }
+}
+
+void check_rows(const Case& reference) {
+  Run run = reference.run;
+  auto table = MotionTable::make(reference.profile, run.plan, false);
+  require(table.has_value(), table ? "" : table.error());
+  for (int step = 0; step < kStepsPerTurn; step += 100) {
+    const double u = driver_position(step);
+    const RunStep moved = move_to(run, u, 1, 0);
+    require(moved.row.status == RowStatus::kOk, reference.name + ": a row is not ok");
+    require(moved.row.joint_position == run.track->at.q && moved.row.joint_velocity == run.track->at.dq,
+            reference.name + ": the row differs from the track");
+    const DriverState driver{{step * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
+    const std::vector<Cell>& cells = table->cells(run, moved.row, driver, 0);
+    std::string text;
+    append_csv_row(cells, text);
+    // The first number of the line is the driver's position.
+    require(cells.size() == table->columns().size() &&
+                std::strtod(text.c_str(), nullptr) == driver.profile.position,
+            reference.name + ": the text of a row is wrong");
+  }
+}
+
+}  // namespace higherpair::bench

@@ -1,0 +1,178 @@
+// Time of one step, next to the time of a four-bar written by hand, measured in the same run. Answers are
+// checked before anything is timed.
+#include "checks.hpp"
+#include "higherpair/contact/details.hpp"
+#include "higherpair/io/motion_table.hpp"
+#include "higherpair/linkage/four_bar.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <string_view>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+namespace higherpair::bench {
+namespace {
+
+double cpu_nanoseconds() {
+  return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// Steps of a turn, and around again. `restart` puts what is followed back to the start.
+template <class Step, class Restart>
+void run_turns(benchmark::State& state, double floor, const Step& step, const Restart& restart) {
+  int number = 0;
+  restart();
+  const double start = cpu_nanoseconds();
+  for (auto _ : state) {
+    if (number == kStepsPerTurn) {
+      number = 0;
+      restart();
+    }
+    step(number++);
+  }
+  const double each = (cpu_nanoseconds() - start) / static_cast<double>(state.iterations());
+  state.counters["floors"] = each / floor;
+}
+
+// The fastest of many turns: what the floor is when nothing else runs.
+double measure_floor() {
+  double best = INFINITY;
+  for (int turn = 0; turn < 500; ++turn) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int step = 0; step < kStepsPerTurn; ++step) {
+      benchmark::DoNotOptimize(kFourBar.at(driver_position(step)));
+    }
+    const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
+    best = std::min(best, elapsed.count() / kStepsPerTurn);
+  }
+  return best;
+}
+
+template <class Function>
+void add([[maybe_unused]] const std::string& name, [[maybe_unused]] const Function& function) {
+#ifndef __clang_analyzer__  // which takes the registry, the owner of what it is given, for a leak
+  benchmark::RegisterBenchmark(name.c_str(), function);
+#endif
+}
+
+void register_four_bars(double floor) {
+  const auto nothing = [] {};
+  add("four_bar/by_hand (the floor)", [=](benchmark::State& state) {
+    const auto step = [](int k) { benchmark::DoNotOptimize(kFourBar.at(driver_position(k))); };
+    run_turns(state, floor, step, nothing);
+  });
+  add("four_bar/four_bar_by_crank", [=](benchmark::State& state) {
+    const FourBar linkage{kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4, 0};
+    const auto step = [&](int k) {
+      benchmark::DoNotOptimize(four_bar_by_crank(linkage, {driver_position(k), 1, 0}, AssemblyMode::kMinus));
+    };
+    run_turns(state, floor, step, nothing);
+  });
+  add("four_bar/kernel (unit vectors)", [=](benchmark::State& state) {
+    const FourBarLoop<double> loop = make_four_bar_loop(kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4);
+    const auto turn = Rotation<double>::from_angle(driver_position(1));
+    Rotation<double> u_M;
+    const auto step = [&](int) {
+      const FourBarPosition<double> position = four_bar_position(loop, u_M, -1.0);
+      benchmark::DoNotOptimize(four_bar_rates(loop, position, u_M, 1.0, 0.0));
+      u_M = (u_M * turn).normalised();
+    };
+    run_turns(state, floor, step, [&] { u_M = {}; });
+  });
+}
+
+void register_tracking(const Case& reference, double floor) {
+  add("step/" + reference.name, [=](benchmark::State& state) {
+    ContactTrack track;
+    const auto step = [&](int k) { benchmark::DoNotOptimize(follow_to(track, driver_position(k))); };
+    run_turns(state, floor, step, [&] { track = *reference.run.track; });
+  });
+  add("step_and_details/" + reference.name, [=](benchmark::State& state) {
+    ContactTrack track;
+    const auto step = [&](int k) {
+      benchmark::DoNotOptimize(follow_to(track, driver_position(k)));
+      benchmark::DoNotOptimize(details_of(track.pair, track.at, track.phi));
+    };
+    run_turns(state, floor, step, [&] { track = *reference.run.track; });
+  });
+}
+
+// Rows as the program makes them: `level` 0 the motion, 1 also the cells of the table, 2 also the text.
+void run_rows(benchmark::State& state, const Case& reference, double floor, int level) {
+  Run run = reference.run;
+  MotionTable table = MotionTable::make(reference.profile, run.plan, false).value();
+  std::string text;
+  const auto step = [&](int k) {
+    const double u = driver_position(k);
+    const RunStep moved = move_to(run, u, 1, 0);
+    benchmark::DoNotOptimize(moved.row.joint_position);
+    if (level == 0) {
+      return;
+    }
+    const DriverState driver{{k * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
+    const std::vector<Cell>& cells = table.cells(run, moved.row, driver, 0);
+    benchmark::DoNotOptimize(cells.data());
+    if (level == 2) {
+      if (text.size() > 1 << 16) {
+        text.clear();
+      }
+      append_csv_row(cells, text);
+      benchmark::DoNotOptimize(text.data());
+    }
+  };
+  run_turns(state, floor, step, [&] { run.track = reference.run.track; });
+  if (level > 0) {
+    state.counters["columns"] = static_cast<double>(table.columns().size());
+  }
+}
+
+void register_rows(const Case& reference, double floor) {
+  static constexpr std::array kLevels{"move_to/", "move_to_and_cells/", "move_to_and_csv/"};
+  for (int level = 0; level < 3; ++level) {
+    add(kLevels[static_cast<std::size_t>(level)] + reference.name,
+        [=](benchmark::State& state) { run_rows(state, reference, floor, level); });
+  }
+}
+
+// Returns the exit code.
+int run(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const bool only_check = argc == 2 && std::string_view(argv[1]) == "--check";
+  if (!only_check && benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    return 2;
+  }
+  check_four_bar();
+  const std::vector<Case> cases = make_cases();
+  for (const Case& reference : cases) {
+    check_tracking(reference);
+    check_rows(reference);
+  }
+  fmt::print(stderr, "bench: all answers agree\n");
+  if (only_check) {
+    return 0;
+  }
+
+  const double floor = measure_floor();
+  register_four_bars(floor);
+  for (const Case& reference : cases) {
+    register_tracking(reference, floor);
+  }
+  for (const Case& reference : cases) {
+    register_rows(reference, floor);
+  }
+  benchmark::AddCustomContext("floor",
+                              fmt::format("{:.1f} ns a step: four-bar by hand, sincos and atan2", floor));
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
+
+}  // namespace
+}  // namespace higherpair::bench
+
+int main(int argc, char** argv) {
+  return higherpair::bench::run(argc, argv);
+}
