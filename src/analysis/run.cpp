@@ -1,7 +1,9 @@
 #include "higherpair/analysis/run.hpp"
 
-#include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/separation.hpp"
+#include "assembly.hpp"
+#include "group_solver.hpp"
+#include "path.hpp"
+#include "residual.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,169 +11,154 @@
 namespace higherpair {
 namespace {
 
-// Below this share of the follower's lever ∂gap/∂q is rounding.
-constexpr double kSingularShare = 4e-15;
-
-// The follower's coordinate in the poses.
-double coordinate_in_pose(const Mechanism& mechanism, const GroundedBody& grounded) {
-  const Body& body = mechanism.bodies[static_cast<std::size_t>(grounded.body)];
-  if (grounded.freedom.turns) {
-    return body.guess_theta;
-  }
-  const Vector2d at_W =
-      body.guess_p_WB + Rotation<double>::from_angle(body.guess_theta) * grounded.freedom.p_BO;
-  return (at_W - grounded.freedom.p_WO).dot(grounded.freedom.direction_W);
+Model model_of(const Run& run) {
+  return {run.mechanism, run.plan};
 }
 
-FindResult first_contact(const Mechanism& mechanism, const ContactGroup& group, double u) {
-  const double q = coordinate_in_pose(mechanism, group.follower);
-  const Approach approach = mechanism.contacts[static_cast<std::size_t>(group.contact)].approach;
-  if (approach == Approach::kNearest) {
-    return find_nearest_contact(group.pair, u, q);
+void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, drivers, state);
   }
-  const double sense = (approach == Approach::kPositive ? 1 : -1) * group.follower.sign;
-  return find_contact(group.pair, u, q, sense > 0 ? 1 : -1, false);
 }
 
-std::string explain(FindStatus status, const std::string& contact) {
-  const std::string name = "contacts." + contact + ": ";
-  switch (status) {
-    case FindStatus::kOverlapAtStart:
-      return name +
-             "the two bodies overlap at the first driver position with the follower in its pose; move the "
-             "pose "
-             "away from the driver, or use approach = \"nearest\"";
-    case FindStatus::kUnbounded:
-      return name + "neither body is bounded, so that no safe step towards the contact exists";
-    case FindStatus::kNoContact:
-    case FindStatus::kFound:
-      break;
+// With one driver the rates of the row are those for a unit velocity, scaled.
+void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row) {
+  const double v = driver.velocity;
+  const double a = driver.acceleration;
+  for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+    const BodyMotion& unit = state.bodies[i];
+    BodyMotion& body = row.bodies[i];
+    body = unit;
+    body.a_WB = v * v * unit.a_WB + a * unit.v_WB;
+    body.alpha = v * v * unit.alpha + a * unit.omega;
+    body.v_WB = v * unit.v_WB;
+    body.omega = v * unit.omega;
   }
-  return name +
-         "the two bodies do not touch at the first driver position, wherever the follower stands; change "
-         "driver.start or the pose of the follower";
+  for (std::size_t i = 0; i < row.contacts.size(); ++i) {
+    row.contacts[i] = state.contacts[i];
+    ContactRates& rates = row.contacts[i].rates;
+    rates.sliding *= v;
+    rates.phi_dot *= v;
+    rates.along1 *= v;
+    rates.along2 *= v;
+    rates.normal_acceleration *= v * v;
+  }
 }
 
-void add_contact(const Run& run, const ContactPosition& at, double phi, double u_dot, double u_ddot,
-                 MotionRow& row) {
-  const ContactGroup& group = *run.plan.group;
-  row.contact = at;
-  row.normal_angle = phi;
-  row.residual = std::max(row.residual, (at.p2_W - at.p1_W).norm());
-  const double lever = velocity_per_q(group.pair.motion2, at.p2_W).norm();
-  const bool singular = !run.rolling && std::abs(at.gap_q) <= kSingularShare * std::max(lever, 1e-300);
-  const double q_dot = singular ? 0 : at.dq * u_dot;
-  const double q_ddot = singular ? 0 : at.d2q * u_dot * u_dot + at.dq * u_ddot;
-  row.sliding = at.sliding * u_dot;
-  row.bodies[static_cast<std::size_t>(group.follower.body)] =
-      motion_at(group.follower.freedom, at.q, q_dot, q_ddot);
-  row.joint_position = group.follower.sign * at.q;
-  row.joint_velocity = group.follower.sign * q_dot;
-  row.joint_acceleration = group.follower.sign * q_ddot;
+// Bodies whose rates a singular group leaves undefined: its own, and all that hang on them.
+void mark_rates(const Run& run, MotionRow& row) {
+  std::fill(row.has_rates.begin(), row.has_rates.end(), true);
+  bool singular = false;
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const GroupState& group = run.state.groups[g];
+    singular = singular || !(std::abs(group.sine) > group.noise);
+    if (singular) {
+      for (const int body : run.plan.groups[g].bodies) {
+        row.has_rates[static_cast<std::size_t>(body)] = false;
+      }
+    }
+  }
   row.status = singular ? RowStatus::kSingular : RowStatus::kOk;
+}
+
+void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
+  MotionRow& row = run.row;
+  if (drivers.size() == 1) {
+    scale_rates(run.state, drivers.front(), row);
+  } else {
+    run.trial = run.state;
+    set_rates(run, drivers, run.trial);
+    row.bodies = run.trial.bodies;
+    row.contacts = run.trial.contacts;
+  }
+  mark_rates(run, row);
+  row.residual = residual_of(run);
   if (!(row.residual <= run.tolerance * run.plan.size)) {
     row.status = RowStatus::kNotConverged;
   }
 }
 
-// Sets up the rolling contact near the pose (or near the slipping contact that was found); says why it cannot
-// roll.
-std::optional<std::string> start_rolling_contact(Run& run, double driver, const FindResult& found) {
-  const ContactGroup& group = *run.plan.group;
-  const double u = run.plan.driver.sign * driver;
-  const double q = coordinate_in_pose(run.mechanism, group.follower);
-  const Pose<double> X_W1 = pose_at(group.pair.motion1, u);
-  const Pose<double> X_W2 = pose_at(group.pair.motion2, q);
-  const Separation here = separation(group.pair.curve1, X_W1, group.pair.curve2, X_W2, 1e-6 * run.plan.size);
-  RollingTrack track;
-  const RollingResult start = start_rolling(track, group.pair, u, q, here.n_W);
-  if (start.converged && start.mismatch <= run.tolerance * run.plan.size) {
-    run.rolling = track;
-    return std::nullopt;
+std::vector<DriverMotion> unit_motions(const std::vector<double>& positions) {
+  std::vector<DriverMotion> motions(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    motions[i] = {positions[i], positions.size() == 1 ? 1.0 : 0.0, 0};
   }
-  const std::string name = run.mechanism.contacts[static_cast<std::size_t>(group.contact)].name;
-  if (found.status != FindStatus::kFound) {
-    return explain(found.status, name);
-  }
-  return "contacts." + name + ": this pair cannot roll: already at the first driver position it slips by " +
-         std::to_string(std::abs(found.at.sliding)) +
-         (group.pair.motion1.turns ? " m for each radian" : " m for each metre") +
-         " of the driver; set rolling = false, or choose curves and joints whose contact point stays at the "
-         "instant centre";
+  return motions;
 }
 
 }  // namespace
 
-tl::expected<Run, std::string> start_run(const Mechanism& mechanism, double driver, double tolerance) {
+tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
+                                          double tolerance) {
   auto plan = make_plan(mechanism);
   if (!plan) {
-    return tl::unexpected(plan.error());
+    return tl::unexpected(StartFailure{plan.error(), std::nullopt});
   }
-  Run run{mechanism, std::move(*plan), std::nullopt, std::nullopt, tolerance};
-  if (!run.plan.group) {
-    return run;
+  Run run;
+  run.mechanism = mechanism;
+  run.plan = std::move(*plan);
+  run.tolerance = tolerance;
+  run.drivers = drivers;
+  if (auto failure = assemble(run)) {
+    return tl::unexpected(std::move(*failure));
   }
-  const ContactGroup& group = *run.plan.group;
-  const FindResult found = first_contact(mechanism, group, run.plan.driver.sign * driver);
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(group.contact)];
-  if (contact.rolling) {
-    if (auto reason = start_rolling_contact(run, driver, found)) {
-      return tl::unexpected(*reason);
-    }
-    return run;
-  }
-  if (found.status != FindStatus::kFound) {
-    return tl::unexpected(
-        explain(found.status, mechanism.contacts[static_cast<std::size_t>(group.contact)].name));
-  }
-  run.track = start_track(group.pair, found.at, found.branch);
+  set_rates(run, unit_motions(drivers), run.state);
+  run.trial = run.state;
+  run.targets = drivers;
+  run.trial_drivers = drivers;
+  run.trial_motions.resize(drivers.size());
+  set_path(run.path, drivers, drivers);
+  run.row.bodies = run.state.bodies;
+  run.row.contacts = run.state.contacts;
+  run.row.has_rates.assign(run.state.bodies.size(), true);
   return run;
 }
 
-std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions) {
-  if (!run.rolling) {
-    return std::nullopt;
+void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
+  run.events.clear();
+  run.targets.resize(drivers.size());
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    run.targets[i] = drivers[i].position;
   }
-  RollingTrack track = *run.rolling;
-  for (const double position : positions) {
-    const RollingResult result = roll_to(track, run.plan.driver.sign * position);
-    const bool slips = std::abs(track.at.sliding) > run.tolerance * run.plan.size;
-    if (!result.converged || !(result.mismatch <= run.tolerance * run.plan.size) || slips) {
-      return Slip{position, track.at.sliding};
+  bool held = false;
+  if (!run.held) {
+    held = resume(run, run.targets);
+  } else if (run.targets == run.drivers) {
+    held = true;
+  } else {
+    set_path(run.path, run.drivers, run.targets);
+    if (!run.path.is_single()) {
+      run.path.motions(0, run.trial_motions);
+      set_rates(run, run.trial_motions, run.state);
+    }
+    held = follow(run, run.path);
+  }
+  run.drivers = run.targets;
+  if (held) {
+    fill_row(run, drivers);
+  } else {
+    run.row.status = RowStatus::kNotAssemblable;
+    run.row.residual = 0;
+  }
+}
+
+std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
+    const auto* start = std::get_if<RollingTrack>(&run.state.tracks[g]);
+    if (tracked == nullptr || start == nullptr) {
+      continue;
+    }
+    RollingTrack track = *start;
+    const double largest = run.tolerance * run.plan.size;
+    for (const double position : positions) {
+      const RollingResult result = roll_to(track, tracked->driver_sign * position);
+      if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
+        return Slip{position, track.at.sliding, tracked->contact};
+      }
     }
   }
   return std::nullopt;
-}
-
-RunStep move_to(Run& run, double position, double velocity, double acceleration) {
-  RunStep step;
-  const GroundedBody& driver = run.plan.driver;
-  const double u = driver.sign * position;
-  step.row.bodies.resize(run.mechanism.bodies.size());
-  step.row.bodies[static_cast<std::size_t>(driver.body)] =
-      motion_at(driver.freedom, u, driver.sign * velocity, driver.sign * acceleration);
-  step.row.status = RowStatus::kOk;
-  if (run.rolling) {
-    const RollingResult result = roll_to(*run.rolling, u);
-    step.row.residual = result.mismatch;
-    add_contact(run, run.rolling->at, run.rolling->phi, driver.sign * velocity, driver.sign * acceleration,
-                step.row);
-    return step;
-  }
-  if (!run.track) {
-    return step;
-  }
-  const TrackResult result = follow_to(*run.track, u);
-  if (result.limit) {
-    step.limit = LimitEvent{driver.sign * result.limit->u};
-  }
-  if (result.status == TrackStatus::kOk) {
-    add_contact(run, run.track->at, run.track->phi, driver.sign * velocity, driver.sign * acceleration,
-                step.row);
-  } else {
-    step.row.status = RowStatus::kNotAssemblable;
-  }
-  return step;
 }
 
 }  // namespace higherpair

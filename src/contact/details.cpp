@@ -11,26 +11,14 @@ bool is_line(const Curve& curve) {
   return curve.kind == CurveKind::kLine;
 }
 
-// `normal_angle` is that of the body's own outward normal, `sense` +1 if t of body 1 is that normal turned
-// +90°.
-ContactSide side_of(const Curve& curve, const OneFreedom& freedom, double q, const Vector2d& p_W,
-                    const Vector2d& n_W, double rho, double normal_angle, double sense) {
+// `sense`: +1 if t of body 1 is the outward normal n_W of this body turned +90°, else -1.
+ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W, double rho,
+                    double normal_angle, double sense) {
   ContactSide side;
-  if (is_line(curve)) {
-    const Pose<double> X_WB = pose_at(freedom, q);
-    side.arc = sense * perp(n_W).dot(p_W - X_WB * curve.vertex_B);
-    return side;
-  }
-  side.rho = rho;
-  side.center_W = p_W - rho * n_W;
-  const double theta = freedom.turns ? q : freedom.theta;
-  const double psi = normal_angle - theta - vertex_normal_angle(curve);
-  if (curve.side == Side::kInside) {
-    side.arc = sense * arc_length(curve, curve.q > 0 ? psi : nearest_turn(psi, 0));
-  } else {
-    // Inward normals of the convex side; the point moves against t when the normal turns on.
-    const double turned = psi - kPi;
-    side.arc = -sense * arc_length(curve, curve.q > 0 ? turned : nearest_turn(turned, 0));
+  side.arc = sense * contact_arc(body.curve, body.motion, p_W, n_W, normal_angle);
+  if (!is_line(body.curve)) {
+    side.rho = rho;
+    side.center_W = p_W - rho * n_W;
   }
   return side;
 }
@@ -39,19 +27,31 @@ double angle_between(const Vector2d& a, const Vector2d& b) {
   return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b)));
 }
 
-std::optional<double> transmission(const ContactSide& side, const OneFreedom& freedom, const Vector2d& n_W) {
-  if (!freedom.turns || !side.center_W) {
+bool turns(const ContactBody& body) {
+  return body.grounded != nullptr && body.grounded->turns;
+}
+
+std::optional<double> transmission(const ContactSide& side, const ContactBody& body, const Vector2d& n_W) {
+  if (!turns(body) || !side.center_W) {
     return std::nullopt;
   }
-  const Vector2d arm = *side.center_W - freedom.p_WO;
+  const Vector2d arm = *side.center_W - body.grounded->p_WO;
   return arm.norm() > 0 ? std::optional(angle_between(n_W, arm)) : std::nullopt;
 }
 
-std::optional<double> arm(const ContactSide& side, const OneFreedom& freedom) {
-  if (!freedom.turns || !side.center_W) {
+std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W) {
+  const Vector2d direction =
+      body.grounded != nullptr
+          ? velocity_per_q(*body.grounded, p_W)
+          : Vector2d(body.motion.v_WB + body.motion.omega * perp(Vector2d(p_W - body.motion.X_WB.p_WB)));
+  return direction.norm() > 0 ? std::optional(angle_between(n_W, direction)) : std::nullopt;
+}
+
+std::optional<double> arm(const ContactSide& side, const ContactBody& body) {
+  if (!turns(body) || !side.center_W) {
     return std::nullopt;
   }
-  return (*side.center_W - freedom.p_WO).norm();
+  return (*side.center_W - body.grounded->p_WO).norm();
 }
 
 // Offset of the pivot from the line along which the other body's centre slides.
@@ -62,45 +62,66 @@ std::optional<double> offset(const Vector2d& pivot_W, const ContactSide& sliding
   return perp(slide.direction_W).dot(pivot_W - *sliding.center_W);
 }
 
-void add_linkage(const ContactPair& pair, ContactDetails& details) {
-  const OneFreedom& m1 = pair.motion1;
-  const OneFreedom& m2 = pair.motion2;
-  const bool flat1 = is_line(pair.curve1);
-  const bool flat2 = is_line(pair.curve2);
+void add_linkage(const ContactBody& body1, const ContactBody& body2, ContactDetails& details) {
+  const bool flat1 = is_line(body1.curve);
+  const bool flat2 = is_line(body2.curve);
   auto& [r1, r2, r3, r4] = details.lengths;
   if (!flat1 && !flat2) {
     r3 = std::abs(*details.side1.rho + *details.side2.rho);
   }
+  if (body1.grounded == nullptr || body2.grounded == nullptr) {
+    details.linkage = "link";
+    return;
+  }
+  const OneFreedom& m1 = *body1.grounded;
+  const OneFreedom& m2 = *body2.grounded;
   if (m1.turns && m2.turns) {
     details.linkage = flat1 || flat2 ? "inverted slider-crank" : "four-bar";
     r1 = (m2.p_WO - m1.p_WO).norm();
-    r2 = arm(details.side1, m1);
-    r4 = arm(details.side2, m2);
+    r2 = arm(details.side1, body1);
+    r4 = arm(details.side2, body2);
   } else if (!m1.turns && !m2.turns) {
     details.linkage = flat1 || flat2 ? "wedge" : "double slider";
   } else {
-    const bool first_turns = m1.turns;
-    const bool turning_is_flat = first_turns ? flat1 : flat2;
-    const bool sliding_is_flat = first_turns ? flat2 : flat1;
+    const bool turning_is_flat = m1.turns ? flat1 : flat2;
+    const bool sliding_is_flat = m1.turns ? flat2 : flat1;
     details.linkage = sliding_is_flat ? "scotch yoke" : turning_is_flat ? "rapson slide" : "slider-crank";
-    r1 = first_turns ? offset(m1.p_WO, details.side2, m2) : offset(m2.p_WO, details.side1, m1);
-    r2 = first_turns ? arm(details.side1, m1) : arm(details.side2, m2);
+    r1 = m1.turns ? offset(m1.p_WO, details.side2, m2) : offset(m2.p_WO, details.side1, m1);
+    r2 = m1.turns ? arm(details.side1, body1) : arm(details.side2, body2);
   }
 }
 
 }  // namespace
 
-ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi) {
+double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W, const Vector2d& n_W,
+                   double normal_angle) {
+  if (is_line(curve)) {
+    return perp(n_W).dot(p_W - body.X_WB * curve.vertex_B);
+  }
+  // A body on the outside has the convex side's normal turned round, and runs through the arc the other way.
+  const bool inside = curve.side == Side::kInside;
+  const double psi = normal_angle - body.theta - vertex_normal_angle(curve) - (inside ? 0 : kPi);
+  const double arc = arc_length(curve, curve.q > 0 ? psi : nearest_turn(psi, 0));
+  return inside ? arc : -arc;
+}
+
+ContactDetails details_of(const ContactBody& body1, const ContactBody& body2, const CommonNormal& at,
+                          double phi) {
   ContactDetails details;
   const Vector2d n = at.n_W;
-  details.side1 = side_of(pair.curve1, pair.motion1, at.u, at.p1_W, n, at.rho1, phi, 1);
-  details.side2 = side_of(pair.curve2, pair.motion2, at.q, at.p2_W, -n, at.rho2, phi + kPi, -1);
-  details.pressure1 = angle_between(n, velocity_per_q(pair.motion1, at.p1_W));
-  details.pressure2 = angle_between(n, velocity_per_q(pair.motion2, at.p2_W));
-  details.transmission1 = transmission(details.side1, pair.motion1, n);
-  details.transmission2 = transmission(details.side2, pair.motion2, n);
-  add_linkage(pair, details);
+  details.side1 = side_of(body1, at.p1_W, n, at.rho1, phi, 1);
+  details.side2 = side_of(body2, at.p2_W, -n, at.rho2, phi + kPi, -1);
+  details.pressure = pressure(body2, at.p2_W, n);
+  details.transmission = transmission(details.side2, body2, n);
+  add_linkage(body1, body2, details);
   return details;
+}
+
+ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi) {
+  const BodyMotion motion1 = motion_at(pair.motion1, at.u, 0, 0);
+  const BodyMotion motion2 = motion_at(pair.motion2, at.q, 0, 0);
+  return details_of({pair.curve1, motion1, &pair.motion1}, {pair.curve2, motion2, &pair.motion2},
+                    {at.n_W, at.p1_W, at.p2_W, at.rho1, at.rho2}, phi);
 }
 
 }  // namespace higherpair

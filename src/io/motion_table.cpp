@@ -1,7 +1,9 @@
 #include "higherpair/io/motion_table.hpp"
 
 #include "higherpair/contact/details.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -38,15 +40,23 @@ std::string_view name_of(RowStatus status) {
   return "not_converged";
 }
 
-tl::expected<MotionTable, std::string> MotionTable::make(const Profile& profile, const Plan& plan,
-                                                         bool timed) {
+std::string_view name_of(EventType type) {
+  return type == EventType::kDeadPoint ? "dead_point" : "limit_position";
+}
+
+tl::expected<MotionTable, std::string> MotionTable::make(const Profile& profile, bool timed) {
   MotionTable table;
   table.timed_ = timed;
   const Units& units = profile.units;
   table.scale_ = {from_si(dimension::kLength, units),       from_si(dimension::kAngle, units),
                   from_si(dimension::kVelocity, units),     from_si(dimension::kAngularVelocity, units),
                   from_si(dimension::kAcceleration, units), from_si(dimension::kAngularAcceleration, units)};
-  table.add_names(profile, plan);
+  table.mechanism_ = &profile.mechanism;
+  for (std::size_t i = 0; i < profile.mechanism.bodies.size(); ++i) {
+    table.grounded_.push_back(grounded_freedom(profile.mechanism, static_cast<int>(i)));
+  }
+  table.arc_starts_.resize(profile.mechanism.contacts.size());
+  table.add_names(profile);
   std::set<std::string> seen;
   for (const Column& column : table.columns_) {
     if (!seen.insert(column.name).second) {
@@ -57,54 +67,79 @@ tl::expected<MotionTable, std::string> MotionTable::make(const Profile& profile,
   return table;
 }
 
-void MotionTable::add_names(const Profile& profile, const Plan& plan) {
+void MotionTable::add_names(const Profile& profile) {
   const Units& units = profile.units;
+  const Mechanism& mechanism = profile.mechanism;
   const auto unit = [&](const Dimension& dimension) { return unit_text(dimension, units); };
-  const std::string length = unit(dimension::kLength), angle = unit(dimension::kAngle);
-  const std::string velocity = unit(dimension::kVelocity), omega = unit(dimension::kAngularVelocity);
-  const std::string acceleration = unit(dimension::kAcceleration),
-                    alpha = unit(dimension::kAngularAcceleration);
   if (timed_) {
     columns_.push_back({"time", unit(dimension::kTime)});
   }
-  const bool turns = plan.driver.freedom.turns;
-  columns_.push_back({"driver", turns ? angle : length});
-  columns_.push_back({"driver.velocity", turns ? omega : velocity});
-  columns_.push_back({"driver.acceleration", turns ? alpha : acceleration});
-  for (std::size_t i = 1; i < profile.mechanism.bodies.size(); ++i) {
-    const Body& body = profile.mechanism.bodies[i];
-    const std::string prefix = body.name + ".";
-    add(columns_, prefix, {"x", "y"}, length);
-    add(columns_, prefix, {"angle"}, angle);
-    add(columns_, prefix, {"vx", "vy"}, velocity);
-    add(columns_, prefix, {"omega"}, omega);
-    add(columns_, prefix, {"ax", "ay"}, acceleration);
-    add(columns_, prefix, {"alpha"}, alpha);
-    for (const NamedPoint& point : body.points) {
-      add(columns_, prefix + point.name + ".", {"x", "y"}, length);
-      add(columns_, prefix + point.name + ".", {"vx", "vy"}, velocity);
-      add(columns_, prefix + point.name + ".", {"ax", "ay"}, acceleration);
-    }
+  for (const Driver& driver : mechanism.drivers) {
+    const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+    const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    columns_.push_back({name, unit(turns ? dimension::kAngle : dimension::kLength)});
+    columns_.push_back(
+        {name + ".velocity", unit(turns ? dimension::kAngularVelocity : dimension::kVelocity)});
+    columns_.push_back(
+        {name + ".acceleration", unit(turns ? dimension::kAngularAcceleration : dimension::kAcceleration)});
   }
-  if (plan.group) {
-    const GroundedBody& follower = plan.group->follower;
-    const std::string joint = profile.mechanism.joints[static_cast<std::size_t>(follower.joint)].name + ".";
-    add(columns_, joint, {"position"}, follower.freedom.turns ? angle : length);
-    add(columns_, joint, {"velocity"}, follower.freedom.turns ? omega : velocity);
-    add(columns_, joint, {"acceleration"}, follower.freedom.turns ? alpha : acceleration);
-    const std::string k =
-        profile.mechanism.contacts[static_cast<std::size_t>(plan.group->contact)].name + ".";
-    add(columns_, k, {"x", "y"}, length);
-    add(columns_, k, {"normal"}, angle);
-    add(columns_, k, {"rho1", "rho2", "c1x", "c1y", "c2x", "c2y"}, length);
-    add(columns_, k, {"linkage"}, "");
-    add(columns_, k, {"r1", "r2", "r3", "r4"}, length);
-    add(columns_, k, {"sliding"}, velocity);
-    add(columns_, k, {"arc1", "arc2"}, length);
-    add(columns_, k, {"pressure", "transmission"}, angle);
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    add_body_names(mechanism.bodies[i], units);
+  }
+  for (const Joint& joint : mechanism.joints) {
+    if (is_driven(joint)) {
+      continue;
+    }
+    const bool turns = joint.type == JointType::kRevolute;
+    add(columns_, joint.name, {".position"}, unit(turns ? dimension::kAngle : dimension::kLength));
+    add(columns_, joint.name, {".velocity"},
+        unit(turns ? dimension::kAngularVelocity : dimension::kVelocity));
+    add(columns_, joint.name, {".acceleration"},
+        unit(turns ? dimension::kAngularAcceleration : dimension::kAcceleration));
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    add_contact_names(contact, units);
   }
   columns_.push_back({"status", ""});
-  columns_.push_back({"residual", length});
+  columns_.push_back({"residual", unit(dimension::kLength)});
+}
+
+void MotionTable::add_body_names(const Body& body, const Units& units) {
+  const std::string length = unit_text(dimension::kLength, units);
+  const std::string velocity = unit_text(dimension::kVelocity, units);
+  const std::string acceleration = unit_text(dimension::kAcceleration, units);
+  const std::string prefix = body.name + ".";
+  add(columns_, prefix, {"x", "y"}, length);
+  add(columns_, prefix, {"angle"}, unit_text(dimension::kAngle, units));
+  add(columns_, prefix, {"vx", "vy"}, velocity);
+  add(columns_, prefix, {"omega"}, unit_text(dimension::kAngularVelocity, units));
+  add(columns_, prefix, {"ax", "ay"}, acceleration);
+  add(columns_, prefix, {"alpha"}, unit_text(dimension::kAngularAcceleration, units));
+  for (const NamedPoint& point : body.points) {
+    add(columns_, prefix + point.name + ".", {"x", "y"}, length);
+    add(columns_, prefix + point.name + ".", {"vx", "vy"}, velocity);
+    add(columns_, prefix + point.name + ".", {"ax", "ay"}, acceleration);
+  }
+}
+
+void MotionTable::add_contact_names(const Contact& contact, const Units& units) {
+  const std::string length = unit_text(dimension::kLength, units);
+  const std::string angle = unit_text(dimension::kAngle, units);
+  const std::string prefix = contact.name + ".";
+  add(columns_, prefix, {"x", "y"}, length);
+  add(columns_, prefix, {"normal"}, angle);
+  add(columns_, prefix, {"rho1", "rho2", "c1x", "c1y", "c2x", "c2y"}, length);
+  add(columns_, prefix, {"linkage"}, "");
+  add(columns_, prefix, {"r1", "r2", "r3", "r4"}, length);
+  add(columns_, prefix, {"sliding"}, unit_text(dimension::kVelocity, units));
+  add(columns_, prefix, {"arc1", "arc2"}, length);
+  add(columns_, prefix, {"pressure", "transmission"}, angle);
+}
+
+bool MotionTable::is_driven(const Joint& joint) const {
+  return std::any_of(mechanism_->drivers.begin(), mechanism_->drivers.end(), [&](const Driver& driver) {
+    return &mechanism_->joints[static_cast<std::size_t>(driver.joint)] == &joint;
+  });
 }
 
 void MotionTable::number(double value) {
@@ -123,21 +158,45 @@ void MotionTable::length(std::optional<double> value) {
   }
 }
 
-const std::vector<Cell>& MotionTable::cells(const Run& run, const MotionRow& row, const DriverState& driver,
+void MotionTable::optional_angle(std::optional<double> value) {
+  if (value) {
+    number(scale_.angle.apply(*value));
+  } else {
+    cells_.emplace_back();
+  }
+}
+
+void MotionTable::vector(const Scaling& scale, const Vector2d& v, bool defined) {
+  for (const double component : {v.x(), v.y()}) {
+    defined ? number(scale.apply(component)) : void(cells_.emplace_back());
+  }
+}
+
+const std::vector<Cell>& MotionTable::cells(const MotionRow& row, const std::vector<DriverState>& drivers,
                                             double time) {
   cells_.clear();
   if (timed_) {
     number(time);
   }
-  number(driver.profile.position);
-  number(driver.profile.velocity);
-  number(driver.profile.acceleration);
+  for (const DriverState& driver : drivers) {
+    number(driver.profile.position);
+    number(driver.profile.velocity);
+    number(driver.profile.acceleration);
+  }
   if (row.status != RowStatus::kNotAssemblable) {
-    add_bodies(run, row);
-    if (run.plan.group) {
-      add_joints(run, row);
-      add_contact(run, row);
+    for (std::size_t i = 1; i < row.bodies.size(); ++i) {
+      add_body(row, i);
     }
+    for (const Joint& joint : mechanism_->joints) {
+      if (!is_driven(joint)) {
+        add_joint(row, joint);
+      }
+    }
+    for (std::size_t i = 0; i < row.contacts.size(); ++i) {
+      add_contact(row, i);
+    }
+  } else {
+    broken_ = true;
   }
   cells_.resize(columns_.size() - 2);
   cells_.emplace_back(name_of(row.status));
@@ -145,89 +204,81 @@ const std::vector<Cell>& MotionTable::cells(const Run& run, const MotionRow& row
   return cells_;
 }
 
-void MotionTable::add_bodies(const Run& run, const MotionRow& row) {
-  const auto vector = [&](const Scaling& scale, const Vector2d& v, bool defined) {
-    for (const double component : {v.x(), v.y()}) {
-      defined ? number(scale.apply(component)) : void(cells_.emplace_back());
-    }
+void MotionTable::add_body(const MotionRow& row, std::size_t index) {
+  const BodyMotion& body = row.bodies[index];
+  const bool rates = row.has_rates[index];
+  const auto rate = [&](const Scaling& scale, double value) {
+    rates ? number(scale.apply(value)) : void(cells_.emplace_back());
   };
-  for (std::size_t i = 1; i < row.bodies.size(); ++i) {
-    const BodyMotion& body = row.bodies[i];
-    const bool rates = row.status != RowStatus::kSingular || static_cast<int>(i) == run.plan.driver.body;
-    const auto rate = [&](const Scaling& scale, double value) {
-      rates ? number(scale.apply(value)) : void(cells_.emplace_back());
-    };
-    vector(scale_.length, body.X_WB.p_WB, true);
-    number(scale_.angle.apply(body.theta));
-    vector(scale_.velocity, body.v_WB, rates);
-    rate(scale_.angular_velocity, body.omega);
-    vector(scale_.acceleration, body.a_WB, rates);
-    rate(scale_.angular_acceleration, body.alpha);
-    for (const NamedPoint& point : run.mechanism.bodies[i].points) {
-      const PointMotion motion = point_motion(body, point.p_B);
-      vector(scale_.length, motion.p_W, true);
-      vector(scale_.velocity, motion.v_W, rates);
-      vector(scale_.acceleration, motion.a_W, rates);
-    }
+  vector(scale_.length, body.X_WB.p_WB, true);
+  number(scale_.angle.apply(body.theta));
+  vector(scale_.velocity, body.v_WB, rates);
+  rate(scale_.angular_velocity, body.omega);
+  vector(scale_.acceleration, body.a_WB, rates);
+  rate(scale_.angular_acceleration, body.alpha);
+  for (const NamedPoint& point : mechanism_->bodies[index].points) {
+    const PointMotion motion = point_motion(body, point.p_B);
+    vector(scale_.length, motion.p_W, true);
+    vector(scale_.velocity, motion.v_W, rates);
+    vector(scale_.acceleration, motion.a_W, rates);
   }
 }
 
-void MotionTable::add_joints(const Run& run, const MotionRow& row) {
-  const bool turns = run.plan.group->follower.freedom.turns;
-  number((turns ? scale_.angle : scale_.length).apply(row.joint_position));
-  if (row.status == RowStatus::kSingular) {
+void MotionTable::add_joint(const MotionRow& row, const Joint& joint) {
+  const bool turns = joint.type == JointType::kRevolute;
+  const JointMotion motion = joint_motion(*mechanism_, joint, row.bodies);
+  number((turns ? scale_.angle : scale_.length).apply(motion.position));
+  if (!row.has_rates[static_cast<std::size_t>(joint.first.body)] ||
+      !row.has_rates[static_cast<std::size_t>(joint.second.body)]) {
     cells_.resize(cells_.size() + 2);
     return;
   }
-  number((turns ? scale_.angular_velocity : scale_.velocity).apply(row.joint_velocity));
-  number((turns ? scale_.angular_acceleration : scale_.acceleration).apply(row.joint_acceleration));
+  number((turns ? scale_.angular_velocity : scale_.velocity).apply(motion.velocity));
+  number((turns ? scale_.angular_acceleration : scale_.acceleration).apply(motion.acceleration));
 }
 
-void MotionTable::add_contact(const Run& run, const MotionRow& row) {
-  // Columns are those of the first and second body of the file; seen from the other body n and t turn round.
-  const bool swap = !run.plan.group->driver_is_first;
-  const ContactPosition& at = row.contact;
-  const ContactDetails details = details_of(run.plan.group->pair, at, row.normal_angle);
-  const ContactSide& first = swap ? details.side2 : details.side1;
-  const ContactSide& second = swap ? details.side1 : details.side2;
-  const Vector2d p = (at.p1_W + at.p2_W) / 2;
-  length(p.x());
-  length(p.y());
-  number(scale_.angle.apply(row.normal_angle + (swap ? kPi : 0)));
-  length(first.rho);
-  length(second.rho);
-  for (const ContactSide* side : {&first, &second}) {
+void MotionTable::add_contact(const MotionRow& row, std::size_t index) {
+  const Contact& contact = mechanism_->contacts[index];
+  const ContactMotion& motion = row.contacts[index];
+  const auto body_of = [&](const CurveRef& ref) {
+    const auto body = static_cast<std::size_t>(ref.body);
+    return ContactBody{curve_of(*mechanism_, ref), row.bodies[body],
+                       grounded_[body] ? &*grounded_[body] : nullptr};
+  };
+  const ContactDetails details =
+      details_of(body_of(contact.first), body_of(contact.second), motion.at, motion.phi);
+  vector(scale_.length, (motion.at.p1_W + motion.at.p2_W) / 2, true);
+  number(scale_.angle.apply(motion.phi));
+  length(details.side1.rho);
+  length(details.side2.rho);
+  for (const ContactSide* side : {&details.side1, &details.side2}) {
     length(side->center_W ? std::optional(side->center_W->x()) : std::nullopt);
     length(side->center_W ? std::optional(side->center_W->y()) : std::nullopt);
   }
   cells_.emplace_back(details.linkage);
-  const bool four_bar = run.plan.group->pair.motion1.turns && run.plan.group->pair.motion2.turns;
-  auto lengths = details.lengths;
-  if (swap && four_bar) {
-    std::swap(lengths[1], lengths[3]);
-  }
-  for (const auto& side : lengths) {
+  for (const auto& side : details.lengths) {
     length(side);
   }
-  if (row.status == RowStatus::kSingular) {
-    cells_.emplace_back();
-  } else {
-    number(scale_.velocity.apply(row.sliding));
+  const bool rates = row.has_rates[static_cast<std::size_t>(contact.first.body)] &&
+                     row.has_rates[static_cast<std::size_t>(contact.second.body)];
+  rates ? number(scale_.velocity.apply(motion.rates.sliding)) : void(cells_.emplace_back());
+  add_arcs(details, index);
+  optional_angle(details.pressure);
+  optional_angle(details.transmission);
+}
+
+void MotionTable::add_arcs(const ContactDetails& details, std::size_t index) {
+  auto& start = arc_starts_[index];
+  if (broken_) {
+    // The way since the first row has a gap.
+    cells_.resize(cells_.size() + 2);
+    return;
   }
-  const double sense = swap ? -1 : 1;
-  const std::array<double, 2> arcs = {sense * first.arc, sense * second.arc};
-  if (!arc_start_) {
-    arc_start_ = arcs;
+  if (!start) {
+    start = {details.side1.arc, details.side2.arc};
   }
-  length(arcs[0] - (*arc_start_)[0]);
-  length(arcs[1] - (*arc_start_)[1]);
-  number(scale_.angle.apply(swap ? details.pressure1 : details.pressure2));
-  const auto& transmission = swap ? details.transmission1 : details.transmission2;
-  if (transmission) {
-    number(scale_.angle.apply(*transmission));
-  } else {
-    cells_.emplace_back();
-  }
+  length(details.side1.arc - (*start)[0]);
+  length(details.side2.arc - (*start)[1]);
 }
 
 void append_csv_header(const std::vector<Column>& columns, std::string& out) {

@@ -19,23 +19,36 @@ class RowAllocation : public ::testing::TestWithParam<const char*> {
 protected:
   Profile profile =
       read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + GetParam() + ".toml").value();
-  higherpair::Run run = start_run(profile.mechanism, 0).value();
+  higherpair::Run run = start_run(profile.mechanism, {0}).value();
 };
 
 TEST_P(RowAllocation, CellsAndTheirTextMakeNone) {
-  MotionTable table = MotionTable::make(profile, run.plan, false).value();
+  MotionTable table = MotionTable::make(profile, false).value();
   std::string text;
   text.reserve(1 << 16);
   std::size_t made = 0;
   for (int k = 0; k < kRows; ++k) {
     const double u = 2 * kPi * k / kRows;
-    const RunStep step = move_to(run, u, 1, 0.5);
+    move_to(run, {{u, 1, 0.5}});
+    const std::vector<DriverState> drivers{{{u, 1, 0.5}, {u, 1, 0.5}}};
     const std::size_t before = allocation_count();
-    const auto& cells = table.cells(run, step.row, {{u, 1, 0.5}, {u, 1, 0.5}}, 0);
+    const auto& cells = table.cells(run.row, drivers, 0);
     text.clear();
     append_csv_row(cells, text);
     made += k == 0 ? 0 : allocation_count() - before;
-    ASSERT_EQ(step.row.status, RowStatus::kOk);
+    ASSERT_EQ(run.row.status, RowStatus::kOk);
+  }
+  EXPECT_EQ(made, 0U);
+}
+
+TEST_P(RowAllocation, MovingTheMechanismMakesNone) {
+  std::size_t made = 0;
+  for (int k = 0; k < kRows; ++k) {
+    const std::vector<DriverMotion> drivers{{2 * kPi * k / kRows, 1, 0.5}};
+    const std::size_t before = allocation_count();
+    move_to(run, drivers);
+    made += k == 0 ? 0 : allocation_count() - before;
+    ASSERT_EQ(run.row.status, RowStatus::kOk);
   }
   EXPECT_EQ(made, 0U);
 }

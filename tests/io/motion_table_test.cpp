@@ -104,17 +104,17 @@ TEST_P(MotionTableOracle, AgreesInEveryColumnWithTheIndependentAnswers) {
   ASSERT_TRUE(profile.has_value()) << to_string(profile.error().front());
   const auto schedule = DriverSchedule::analyze(*profile);
   ASSERT_TRUE(schedule.has_value());
-  auto run = start_run(profile->mechanism, schedule->state(0).si.position);
-  ASSERT_TRUE(run.has_value()) << run.error();
-  auto table = MotionTable::make(*profile, run->plan, false);
+  auto run = start_run(profile->mechanism, {schedule->state(0).si.position});
+  ASSERT_TRUE(run.has_value()) << run.error().reason;
+  auto table = MotionTable::make(*profile, false);
   ASSERT_TRUE(table.has_value());
   double arc1 = 0;
   double arc2 = 0;
   for (std::int64_t k = 0; k < schedule->size(); ++k) {
     const DriverState driver = schedule->state(k);
-    const RunStep step = move_to(*run, driver.si.position, driver.si.velocity, driver.si.acceleration);
-    ASSERT_EQ(step.row.status, RowStatus::kOk);
-    const Row row = named(*table, table->cells(*run, step.row, driver, 0));
+    move_to(*run, {{driver.si.position, driver.si.velocity, driver.si.acceleration}});
+    ASSERT_EQ(run->row.status, RowStatus::kOk);
+    const Row row = named(*table, table->cells(run->row, {driver}, 0));
     if (k == 0) {
       continue;
     }

@@ -55,12 +55,26 @@ Case make_case(const std::string& name, const Oval& cam, const std::vector<Oval>
       follower.empty() ? "type = \"prismatic\"\ndirection = [0, 1]" : "type = \"revolute\"";
   const auto profile = read_profile_text(profile_text(cam, body, joint), name);
   require(profile.has_value(), profile ? "" : to_string(profile.error().front()));
-  auto run = start_run(profile->mechanism, 0);
-  require(run.has_value(), run ? "" : name + ": " + run.error());
+  auto run = start_run(profile->mechanism, {0});
+  require(run.has_value(), run ? "" : name + ": " + run.error().reason);
   return {name, cam, follower, Vector2d(0.08, 0), *profile, *run};
 }
 
 }  // namespace
+
+const ContactTrack& track_of(const Run& run) {
+  for (const PairTrack& track : run.state.tracks) {
+    if (const auto* contact = std::get_if<ContactTrack>(&track)) {
+      return *contact;
+    }
+  }
+  require(false, "the mechanism has no tracked contact");
+  std::abort();
+}
+
+const ContactPair& Case::pair() const {
+  return track_of(run).pair;
+}
 
 void require(bool condition, const std::string& message) {
   if (!condition) {

@@ -31,8 +31,11 @@ struct Case {
   Profile profile;
   Run run;  ///< standing at driver position 0
 
-  [[nodiscard]] const ContactPair& pair() const { return run.plan.group->pair; }
+  [[nodiscard]] const ContactPair& pair() const;
 };
+
+/// The contact's track of a running pair.
+[[nodiscard]] const ContactTrack& track_of(const Run& run);
 
 /// Circle on circle, ellipse on circle, ellipse on ellipse (turning followers), and ellipse on a sliding flat
 /// face.

@@ -153,7 +153,7 @@ void check_four_bar() {
 
 void check_tracking(const Case& reference) {
   const Run& run = reference.run;
-  ContactTrack track = *run.track;
+  ContactTrack track = track_of(run);
   for (int step = 0; step < kStepsPerTurn; ++step) {
     const double u = driver_position(step);
     require(follow_to(track, u).status == TrackStatus::kOk, reference.name + ": the contact is lost");
@@ -179,16 +179,20 @@ void check_tracking(const Case& reference) {
 
 void check_rows(const Case& reference) {
   Run run = reference.run;
-  auto table = MotionTable::make(reference.profile, run.plan, false);
+  auto table = MotionTable::make(reference.profile, false);
   require(table.has_value(), table ? "" : table.error());
   for (int step = 0; step < kStepsPerTurn; step += 100) {
     const double u = driver_position(step);
-    const RunStep moved = move_to(run, u, 1, 0);
-    require(moved.row.status == RowStatus::kOk, reference.name + ": a row is not ok");
-    require(moved.row.joint_position == run.track->at.q && moved.row.joint_velocity == run.track->at.dq,
+    move_to(run, {{u, 1, 0}});
+    require(run.row.status == RowStatus::kOk, reference.name + ": a row is not ok");
+    const ContactPosition& at = track_of(run).at;
+    const BodyMotion wanted = motion_at(reference.pair().motion2, at.q, at.dq, at.d2q);
+    const BodyMotion& follower = run.row.bodies.back();
+    require((follower.X_WB.p_WB - wanted.X_WB.p_WB).norm() <= 1e-15 && follower.theta == wanted.theta &&
+                std::abs(follower.omega - wanted.omega) <= 1e-14 * (1 + std::abs(wanted.omega)),
             reference.name + ": the row differs from the track");
     const DriverState driver{{step * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
-    const std::vector<Cell>& cells = table->cells(run, moved.row, driver, 0);
+    const std::vector<Cell>& cells = table->cells(run.row, {driver}, 0);
     std::string text;
     append_csv_row(cells, text);
     // The first number of the line is the driver's position.

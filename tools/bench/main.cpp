@@ -89,7 +89,7 @@ void register_tracking(const Case& reference, double floor) {
   add("step/" + reference.name, [=](benchmark::State& state) {
     ContactTrack track;
     const auto step = [&](int k) { benchmark::DoNotOptimize(follow_to(track, driver_position(k))); };
-    run_turns(state, floor, step, [&] { track = *reference.run.track; });
+    run_turns(state, floor, step, [&] { track = track_of(reference.run); });
   });
   add("step_and_details/" + reference.name, [=](benchmark::State& state) {
     ContactTrack track;
@@ -97,24 +97,27 @@ void register_tracking(const Case& reference, double floor) {
       benchmark::DoNotOptimize(follow_to(track, driver_position(k)));
       benchmark::DoNotOptimize(details_of(track.pair, track.at, track.phi));
     };
-    run_turns(state, floor, step, [&] { track = *reference.run.track; });
+    run_turns(state, floor, step, [&] { track = track_of(reference.run); });
   });
 }
 
 // Rows as the program makes them: `level` 0 the motion, 1 also the cells of the table, 2 also the text.
 void run_rows(benchmark::State& state, const Case& reference, double floor, int level) {
   Run run = reference.run;
-  MotionTable table = MotionTable::make(reference.profile, run.plan, false).value();
+  MotionTable table = MotionTable::make(reference.profile, false).value();
   std::string text;
+  std::vector<DriverMotion> motions(1);
+  std::vector<DriverState> drivers(1);
   const auto step = [&](int k) {
     const double u = driver_position(k);
-    const RunStep moved = move_to(run, u, 1, 0);
-    benchmark::DoNotOptimize(moved.row.joint_position);
+    motions[0] = {u, 1, 0};
+    move_to(run, motions);
+    benchmark::DoNotOptimize(run.row.bodies.data());
     if (level == 0) {
       return;
     }
-    const DriverState driver{{k * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
-    const std::vector<Cell>& cells = table.cells(run, moved.row, driver, 0);
+    drivers[0] = {{k * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
+    const std::vector<Cell>& cells = table.cells(run.row, drivers, 0);
     benchmark::DoNotOptimize(cells.data());
     if (level == 2) {
       if (text.size() > 1 << 16) {
@@ -124,7 +127,7 @@ void run_rows(benchmark::State& state, const Case& reference, double floor, int 
       benchmark::DoNotOptimize(text.data());
     }
   };
-  run_turns(state, floor, step, [&] { run.track = reference.run.track; });
+  run_turns(state, floor, step, [&] { run = reference.run; });
   if (level > 0) {
     state.counters["columns"] = static_cast<double>(table.columns().size());
   }

@@ -119,12 +119,26 @@ private:
   std::clock_t start_;
 };
 
-Event limit_event(const LimitEvent& limit, const Profile& profile, const Plan& plan) {
-  const Dimension dimension = plan.driver.freedom.turns ? dimension::kAngle : dimension::kLength;
-  const std::size_t contact = static_cast<std::size_t>(plan.group->contact);
-  return {"limit_position", from_si(dimension, profile.units).apply(limit.driver), std::nullopt,
-          profile.mechanism.contacts[contact].name,
-          "the two bodies cannot be kept in contact on this branch beyond this position of the driver"};
+const Joint& driven_joint(const Profile& profile) {
+  const Mechanism& mechanism = profile.mechanism;
+  return mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
+}
+
+Dimension driver_dimension(const Profile& profile) {
+  return driven_joint(profile).type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
+}
+
+Event printed(const RunEvent& event, const Profile& profile) {
+  const Mechanism& mechanism = profile.mechanism;
+  std::string item;
+  if (event.contact) {
+    item = mechanism.contacts[static_cast<std::size_t>(*event.contact)].name;
+  } else if (event.joint) {
+    item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
+  }
+  return {std::string(name_of(event.type)),
+          from_si(driver_dimension(profile), profile.units).apply(event.driver), std::nullopt, item,
+          event.cause};
 }
 
 // Driver positions over the whole run, at most a thousand, in SI units.
@@ -137,17 +151,37 @@ std::vector<double> some_positions(const DriverSchedule& schedule) {
   return positions;
 }
 
-int report_slip(const Slip& slip, const RunOptions& options, const Profile& profile, const Run& run) {
-  const Dimension dimension = run.plan.driver.freedom.turns ? dimension::kAngle : dimension::kLength;
+int report_slip(const Slip& slip, const RunOptions& options, const Profile& profile) {
+  const Dimension dimension = driver_dimension(profile);
+  const Dimension per_unit = dimension::kLength / dimension;
   fmt::print(
       stderr,
-      "{}: contacts.{}: this pair cannot roll through the whole run: at driver = {} {} it slips by {} {} a "
-      "unit of the driver; set rolling = false\n",
-      options.profile, profile.mechanism.contacts[static_cast<std::size_t>(run.plan.group->contact)].name,
+      "{}: contacts.{}: this pair cannot roll: at driver = {} {} it would have to slip by {} {} of the "
+      "driver; "
+      "set rolling = false, or choose curves and joints whose contact point stays at the instant centre\n",
+      options.profile, profile.mechanism.contacts[static_cast<std::size_t>(slip.contact)].name,
       from_si(dimension, profile.units).apply(slip.driver), unit_text(dimension, profile.units),
-      from_si(dimension::kLength / dimension, profile.units).apply(slip.velocity),
-      unit_text(dimension::kLength / dimension, profile.units));
+      from_si(per_unit, profile.units).apply(std::abs(slip.velocity)), unit_text(per_unit, profile.units));
   return kExitMechanism;
+}
+
+// The drivers in a row, in the profile's units and in SI.
+void read_row(const DriverSchedule& schedule, std::int64_t k, std::vector<DriverState>& states,
+              std::vector<DriverMotion>& motions) {
+  states.resize(schedule.driver_count());
+  motions.resize(schedule.driver_count());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    states[i] = schedule.state(k, i);
+    motions[i] = {states[i].si.position, states[i].si.velocity, states[i].si.acceleration};
+  }
+}
+
+std::vector<double> first_positions(const DriverSchedule& schedule) {
+  std::vector<double> positions;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    positions.push_back(schedule.state(0, i).si.position);
+  }
+  return positions;
 }
 
 }  // namespace
@@ -162,15 +196,18 @@ int run_command(const RunOptions& options) {
   if (!schedule) {
     return report(schedule.error());
   }
-  auto run = start_run(profile->mechanism, schedule->state(0).si.position, options.tolerance);
+  auto run = start_run(profile->mechanism, first_positions(*schedule), options.tolerance);
+  if (!run && run.error().slip) {
+    return report_slip(*run.error().slip, options, *profile);
+  }
   if (!run) {
-    fmt::print(stderr, "{}: {}\n", options.profile, run.error());
+    fmt::print(stderr, "{}: {}\n", options.profile, run.error().reason);
     return kExitMechanism;
   }
   if (const auto slip = find_slip(*run, some_positions(*schedule))) {
-    return report_slip(*slip, options, *profile, *run);
+    return report_slip(*slip, options, *profile);
   }
-  auto table = MotionTable::make(*profile, run->plan, options.timed);
+  auto table = MotionTable::make(*profile, options.timed);
   if (!table) {
     return report({about(options.profile, table.error())});
   }
@@ -185,24 +222,26 @@ int run_command(const RunOptions& options) {
   }
   Summary summary;
   std::vector<Event> events;
+  std::vector<DriverState> states;
+  std::vector<DriverMotion> motions;
   bool all_ok = true;
   Progress progress(!options.quiet);
   for (std::int64_t k = 0; k < schedule->size(); ++k) {
     if (interrupted != 0) {
       return kExitInterrupted;
     }
-    const DriverState driver = schedule->state(k);
-    const RunStep step = move_to(*run, driver.si.position, driver.si.velocity, driver.si.acceleration);
-    if (step.limit) {
-      events.push_back(limit_event(*step.limit, *profile, run->plan));
+    read_row(*schedule, k, states, motions);
+    move_to(*run, motions);
+    for (const RunEvent& event : run->events) {
+      events.push_back(printed(event, *profile));
     }
-    all_ok = all_ok && step.row.status == RowStatus::kOk;
-    const auto& cells = table->cells(*run, step.row, driver, options.timed ? schedule->time(k) : 0);
+    all_ok = all_ok && run->row.status == RowStatus::kOk;
+    const auto& cells = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
     for (RowWriter& writer : writers) {
       writer.row(cells);
     }
     if (options.summary) {
-      summary.add(cells, step.row.status);
+      summary.add(cells, run->row.status);
     }
     if (k % 4096 == 0 && failed(writers)) {
       return kExitMachine;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "higherpair/contact/rolling.hpp"
-#include "higherpair/contact/tracker.hpp"
-#include "higherpair/mechanism/plan.hpp"
+#include "higherpair/analysis/state.hpp"
 
 #include <optional>
 #include <string>
@@ -14,61 +12,92 @@ namespace higherpair {
 
 enum class RowStatus {
   kOk,
-  kNotAssemblable,  ///< the bodies cannot touch at this driver position
-  kSingular,        ///< ∂gap/∂q is 0 to rounding: positions hold, rates are not defined
+  kNotAssemblable,  ///< the mechanism cannot be put together at this driver position on its branch
+  kSingular,        ///< the closure has lost rank to rounding: positions hold, some rates are not defined
   kNotConverged,    ///< the closure residual exceeds the tolerance
 };
 
 /// Everything that one row of a motion table shows; SI units, ground frame.
 struct MotionRow {
   RowStatus status = RowStatus::kNotConverged;
-  double residual = 0;  ///< largest closure error of the row [m]
-  std::vector<BodyMotion>
-      bodies;                 ///< of Mechanism::bodies; ground at rest. Meaningless where not assemblable
-  double joint_position = 0;  ///< of the follower's joint [rad or m], and its rates
-  double joint_velocity = 0;
-  double joint_acceleration = 0;
-  ContactPosition contact;  ///< for a unit driver velocity, body 1 the driver
-  double normal_angle = 0;  ///< of contact.n_W, continuous [rad]
-  double sliding = 0;       ///< sliding velocity [m/s]
+  double residual = 0;  ///< largest closure error, and disagreement of velocities times size/speed [m]
+  std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies; meaningless where not assemblable
+  std::vector<bool> has_rates;          ///< whether the body's rates are defined
+  std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
 };
 
-/// A limit position that the run has met.
-struct LimitEvent {
-  double driver = 0;  ///< coordinate of the driven joint [rad or m]
+enum class EventType {
+  kLimitPosition,  ///< the drivers cannot go further on this branch
+  kDeadPoint,      ///< passed through: branches cross, or the output loses the input
 };
 
-/// A running analysis: a plan and where the mechanism stands.
-struct Run {
-  Mechanism mechanism;
-  Plan plan;
-  std::optional<ContactTrack> track;    ///< of a slipping contact
-  std::optional<RollingTrack> rolling;  ///< of a rolling one
-  double tolerance = 1e-9;              ///< of plan.size: larger residuals are not `ok`
+struct RunEvent {
+  EventType type = EventType::kLimitPosition;
+  double driver = 0;         ///< coordinate of the first driven joint [rad or m]
+  std::optional<int> joint;  ///< what it happens at, if one can be named
+  std::optional<int> contact;
+  std::string cause;  ///< a sentence
 };
-
-/// Starts a run at a driver position: the contact that the profile's `approach` picks is found.
-/// The error says why there is none.
-[[nodiscard]] tl::expected<Run, std::string> start_run(const Mechanism& mechanism, double driver,
-                                                       double tolerance = 1e-9);
 
 /// Where and how fast a pair that ought to roll would have to slip.
 struct Slip {
   double driver = 0;    ///< coordinate of the driven joint [rad or m]
   double velocity = 0;  ///< sliding velocity for a unit velocity of the driven joint [m/rad or 1]
+  int contact = 0;
 };
 
-/// Rolls through the driver positions and returns the first at which the contact would have to slip, if any:
-/// rolling removes two freedoms, and between two grounded joints only special pairs move all the same.
+/// Why a mechanism cannot be started.
+struct StartFailure {
+  std::string reason;
+  std::optional<Slip> slip;  ///< set where a rolling contact would have to slip
+};
+
+/// The straight way of the drivers from one row to the next. Its coordinate s runs from 0 to `length`: with
+/// one driver the change of that driver's coordinate, with several the share of the way.
+struct Path {
+  std::vector<double> from;
+  std::vector<double> to;
+  double length = 0;
+
+  [[nodiscard]] bool is_single() const { return from.size() == 1; }
+  /// Positions at s into `out`.
+  void positions(double s, std::vector<double>& out) const;
+  /// The drivers at s and their rates per unit of s into `out`.
+  void motions(double s, std::vector<DriverMotion>& out) const;
+};
+
+/// A running analysis: a mechanism, its plan and where it stands.
+struct Run {
+  Mechanism mechanism;
+  Plan plan;
+  double tolerance = 1e-9;       ///< of plan.size: larger residuals are not `ok`
+  State state;                   ///< where it stood last; rates per unit of the path
+  std::vector<double> drivers;   ///< the drivers' coordinates there
+  bool held = true;              ///< false: lost at a limit; `state` is the last position before it
+  MotionRow row;                 ///< of the last move_to
+  std::vector<RunEvent> events;  ///< of the last move_to
+  State trial;                   ///< where steps are tried, and the drivers there
+  std::vector<double> trial_drivers;
+  std::vector<DriverMotion> trial_motions;
+  std::vector<double> targets;  ///< of the last move_to
+  Path path;                    ///< to them
+};
+
+/// Assembles a mechanism at the first positions of its drivers: of all assemblies the one whose joint points
+/// are nearest to their places in the poses (least sum of squares), contacts as their `approach` says.
+[[nodiscard]] tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism,
+                                                        const std::vector<double>& drivers,
+                                                        double tolerance = 1e-9);
+
+/// Moves along the straight path of the drivers to their given positions, in as many inner steps as it takes
+/// to stay on the branch, and fills run.row and run.events. A step is accepted only where the solution agrees
+/// with the prediction from the rates before. Does not allocate unless an event happens or bodies are
+/// coupled. \param drivers  of Mechanism::drivers; velocity and acceleration are those of the row
+void move_to(Run& run, const std::vector<DriverMotion>& drivers);
+
+/// Rolls through driver positions and returns the first at which a rolling contact of driver and follower
+/// would have to slip, if any: rolling removes two freedoms, and between two grounded joints only special
+/// pairs move all the same.
 [[nodiscard]] std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions);
-
-struct RunStep {
-  MotionRow row;
-  std::optional<LimitEvent> limit;
-};
-
-/// Moves the mechanism to a position of the driven joint with the given velocity and acceleration of the
-/// joint.
-[[nodiscard]] RunStep move_to(Run& run, double position, double velocity, double acceleration);
 
 }  // namespace higherpair

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/contact_pair.hpp"
 
 #include <array>
@@ -19,19 +20,35 @@ struct ContactSide {
 struct ContactDetails {
   ContactSide side1;
   ContactSide side2;
-  std::string_view linkage;                      ///< four-bar, slider-crank, …
+  std::string_view linkage;  ///< four-bar, slider-crank, …; link where a body is not on ground
   std::array<std::optional<double>, 4> lengths;  ///< r1 … r4 [m]; none where a link has an infinite end
-  double pressure1 = 0;  ///< angle between n and the direction body 1's joint lets p move in [rad], 0 … π/2
-  double pressure2 = 0;  ///< the same for body 2
-  std::optional<double>
-      transmission1;  ///< angle between n and O1C1 [rad], 0 … π/2; none where body 1 slides or is flat
-  std::optional<double> transmission2;  ///< the same for body 2
+  std::optional<double> pressure;  ///< angle between n and the direction in which body 2's joint lets p move
+                                   ///< [rad], 0 … π/2; none for a body without such a joint that stands still
+  std::optional<double> transmission;  ///< angle between n and O2C2 [rad], 0 … π/2; none where body 2 is flat
+                                       ///< or has no pivot on ground
+};
+
+/// One body of a contact, where it stands.
+struct ContactBody {
+  const Curve& curve;
+  const BodyMotion& motion;
+  const OneFreedom* grounded = nullptr;  ///< its joint to ground, if it has one
 };
 
 /// \param phi  angle of at.n_W, continuous over the run [rad]: the arc coordinates follow it over whole turns
 /// Lengths: r1 = O1O2, or the offset of the pivot from the path of the sliding body's centre (positive on the
 /// side of the slide's direction turned +90°); r2, r4 the arms O1C1, O2C2 (of a slider-crank r2 is the
 /// crank); r3 = |ρ1 + ρ2|.
+[[nodiscard]] ContactDetails details_of(const ContactBody& body1, const ContactBody& body2,
+                                        const CommonNormal& at, double phi);
+
+/// The same for a driver and a follower on ground.
 [[nodiscard]] ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi);
+
+/// Arc coordinate of a boundary point of a body, growing along its outward normal turned +90° [m]; on a line
+/// the distance from its given point, else from the vertex. \param normal_angle  angle of n_W, continuous
+/// over turns [rad]
+[[nodiscard]] double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W,
+                                 const Vector2d& n_W, double normal_angle);
 
 }  // namespace higherpair

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/contact/details.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -24,37 +26,49 @@ using Cell = std::variant<std::monostate, double, std::string_view>;
 /// The motion table of a profile: what its columns are, and the cells of each row in the profile's units.
 class MotionTable {
 public:
-  /// Fails where two columns would have the same name; the message names both.
-  [[nodiscard]] static tl::expected<MotionTable, std::string> make(const Profile& profile, const Plan& plan,
-                                                                   bool timed);
+  /// Fails where two columns would have the same name; the message names it. The profile must outlive the
+  /// table.
+  [[nodiscard]] static tl::expected<MotionTable, std::string> make(const Profile& profile, bool timed);
 
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 
-  /// The cells of a row, one for each column; valid until the next call.
-  [[nodiscard]] const std::vector<Cell>& cells(const Run& run, const MotionRow& row,
-                                               const DriverState& driver, double time);
+  /// The cells of a row, one for each column; valid until the next call. Rows come in the order of the run:
+  /// arcs count from the first one, and are undefined on and after one that could not be assembled. \param
+  /// drivers  of Mechanism::drivers
+  [[nodiscard]] const std::vector<Cell>& cells(const MotionRow& row, const std::vector<DriverState>& drivers,
+                                               double time);
 
 private:
   struct Scale {
     Scaling length, angle, velocity, angular_velocity, acceleration, angular_acceleration;
   };
 
-  void add_names(const Profile& profile, const Plan& plan);
-  void add_bodies(const Run& run, const MotionRow& row);
-  void add_joints(const Run& run, const MotionRow& row);
-  void add_contact(const Run& run, const MotionRow& row);
+  void add_names(const Profile& profile);
+  void add_body_names(const Body& body, const Units& units);
+  void add_contact_names(const Contact& contact, const Units& units);
+  [[nodiscard]] bool is_driven(const Joint& joint) const;
+  void add_body(const MotionRow& row, std::size_t index);
+  void add_joint(const MotionRow& row, const Joint& joint);
+  void add_contact(const MotionRow& row, std::size_t index);
+  void add_arcs(const ContactDetails& details, std::size_t index);
   void number(double value);
   void length(std::optional<double> value);
+  void optional_angle(std::optional<double> value);
+  void vector(const Scaling& scale, const Vector2d& v, bool defined);
 
+  const Mechanism* mechanism_ = nullptr;
+  std::vector<std::optional<OneFreedom>> grounded_;  ///< how each body moves on its joint to ground
   bool timed_ = false;
   Scale scale_;
   std::vector<Column> columns_;
   std::vector<Cell> cells_;
-  std::optional<std::array<double, 2>> arc_start_;  ///< of the first row
+  std::vector<std::optional<std::array<double, 2>>> arc_starts_;  ///< of the first row, for each contact
+  bool broken_ = false;                                           ///< a row could not be assembled
 };
 
-/// The name of a status as results print it.
+/// The name of a status or of an event as results print it.
 [[nodiscard]] std::string_view name_of(RowStatus status);
+[[nodiscard]] std::string_view name_of(EventType type);
 
 /// One line of CSV (with its line end) appended to `out`: the header, or a row of cells.
 void append_csv_header(const std::vector<Column>& columns, std::string& out);

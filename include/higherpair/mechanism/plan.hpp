@@ -1,42 +1,158 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
+#include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/mechanism/description.hpp"
 
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <tl/expected.hpp>
 
 namespace higherpair {
 
-/// A body on a grounded joint: its motion by one coordinate, and how the joint's coordinate relates to it.
-struct GroundedBody {
+/// A point fixed in a body.
+struct BodyPoint {
   int body = 0;
-  int joint = 0;
-  OneFreedom freedom;
-  double sign = 1;  ///< freedom coordinate = sign · joint coordinate; -1 where ground is the joint's second
-                    ///< body and it turns
+  Vector2d p_B = Vector2d::Zero();  ///< in the body's frame [m]
 };
 
-/// A follower that one slipping contact with the driver closes.
-struct ContactGroup {
+/// A straight line fixed in a body, with a direction.
+struct BodyLine {
+  int body = 0;
+  Vector2d p_B = Vector2d::Zero();  ///< a point of it, in the body's frame [m]
+  Rotation<double> u_B;             ///< its direction in that frame
+};
+
+/// A body that does not turn against another one, one of whose points is known.
+struct Rider {
+  int body = 0;
+  int carrier = 0;
+  Vector2d p_B = Vector2d::Zero();  ///< the known point, in the frame of `body` [m]
+  double relative_angle = 0;        ///< of the body against the carrier [rad]
+  Rotation<double> relative;        ///< the same
+};
+
+/// A body that a revolute or prismatic joint leaves one freedom against a known carrier.
+struct CarriedBody {
+  int body = 0;
+  int carrier = 0;
+  OneFreedom freedom;  ///< in the carrier's frame
+  double sign = 1;  ///< freedom coordinate = sign · joint coordinate; -1 where the joint names the carrier
+                    ///< second and it turns
+};
+
+/// A body that a driven joint places against a known one.
+struct DrivenBody {
+  int driver = 0;  ///< index of Mechanism::drivers
+  CarriedBody carried;
+};
+
+/// Two links between known pins A and B that meet at C.
+struct RrrDyad {
+  BodyPoint A, B;
+  int link_a = 0, link_b = 0;
+  Vector2d a_pA = Vector2d::Zero(), a_pC = Vector2d::Zero();  ///< pins of link a, in its frame [m]
+  Vector2d b_pB = Vector2d::Zero(), b_pC = Vector2d::Zero();  ///< pins of link b
+  double length_a = 0, length_b = 0;                          ///< [m], > 0
+  Rotation<double> along_a, along_b;  ///< direction from A (B) to C in the link's frame
+  /// Where |AB| is set by one angle (A on an arm that turns about a pin on the body of B): the loop whose
+  /// reach stays sharp at change points, and where to read that angle.
+  std::optional<FourBarLoop<double>> loop;
+  BodyLine arm;     ///< from that pin to A, on the body of A
+  BodyLine ground;  ///< from that pin to B, on the body of B
+};
+
+/// A link from a known pin A to a pin C that runs along a line of a known body; maybe a slider at C.
+struct RrpDyad {
+  BodyPoint A;
+  int link = 0;
+  Vector2d pA = Vector2d::Zero(), pC = Vector2d::Zero();  ///< in the link's frame [m]
+  double length = 0;                                      ///< [m], > 0
+  Rotation<double> along;                                 ///< direction from A to C in the link's frame
+  BodyLine line;
+  std::optional<Rider> slider;
+};
+
+/// A link at a known pin A that carries a line on which a known point B stays; maybe a slider at B.
+struct RprDyad {
+  BodyPoint A, B;
+  int link = 0;
+  Vector2d pA = Vector2d::Zero();  ///< in the link's frame [m]
+  BodyLine line;                   ///< on the link
+  std::optional<Rider> slider;
+};
+
+/// Two slides that place a point C. On its first line C runs; the second line either lies on another known
+/// body (two sliders that meet in a pin C), or goes through a known pin A in a direction that turns with the
+/// body of the first (a body pinned at A slides on a body that slides on a known one).
+struct SlideDyad {
+  BodyLine first;
+  BodyLine second;               ///< with `pin` set only its direction counts, in the frame of first.body
+  std::optional<BodyPoint> pin;  ///< A
+  std::optional<Rider> pinned;   ///< the body pinned at A
+  std::vector<Rider> riders;     ///< bodies whose point is C
+};
+
+/// A follower on ground that touches a driver on ground: followed by the contact's own track.
+struct TrackedPair {
   int contact = 0;
-  GroundedBody follower;
-  ContactPair pair;  ///< body 1: the driver, body 2: the follower
-  bool driver_is_first =
-      true;  ///< whether the contact names the driver first; else its columns are exchanged
+  int driver = 0;          ///< index of Mechanism::drivers
+  double driver_sign = 1;  ///< u = sign · coordinate of the driven joint
+  CarriedBody follower;
+  ContactPair pair;             ///< body 1: the driver, body 2: the follower
+  bool driver_is_first = true;  ///< whether the contact names the driver first
 };
 
-/// The order of solution: the driver, then the follower.
+/// A body on a revolute or prismatic joint to a known body that touches a known one without rolling.
+struct TouchingBody {
+  int contact = 0;
+  CarriedBody follower;
+  bool follower_is_second = true;  ///< whether the contact names it second
+};
+
+/// A body that hangs on one pin and whose turning nothing sets: it keeps the angle of its pose.
+struct IdleBody {
+  BodyPoint pin;  ///< on the known body
+  int body = 0;
+  Vector2d p_B = Vector2d::Zero();
+};
+
+/// Bodies whose conditions must be solved together.
+struct CoupledBodies {};
+
+using GroupKind = std::variant<DrivenBody, RrrDyad, RrpDyad, RprDyad, SlideDyad, TrackedPair, TouchingBody,
+                               IdleBody, CoupledBodies>;
+
+/// Some bodies, and the conditions that place them once the groups before are known.
+struct Group {
+  std::vector<int> bodies;
+  std::vector<int> joints;
+  std::vector<int> contacts;
+  std::vector<int> drivers;
+  GroupKind kind;
+};
+
+/// A body on a revolute or prismatic joint, seen from the body at the joint's other end.
+[[nodiscard]] CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int body);
+
+/// How a body moves on its revolute or prismatic joint to ground; none if it has no such joint, or several.
+[[nodiscard]] std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body);
+
+/// The order of solution.
 struct Plan {
-  GroundedBody driver;
-  std::optional<ContactGroup> group;
+  std::vector<Group> groups;
+  std::vector<int> idle_bodies;  ///< whose turning nothing sets (a roller's spin)
+  int surplus = 0;               ///< conditions more than coordinates
   double size = 0;  ///< largest distance between joint points and curve centres or vertices, in the poses [m]
 };
 
-/// The plan of a mechanism of a driver on ground and at most one follower on ground that touch each other.
-/// Anything else is refused with a message that names what is too much or missing.
+/// The plan of a mechanism: its conditions matched with its coordinates, and the smallest sets of bodies that
+/// can be solved one after the other (strongly connected components), each recognised as a closed-form group
+/// where it is one. Independent of the order of the description. Refuses mechanisms whose bodies are not all
+/// placed; the message names these bodies, the count, and what to add.
 [[nodiscard]] tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism);
 
 }  // namespace higherpair

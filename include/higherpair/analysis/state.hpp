@@ -1,0 +1,38 @@
+#pragma once
+
+#include "higherpair/contact/rolling.hpp"
+#include "higherpair/contact/tracker.hpp"
+#include "higherpair/mechanism/constraint_rows.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <variant>
+#include <vector>
+
+namespace higherpair {
+
+/// What a group remembers between positions.
+struct GroupState {
+  int mode = 1;          ///< assembly mode σ, or the sign of ∂gap/∂q of a contact: the branch
+  double sine = 1;       ///< goes through 0, with its sign, where branches cross; 0 to rounding: singular
+  double sine_rate = 0;  ///< per unit of the path
+  double noise = 0;      ///< |sine| up to which it says nothing but 0
+};
+
+using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack>;
+
+/// A position of a whole mechanism and its rates.
+struct State {
+  std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies
+  std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
+  std::vector<GroupState> groups;       ///< of Plan::groups
+  std::vector<PairTrack> tracks;        ///< of Plan::groups; none where the group is no tracked pair
+};
+
+/// A driver's coordinate and its rates.
+struct DriverMotion {
+  double position = 0;  ///< [rad or m]
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+}  // namespace higherpair

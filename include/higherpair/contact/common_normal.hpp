@@ -1,0 +1,56 @@
+#pragma once
+
+#include "higherpair/geometry/curve.hpp"
+#include "higherpair/geometry/motion.hpp"
+
+#include <optional>
+
+namespace higherpair {
+
+/// Where two curves face each other: their points with a common normal, in ground W. They touch where p2 =
+/// p1.
+struct CommonNormal {
+  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of curve 1 at p1; curve 2 has -n at p2
+  Vector2d p1_W = Vector2d::Zero();
+  Vector2d p2_W = Vector2d::Zero();
+  double rho1 = 0;  ///< signed radii of curvature [m]; meaningless for a line
+  double rho2 = 0;
+
+  /// (p2 - p1)·n [m]: > 0 apart, 0 touching, < 0 overlapping
+  [[nodiscard]] double gap() const { return (p2_W - p1_W).dot(n_W); }
+};
+
+/// The common normal near a guess: the root of (p2 - p1)·t = 0, t = n turned +90°, by Newton's method with
+/// d/dφ [(p2 - p1)·t] = -(ρ1 + ρ2) - gap. A line prescribes n. None where the iteration finds no such normal
+/// or leaves the normals that a curve has. \param n_W guess of the outward normal of curve 1
+[[nodiscard]] std::optional<CommonNormal> find_common_normal(const Curve& curve1, const Pose<double>& X_W1,
+                                                             const Curve& curve2, const Pose<double>& X_W2,
+                                                             const Vector2d& n_W);
+
+/// The equivalent link between the centres of curvature, written without radii so that it stays finite for
+/// lines and points: with κ = 1/ρ and K = κ1 + κ2
+///     w1 = κ1/K,   w2 = κ2/K,   w = κ1 κ2/K,   z = 1/K.
+struct EquivalentLink {
+  double w1 = 0, w2 = 0;  ///< [1]
+  double w = 0;           ///< [1/m]
+  double z = 0;           ///< [m]
+};
+
+[[nodiscard]] EquivalentLink equivalent_link(const Curve& curve1, double rho1, const Curve& curve2,
+                                             double rho2);
+
+/// How a contact of two moving bodies moves.
+struct ContactRates {
+  double sliding = 0;              ///< v_s = t·(v2 - v1) of the material points at the contact [m/s]
+  double phi_dot = 0;              ///< rate of the normal's angle [rad/s]
+  double along1 = 0, along2 = 0;   ///< speed of the contact point along each curve, u1 and u2, along t [m/s]
+  double normal_acceleration = 0;  ///< n·(a2 - a1) of the material points that keeps the contact [m/s²]
+};
+
+/// With ω_r = ω2 - ω1:  u1 = z ω_r + w2 v_s,  u2 = z ω_r - w1 v_s,  φ̇ = ω1 + w1 ω_r + w v_s,
+///     n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇.
+/// Uses the velocities of the bodies only. \pre n·(v2 - v1) = 0
+[[nodiscard]] ContactRates contact_rates(const EquivalentLink& link, const CommonNormal& at,
+                                         const BodyMotion& body1, const BodyMotion& body2);
+
+}  // namespace higherpair

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "higherpair/geometry/motion.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <vector>
+
+namespace higherpair {
+
+/// The coordinate of a joint and its rates: the angle of the second body relative to the first [rad], or the
+/// displacement of the second point along the line of the first body [m].
+struct JointMotion {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+/// \param bodies  motions of Mechanism::bodies, in that order.
+/// Slides by differentiating s = (p_B - p_A)·d with the line's direction d turning with its body:
+///     ṡ = (v_B - v_A)·d + ω_A (p_B - p_A)·d⊥,
+///     s̈ = (a_B - a_A)·d + 2 ω_A (v_B - v_A)·d⊥ + (p_B - p_A)·(α_A d⊥ - ω_A² d).
+[[nodiscard]] JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
+                                       const std::vector<BodyMotion>& bodies);
+
+/// The poses of the description as motions at rest.
+[[nodiscard]] std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism);
+
+/// The point that a reference names, in its body's frame [m].
+[[nodiscard]] Vector2d point_of(const Mechanism& mechanism, const PointRef& ref);
+
+/// The curve that a reference names, in its body's frame.
+[[nodiscard]] const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref);
+
+}  // namespace higherpair

@@ -1,0 +1,156 @@
+#include "group_kinds.hpp"
+#include "higherpair/contact/extreme_gap.hpp"
+
+#include <algorithm>
+
+namespace higherpair {
+namespace {
+
+// Seen from the first body of the file.
+ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_is_first) {
+  ContactMotion motion;
+  if (first_is_first) {
+    motion.at = {at.n_W, at.p1_W, at.p2_W, at.rho1, at.rho2};
+    motion.phi = phi;
+  } else {
+    motion.at = {-at.n_W, at.p2_W, at.p1_W, at.rho2, at.rho1};
+    motion.phi = phi + kPi;
+  }
+  return motion;
+}
+
+}  // namespace
+
+GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
+                          const std::vector<double>& drivers, State& to,
+                          std::optional<LimitPosition>& limit) {
+  const double u = tracked.driver_sign * drivers[static_cast<std::size_t>(tracked.driver)];
+  to.tracks[g] = from.tracks[g];
+  GroupState& group = to.groups[g];
+  const ContactPosition* at = nullptr;
+  double phi = 0;
+  if (auto* rolling = std::get_if<RollingTrack>(&to.tracks[g])) {
+    if (!roll_to(*rolling, u).converged) {
+      return GroupStatus::kNotConverged;
+    }
+    at = &rolling->at;
+    phi = rolling->phi;
+    group.sine = 1;
+  } else {
+    auto& track = std::get<ContactTrack>(to.tracks[g]);
+    const TrackResult result = follow_to(track, u);
+    if (result.limit) {
+      limit = result.limit;
+      limit->u *= tracked.driver_sign;
+    }
+    if (result.status != TrackStatus::kOk) {
+      return GroupStatus::kOutOfReach;
+    }
+    at = &track.at;
+    phi = track.phi;
+    const double lever = velocity_per_q(tracked.pair.motion2, at->p2_W).norm();
+    group.mode = track.branch;
+    group.sine = at->gap_q;
+    group.noise = 4e-15 * std::max(lever, 1e-300);
+  }
+  body_in(to, tracked.follower.body) = motion_at(tracked.follower.freedom, at->q, 0, 0);
+  to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
+  return GroupStatus::kOk;
+}
+
+void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
+                  const std::vector<DriverMotion>& drivers, State& state) {
+  const auto* rolling = std::get_if<RollingTrack>(&state.tracks[g]);
+  const ContactPosition& at = rolling != nullptr ? rolling->at : std::get<ContactTrack>(state.tracks[g]).at;
+  const DriverMotion& driver = drivers[static_cast<std::size_t>(tracked.driver)];
+  const double u_dot = tracked.driver_sign * driver.velocity;
+  const double u_ddot = tracked.driver_sign * driver.acceleration;
+  const double q_ddot = at.d2q * u_dot * u_dot + at.dq * u_ddot;
+  body_in(state, tracked.follower.body) = motion_at(tracked.follower.freedom, at.q, at.dq * u_dot, q_ddot);
+  set_contact_rates(model, tracked.contact, state);
+}
+
+GroupStatus place_touching(const Model& model, const TouchingBody& touching, std::size_t g, const State& from,
+                           double h, State& to) {
+  const PlacedPair placed = placed_pair(model, touching, to);
+  const CarriedBody& follower = touching.follower;
+  const ContactMotion& before = from.contacts[static_cast<std::size_t>(touching.contact)];
+  // Prediction of the follower's coordinate in ground, and of the normal.
+  const BodyMotion& body = body_in(from, follower.body);
+  double q = predicted_angle(from, follower.body, h);
+  if (!follower.freedom.turns) {
+    const Vector2d p_W = body.X_WB * follower.freedom.p_BO + h * (body.v_WB + h / 2 * body.a_WB);
+    q = (p_W - placed.pair.motion2.p_WO).dot(placed.pair.motion2.direction_W);
+  }
+  const Vector2d n = (touching.follower_is_second ? 1 : -1) *
+                     (Rotation<double>::from_angle(h * before.rates.phi_dot) * before.at.n_W);
+  const ContactResult result = solve_contact(placed.pair, placed.u, q, n, to.groups[g].mode);
+  if (result.status != ContactStatus::kOk) {
+    return result.status == ContactStatus::kNoContact ? GroupStatus::kOutOfReach : GroupStatus::kNotConverged;
+  }
+  const ContactPosition& at = result.at;
+  const double phi_before = before.phi + (touching.follower_is_second ? 0 : -kPi);
+  const double phi = nearest_turn(angle_of(at.n_W), phi_before + h * before.rates.phi_dot);
+  to.contacts[static_cast<std::size_t>(touching.contact)] =
+      contact_motion(at, phi, touching.follower_is_second);
+  body_in(to, follower.body) = motion_at(placed.pair.motion2, at.q, 0, 0);
+  GroupState& group = to.groups[g];
+  group.sine = at.gap_q;
+  group.noise = 4e-15 * std::max(velocity_per_q(placed.pair.motion2, at.p2_W).norm(), 1e-300);
+  return GroupStatus::kOk;
+}
+
+// The follower's coordinate rates from n·(v2 - v1) = 0 and the same for accelerations, its carrier moving.
+void move_touching(const Model& model, const TouchingBody& touching, std::size_t g, State& state) {
+  const CarriedBody& follower = touching.follower;
+  const BodyMotion& carrier = body_in(state, follower.carrier);
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
+  const double sense = touching.follower_is_second ? 1 : -1;
+  const Vector2d n = sense * motion.at.n_W;
+  const int other = touching.follower_is_second ? contact.first.body : contact.second.body;
+  const Vector2d p = (motion.at.p1_W + motion.at.p2_W) / 2;
+  const auto material = [&](const BodyMotion& body) {
+    return point_motion(body, body.X_WB.inverse_times(p));
+  };
+  const PointMotion known = material(body_in(state, other));
+  BodyMotion& body = body_in(state, follower.body);
+  const double q = carried_coordinate(follower, carrier, body);
+  const PlacedPair placed = placed_pair(model, touching, state);
+  const double per_q = velocity_per_q(placed.pair.motion2, p).dot(n);
+  const double inverse = per_q == 0 ? 0 : 1 / per_q;
+
+  body = carried_motion(follower, carrier, q, 0, 0);
+  const double q_dot = (known.v_W - material(body).v_W).dot(n) * inverse;
+  body = carried_motion(follower, carrier, q, q_dot, 0);
+  set_contact_rates(model, touching.contact, state);
+  const double wanted = motion.rates.normal_acceleration + (known.a_W - material(body).a_W).dot(n);
+  body = carried_motion(follower, carrier, q, q_dot, wanted * inverse);
+  // ∂gap/∂q = n·(velocity per q of the contact point), which moves on along the known curve.
+  const double along = touching.follower_is_second ? motion.rates.along1 : -motion.rates.along2;
+  const Vector2d turned = motion.rates.phi_dot * perp(n);
+  if (follower.freedom.turns) {
+    const PointMotion pivot = point_motion(carrier, follower.freedom.p_WO);
+    const Vector2d arm_rate = known.v_W + along * perp(n) - pivot.v_W;
+    state.groups[g].sine_rate = turned.dot(perp(Vector2d(p - pivot.p_W))) + n.dot(perp(arm_rate));
+  } else {
+    const Vector2d direction = placed.pair.motion2.direction_W;
+    state.groups[g].sine_rate = turned.dot(direction) + carrier.omega * n.dot(perp(direction));
+  }
+}
+
+std::optional<double> touching_slack(const Model& model, const TouchingBody& touching, const State& state) {
+  const PlacedPair placed = placed_pair(model, touching, state);
+  const ContactMotion& contact = state.contacts[static_cast<std::size_t>(touching.contact)];
+  const BodyMotion& body = body_in(state, touching.follower.body);
+  ContactPosition near;
+  near.u = placed.u;
+  near.n_W = (touching.follower_is_second ? 1 : -1) * contact.at.n_W;
+  near.q = touching.follower.freedom.turns
+               ? body.theta
+               : (body.X_WB * touching.follower.freedom.p_BO - placed.pair.motion2.p_WO)
+                     .dot(placed.pair.motion2.direction_W);
+  return extreme_gap(placed.pair, near);
+}
+
+}  // namespace higherpair

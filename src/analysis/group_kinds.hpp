@@ -1,0 +1,72 @@
+#pragma once
+
+#include "group_solver.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <cmath>
+
+// What the solvers of the kinds of groups share, and their entry points.
+
+namespace higherpair {
+
+[[nodiscard]] inline BodyMotion& body_in(State& state, int index) {
+  return state.bodies[static_cast<std::size_t>(index)];
+}
+
+[[nodiscard]] inline const BodyMotion& body_in(const State& state, int index) {
+  return state.bodies[static_cast<std::size_t>(index)];
+}
+
+[[nodiscard]] inline Vector2d place_of(const State& state, const BodyPoint& point) {
+  return body_in(state, point.body).X_WB * point.p_B;
+}
+
+[[nodiscard]] inline PointMotion motion_of(const State& state, const BodyPoint& point) {
+  return point_motion(body_in(state, point.body), point.p_B);
+}
+
+/// The angle of a body after `h` of the path, from its rates.
+[[nodiscard]] inline double predicted_angle(const State& from, int body, double h) {
+  const BodyMotion& at = body_in(from, body);
+  return at.theta + h * (at.omega + h / 2 * at.alpha);
+}
+
+/// Sets a body's rates from ω, α and the motion of its point p_B.
+inline void move_link(BodyMotion& body, double omega, double alpha, const PointMotion& point,
+                      const Vector2d& p_B) {
+  const Vector2d r_W = body.X_WB.R_WB * Vector2d(-p_B);
+  body.omega = omega;
+  body.alpha = alpha;
+  body.v_WB = point.v_W + omega * perp(r_W);
+  body.a_WB = point.a_W + alpha * perp(r_W) - omega * omega * r_W;
+}
+
+[[nodiscard]] GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h,
+                                     State& to);
+[[nodiscard]] GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, double h,
+                                     State& to);
+[[nodiscard]] GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, double h,
+                                     State& to);
+[[nodiscard]] GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State& from, double h,
+                                     State& to);
+void move_dyad(const RrrDyad& dyad, std::size_t g, State& state);
+void move_dyad(const RrpDyad& dyad, std::size_t g, State& state);
+void move_dyad(const RprDyad& dyad, std::size_t g, State& state);
+void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
+[[nodiscard]] double dyad_slack(const RrrDyad& dyad, const State& state);
+[[nodiscard]] double dyad_slack(const RrpDyad& dyad, const State& state);
+[[nodiscard]] double dyad_slack(const RprDyad& dyad, const State& state);
+[[nodiscard]] double dyad_slack(const SlideDyad& dyad, const State& state);
+
+[[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
+                                        const std::vector<double>& drivers, State& to,
+                                        std::optional<LimitPosition>& limit);
+void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
+                  const std::vector<DriverMotion>& drivers, State& state);
+[[nodiscard]] GroupStatus place_touching(const Model& model, const TouchingBody& touching, std::size_t g,
+                                         const State& from, double h, State& to);
+void move_touching(const Model& model, const TouchingBody& touching, std::size_t g, State& state);
+[[nodiscard]] std::optional<double> touching_slack(const Model& model, const TouchingBody& touching,
+                                                   const State& state);
+
+}  // namespace higherpair

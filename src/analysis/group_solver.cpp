@@ -1,0 +1,135 @@
+#include "group_solver.hpp"
+
+#include "coupled_bodies.hpp"
+#include "group_kinds.hpp"
+
+namespace higherpair {
+namespace {
+
+template <class... Fs>
+struct Overload : Fs... {
+  using Fs::operator()...;
+};
+template <class... Fs>
+Overload(Fs...) -> Overload<Fs...>;
+
+void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, State& to) {
+  const CarriedBody& carried = driven.carried;
+  const double q = carried.sign * drivers[static_cast<std::size_t>(driven.driver)];
+  body_in(to, carried.body) = carried_motion(carried, body_in(to, carried.carrier), q, 0, 0);
+}
+
+void move_driven(const DrivenBody& driven, const std::vector<DriverMotion>& drivers, State& state) {
+  const CarriedBody& carried = driven.carried;
+  const DriverMotion& driver = drivers[static_cast<std::size_t>(driven.driver)];
+  body_in(state, carried.body) =
+      carried_motion(carried, body_in(state, carried.carrier), carried.sign * driver.position,
+                     carried.sign * driver.velocity, carried.sign * driver.acceleration);
+}
+
+void place_idle(const IdleBody& idle, const State& from, State& to) {
+  BodyMotion& body = body_in(to, idle.body);
+  body = {};
+  body.theta = body_in(from, idle.body).theta;
+  body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
+  body.X_WB.p_WB = place_of(to, idle.pin) - body.X_WB.R_WB * idle.p_B;
+}
+
+}  // namespace
+
+void set_contact_rates(const Model& model, int index, State& state) {
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
+  ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
+  const EquivalentLink link = equivalent_link(curve_of(model.mechanism, contact.first), motion.at.rho1,
+                                              curve_of(model.mechanism, contact.second), motion.at.rho2);
+  motion.rates =
+      contact_rates(link, motion.at, body_in(state, contact.first.body), body_in(state, contact.second.body));
+}
+
+BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier, double q, double q_dot,
+                          double q_ddot) {
+  const BodyMotion relative = motion_at(carried.freedom, q, q_dot, q_ddot);
+  return carried.carrier == 0 ? relative : compose(carrier, relative);
+}
+
+double carried_coordinate(const CarriedBody& carried, const BodyMotion& carrier, const BodyMotion& body) {
+  if (carried.freedom.turns) {
+    return body.theta - carrier.theta;
+  }
+  const Vector2d p_C = carrier.X_WB.inverse_times(body.X_WB * carried.freedom.p_BO);
+  return (p_C - carried.freedom.p_WO).dot(carried.freedom.direction_W);
+}
+
+PlacedPair placed_pair(const Model& model, const TouchingBody& touching, const State& state) {
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
+  const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
+  const BodyMotion& body1 = body_in(state, known.body);
+  const BodyMotion& carrier = body_in(state, touching.follower.carrier);
+  PlacedPair placed;
+  placed.u = body1.theta;
+  placed.pair.curve1 = curve_of(model.mechanism, known);
+  placed.pair.motion1.p_WO = body1.X_WB.p_WB;
+  placed.pair.curve2 = curve_of(model.mechanism, own);
+  OneFreedom& freedom = placed.pair.motion2;
+  freedom = touching.follower.freedom;
+  freedom.p_WO = carrier.X_WB * freedom.p_WO;
+  freedom.direction_W = carrier.X_WB.R_WB * freedom.direction_W;
+  freedom.theta += carrier.theta;
+  freedom.R_WB = carrier.X_WB.R_WB * freedom.R_WB;
+  return placed;
+}
+
+GroupStatus place_group(const Model& model, std::size_t g, const State& from, double h,
+                        const std::vector<double>& drivers, State& to, std::optional<LimitPosition>& limit) {
+  const Group& group = model.plan.groups[g];
+  return std::visit(
+      Overload{
+          [&](const DrivenBody& driven) {
+            place_driven(driven, drivers, to);
+            return GroupStatus::kOk;
+          },
+          [&](const RrrDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+          [&](const RrpDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+          [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+          [&](const SlideDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+          [&](const TrackedPair& tracked) { return place_tracked(tracked, g, from, drivers, to, limit); },
+          [&](const TouchingBody& touching) { return place_touching(model, touching, g, from, h, to); },
+          [&](const IdleBody& idle) {
+            place_idle(idle, from, to);
+            return GroupStatus::kOk;
+          },
+          [&](const CoupledBodies&) { return place_coupled(model, g, from, h, drivers, to); }},
+      group.kind);
+}
+
+void set_group_rates(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers,
+                     State& state) {
+  const Group& group = model.plan.groups[g];
+  std::visit(Overload{[&](const DrivenBody& driven) { move_driven(driven, drivers, state); },
+                      [&](const RrrDyad& dyad) { move_dyad(dyad, g, state); },
+                      [&](const RrpDyad& dyad) { move_dyad(dyad, g, state); },
+                      [&](const RprDyad& dyad) { move_dyad(dyad, g, state); },
+                      [&](const SlideDyad& dyad) { move_dyad(dyad, g, state); },
+                      [&](const TrackedPair& tracked) { move_tracked(model, tracked, g, drivers, state); },
+                      [&](const TouchingBody& touching) { move_touching(model, touching, g, state); },
+                      [&](const IdleBody& idle) {
+                        move_link(body_in(state, idle.body), 0, 0, motion_of(state, idle.pin), idle.p_B);
+                      },
+                      [&](const CoupledBodies&) { move_coupled(model, g, drivers, state); }},
+             group.kind);
+}
+
+std::optional<double> slack_of(const Model& model, std::size_t g, const State& state) {
+  using Slack = std::optional<double>;
+  return std::visit(
+      Overload{[&](const RrrDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
+               [&](const RrpDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
+               [&](const RprDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
+               [&](const SlideDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
+               [&](const TouchingBody& touching) -> Slack { return touching_slack(model, touching, state); },
+               [](const auto&) -> Slack { return std::nullopt; }},
+      model.plan.groups[g].kind);
+}
+
+}  // namespace higherpair

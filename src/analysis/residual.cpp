@@ -1,0 +1,83 @@
+#include "residual.hpp"
+
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+struct Errors {
+  double distance = 0;  // [m]
+  double speed = 0;     // [m/s]
+  double fastest = 0;   // [m/s]
+
+  void add(double length, double velocity) {
+    // A value that is not a number must not get lost.
+    distance = length <= distance ? distance : length;
+    speed = velocity <= speed ? speed : velocity;
+  }
+};
+
+void add_joint(const Run& run, const Joint& joint, Errors& errors) {
+  const MotionRow& row = run.row;
+  const auto body_a = static_cast<std::size_t>(joint.first.body);
+  const auto body_b = static_cast<std::size_t>(joint.second.body);
+  const BodyMotion& a = row.bodies[body_a];
+  const BodyMotion& b = row.bodies[body_b];
+  const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
+  const Vector2d r_a = a.X_WB.R_WB * point_of(run.mechanism, joint.first);
+  const Vector2d r_b = b.X_WB.R_WB * point_of(run.mechanism, joint.second);
+  const Vector2d r = (b.X_WB.p_WB - a.X_WB.p_WB) + (r_b - r_a);
+  const Vector2d v_a = a.v_WB + a.omega * perp(r_a);
+  const Vector2d v = b.v_WB + b.omega * perp(r_b) - v_a;
+  errors.fastest = std::max(errors.fastest, v_a.lpNorm<Eigen::Infinity>());
+  if (joint.type == JointType::kRevolute) {
+    errors.add(r.lpNorm<Eigen::Infinity>(), rates ? v.lpNorm<Eigen::Infinity>() : 0);
+    return;
+  }
+  const Vector2d across = perp(Vector2d(a.X_WB.R_WB * joint.direction_A));
+  errors.add(std::abs(r.dot(across)), rates ? std::abs((v - a.omega * perp(r)).dot(across)) : 0);
+  if (joint.type == JointType::kPrismatic) {
+    const Rotation<double> relative = b.X_WB.R_WB * a.X_WB.R_WB.inverse();
+    const Rotation<double> wanted = Rotation<double>::from_angle(joint.relative_angle);
+    const double size = run.plan.size;
+    errors.add(size * std::abs((relative * wanted.inverse()).sin),
+               rates ? size * std::abs(b.omega - a.omega) : 0);
+  }
+}
+
+// Tangency is built in: both points are those with the common normal.
+void add_contact(const Run& run, const Contact& contact, const ContactMotion& motion, Errors& errors) {
+  const MotionRow& row = run.row;
+  const auto body_a = static_cast<std::size_t>(contact.first.body);
+  const auto body_b = static_cast<std::size_t>(contact.second.body);
+  const auto velocity = [&](std::size_t index, const Vector2d& p_W) {
+    const BodyMotion& body = row.bodies[index];
+    return Vector2d(body.v_WB + body.omega * perp(Vector2d(p_W - body.X_WB.p_WB)));
+  };
+  const Vector2d v1 = velocity(body_a, motion.at.p1_W);
+  const Vector2d v = velocity(body_b, motion.at.p2_W) - v1;
+  errors.fastest = std::max(errors.fastest, v1.lpNorm<Eigen::Infinity>());
+  const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
+  const double along_normal = std::abs(v.dot(motion.at.n_W));
+  const double slip = contact.rolling ? std::abs(v.dot(perp(motion.at.n_W))) : 0;
+  errors.add((motion.at.p2_W - motion.at.p1_W).norm(), rates ? std::max(along_normal, slip) : 0);
+}
+
+}  // namespace
+
+double residual_of(const Run& run) {
+  Errors errors;
+  for (const Joint& joint : run.mechanism.joints) {
+    add_joint(run, joint, errors);
+  }
+  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
+    add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
+  }
+  const double scaled = errors.fastest > 0 ? errors.speed * run.plan.size / errors.fastest : 0;
+  return errors.distance >= scaled ? errors.distance : scaled;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,44 @@
+#include "higherpair/mechanism/joint_motion.hpp"
+
+namespace higherpair {
+
+JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
+                         const std::vector<BodyMotion>& bodies) {
+  const BodyMotion& first = bodies[static_cast<std::size_t>(joint.first.body)];
+  const BodyMotion& second = bodies[static_cast<std::size_t>(joint.second.body)];
+  if (joint.type == JointType::kRevolute) {
+    return {second.theta - first.theta, second.omega - first.omega, second.alpha - first.alpha};
+  }
+  const PointMotion A = point_motion(first, point_of(mechanism, joint.first));
+  const PointMotion B = point_motion(second, point_of(mechanism, joint.second));
+  const Vector2d d = first.X_WB.R_WB * joint.direction_A;
+  const Vector2d across = perp(d);
+  const Vector2d r = B.p_W - A.p_W;
+  const Vector2d v = B.v_W - A.v_W;
+  const double omega = first.omega;
+  return {r.dot(d), v.dot(d) + omega * r.dot(across),
+          (B.a_W - A.a_W).dot(d) + 2 * omega * v.dot(across) +
+              r.dot(Vector2d(first.alpha * across - omega * omega * d))};
+}
+
+std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism) {
+  std::vector<BodyMotion> bodies(mechanism.bodies.size());
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    bodies[i].theta = body.guess_theta;
+    bodies[i].X_WB = {Rotation<double>::from_angle(body.guess_theta), body.guess_p_WB};
+  }
+  return bodies;
+}
+
+Vector2d point_of(const Mechanism& mechanism, const PointRef& ref) {
+  return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
+}
+
+const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref) {
+  return mechanism.bodies[static_cast<std::size_t>(ref.body)]
+      .curves[static_cast<std::size_t>(ref.curve)]
+      .curve;
+}
+
+}  // namespace higherpair
