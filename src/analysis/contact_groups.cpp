@@ -48,10 +48,10 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     }
     at = &track.at;
     phi = track.phi;
-    const double lever = velocity_per_q(tracked.pair.motion2, at->p2_W).norm();
+    group.lever = std::max(velocity_per_q(tracked.pair.motion2, at->p2_W).norm(), 1e-300);
     group.mode = track.branch;
     group.sine = at->gap_q;
-    group.noise = 4e-15 * std::max(lever, 1e-300);
+    group.noise = 4e-15 * group.lever;
   }
   body_in(to, tracked.follower.body) = motion_at(tracked.follower.freedom, at->q, 0, 0);
   to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
@@ -96,7 +96,8 @@ GroupStatus place_touching(const Model& model, const TouchingBody& touching, std
   body_in(to, follower.body) = motion_at(placed.pair.motion2, at.q, 0, 0);
   GroupState& group = to.groups[g];
   group.sine = at.gap_q;
-  group.noise = 4e-15 * std::max(velocity_per_q(placed.pair.motion2, at.p2_W).norm(), 1e-300);
+  group.lever = std::max(velocity_per_q(placed.pair.motion2, at.p2_W).norm(), 1e-300);
+  group.noise = 4e-15 * group.lever;
   return GroupStatus::kOk;
 }
 

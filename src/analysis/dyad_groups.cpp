@@ -170,6 +170,7 @@ GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, do
     return GroupStatus::kOutOfReach;
   }
   group.sine = sine_unless_singular(motion.status, motion.s);
+  group.lever = dyad.size;
   pose_link(body_in(to, dyad.link), motion.u, dyad.line.u_B, place_of(to, dyad.A), dyad.pA,
             predicted_angle(from, dyad.link, h));
   if (dyad.slider) {

@@ -1,5 +1,7 @@
 #include "path.hpp"
 
+#include "events.hpp"
+
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -37,9 +39,6 @@ bool is_safe(const Group& group) {
 }
 
 double largest_step(const Run& run, const Path& path) {
-  if (std::all_of(run.plan.groups.begin(), run.plan.groups.end(), is_safe)) {
-    return std::abs(path.length);
-  }
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
     const double scale = driver_scale(run, i);
@@ -175,16 +174,6 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
   return result;
 }
 
-// The name of a place where a group is, for an event.
-void name_item(const Run& run, std::size_t g, RunEvent& event) {
-  const Group& group = run.plan.groups[g];
-  if (!group.contacts.empty()) {
-    event.contact = group.contacts.front();
-  } else if (!group.joints.empty()) {
-    event.joint = group.joints.front();
-  }
-}
-
 void add_limit(Run& run, std::size_t g, double driver) {
   RunEvent event;
   event.type = EventType::kLimitPosition;
@@ -195,11 +184,6 @@ void add_limit(Run& run, std::size_t g, double driver) {
           ? "the two bodies cannot be kept in contact on this branch beyond this position of the driver"
           : "the links are in line here: beyond this position of the driver they cannot reach each other";
   run.events.push_back(std::move(event));
-}
-
-// The driver's coordinate at s.
-double driver_at(const Path& path, double s) {
-  return path.is_single() ? path.from[0] + s : path.from[0] + s * (path.to[0] - path.from[0]);
 }
 
 // The root of the group's slack between s and s + h, if its sign changes there.
@@ -230,6 +214,32 @@ void lose(Run& run) {
 }
 
 }  // namespace
+
+void name_item(const Run& run, std::size_t g, RunEvent& event) {
+  const Group& group = run.plan.groups[g];
+  if (!group.contacts.empty()) {
+    event.contact = group.contacts.front();
+  } else if (!group.joints.empty()) {
+    event.joint = group.joints.front();
+  }
+}
+
+double driver_at(const Path& path, double s) {
+  return path.is_single() ? path.from[0] + s : path.from[0] + s * (path.to[0] - path.from[0]);
+}
+
+bool solve_at(Run& run, const Path& path, double s, double x) {
+  std::vector<double> drivers;
+  path.positions(s + x, drivers);
+  if (!place_before(run, run.plan.groups.size(), x, drivers)) {
+    return false;
+  }
+  path.motions(s + x, run.trial_motions);
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  }
+  return true;
+}
 
 void Path::positions(double s, std::vector<double>& out) const {
   out.resize(from.size());
@@ -271,6 +281,7 @@ bool follow(Run& run, const Path& path) {
       add_limit(run, result.group, result.limit->u);
     }
     if (result.kind == StepResult::kOk) {
+      note_events(run, path, s, step);
       accept(run);
       s = last ? path.length : s + step;
       h = std::min(2 * h, largest);
@@ -301,11 +312,14 @@ bool follow(Run& run, const Path& path) {
 
 bool resume(Run& run, const std::vector<double>& drivers) {
   std::optional<LimitPosition> limit;
+  std::size_t limited = 0;
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const bool known = limit.has_value();
     run.trial.groups[g].mode = run.state.groups[g].mode;
     if (place_group(model_of(run), g, run.state, 0, drivers, run.trial, limit) != GroupStatus::kOk) {
       return false;
     }
+    limited = limit && !known ? g : limited;
   }
   run.trial_motions.resize(drivers.size());
   for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -318,7 +332,7 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   accept(run);
   run.held = true;
   if (limit) {
-    add_limit(run, 0, limit->u);
+    add_limit(run, limited, limit->u);
     return true;
   }
   // Where this stretch begins: the limit on the way back.

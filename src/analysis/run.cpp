@@ -1,6 +1,7 @@
 #include "higherpair/analysis/run.hpp"
 
 #include "assembly.hpp"
+#include "events.hpp"
 #include "group_solver.hpp"
 #include "path.hpp"
 #include "residual.hpp"
@@ -103,6 +104,7 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
     return tl::unexpected(std::move(*failure));
   }
   set_rates(run, unit_motions(drivers), run.state);
+  run.outputs = output_joints(mechanism);
   run.trial = run.state;
   run.targets = drivers;
   run.trial_drivers = drivers;

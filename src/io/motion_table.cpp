@@ -41,7 +41,17 @@ std::string_view name_of(RowStatus status) {
 }
 
 std::string_view name_of(EventType type) {
-  return type == EventType::kDeadPoint ? "dead_point" : "limit_position";
+  switch (type) {
+    case EventType::kLimitPosition:
+      break;
+    case EventType::kDeadPoint:
+      return "dead_point";
+    case EventType::kStrokeEnd:
+      return "stroke_end";
+    case EventType::kConforming:
+      return "conforming";
+  }
+  return "limit_position";
 }
 
 tl::expected<MotionTable, std::string> MotionTable::make(const Profile& profile, bool timed) {

@@ -117,6 +117,11 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   }
   plan.surplus = structure.surplus;
   plan.size = size_of(mechanism);
+  for (Group& group : plan.groups) {
+    if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
+      dyad->size = plan.size;
+    }
+  }
   return plan;
 }
 

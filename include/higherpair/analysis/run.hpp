@@ -29,6 +29,8 @@ struct MotionRow {
 enum class EventType {
   kLimitPosition,  ///< the drivers cannot go further on this branch
   kDeadPoint,      ///< passed through: branches cross, or the output loses the input
+  kStrokeEnd,      ///< the output reverses
+  kConforming,     ///< κ1 + κ2 = 0: beyond, the bodies cut into each other at the contact
 };
 
 struct RunEvent {
@@ -66,6 +68,16 @@ struct Path {
   void motions(double s, std::vector<DriverMotion>& out) const;
 };
 
+/// A joint to ground that is not driven, and the sense in which it moved last.
+struct OutputJoint {
+  int joint = 0;
+  int body = 0;
+  bool turns = true;
+  Vector2d direction_W = Vector2d::UnitX();  ///< of a slide
+  int sense = 0;                             ///< 0: has not moved yet
+  double fastest = 0;                        ///< largest speed so far, per unit of the path
+};
+
 /// A running analysis: a mechanism, its plan and where it stands.
 struct Run {
   Mechanism mechanism;
@@ -74,6 +86,7 @@ struct Run {
   State state;                   ///< where it stood last; rates per unit of the path
   std::vector<double> drivers;   ///< the drivers' coordinates there
   bool held = true;              ///< false: lost at a limit; `state` is the last position before it
+  std::vector<OutputJoint> outputs;
   MotionRow row;                 ///< of the last move_to
   std::vector<RunEvent> events;  ///< of the last move_to
   State trial;                   ///< where steps are tried, and the drivers there

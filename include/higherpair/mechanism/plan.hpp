@@ -82,6 +82,7 @@ struct RprDyad {
   int link = 0;
   Vector2d pA = Vector2d::Zero();  ///< in the link's frame [m]
   BodyLine line;                   ///< on the link
+  double size = 1;                 ///< of the mechanism [m]
   std::optional<Rider> slider;
 };
 
