@@ -154,4 +154,11 @@ std::optional<double> touching_slack(const Model& model, const TouchingBody& tou
   return extreme_gap(placed.pair, near);
 }
 
+double touching_sine(const Model& model, const TouchingBody& touching, const State& state) {
+  const PlacedPair placed = placed_pair(model, touching, state);
+  const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
+  const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;
+  return n.dot(velocity_per_q(placed.pair.motion2, (at.p1_W + at.p2_W) / 2));
+}
+
 }  // namespace higherpair

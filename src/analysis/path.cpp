@@ -1,5 +1,6 @@
 #include "path.hpp"
 
+#include "crossing.hpp"
 #include "events.hpp"
 
 #include "higherpair/contact/finder.hpp"
@@ -20,17 +21,6 @@ constexpr double kAgreement = 0.25;    // of the change of a step: distance betw
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
 constexpr double kSmallestStep = 1e-14;      // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
-
-struct StepResult {
-  enum Kind { kOk, kLost, kDisagrees } kind = kOk;
-  std::size_t group = 0;
-  std::optional<LimitPosition> limit;  // of a tracked pair, its u the driver's coordinate
-};
-
-double driver_scale(const Run& run, std::size_t driver) {
-  const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[driver].joint)];
-  return joint.type == JointType::kRevolute ? 1 : run.plan.size;
-}
 
 // Groups that keep to their branch by themselves.
 bool is_safe(const Group& group) {
@@ -154,26 +144,6 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
   return GroupStatus::kNotConverged;
 }
 
-// Tries a step of `h` from run.state into run.trial.
-StepResult try_step(Run& run, const Path& path, double s, double h) {
-  StepResult result;
-  std::vector<double>& drivers = run.trial_drivers;
-  path.positions(s + h, drivers);
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const GroupStatus status = place_agreeing(run, path, g, s, h, drivers, result);
-    if (status != GroupStatus::kOk) {
-      result.group = g;
-      result.kind = status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees;
-      return result;
-    }
-  }
-  path.motions(s + h, run.trial_motions);
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
-  }
-  return result;
-}
-
 void add_limit(Run& run, std::size_t g, double driver) {
   RunEvent event;
   event.type = EventType::kLimitPosition;
@@ -209,11 +179,37 @@ void accept(Run& run) {
   std::swap(run.state, run.trial);
 }
 
-void lose(Run& run) {
+bool lose(Run& run, const Path& path) {
   run.held = false;
+  run.drivers = path.to;
+  return false;
 }
 
 }  // namespace
+
+double driver_scale(const Run& run, std::size_t driver) {
+  const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[driver].joint)];
+  return joint.type == JointType::kRevolute ? 1 : run.plan.size;
+}
+
+StepResult try_step(Run& run, const Path& path, double s, double h) {
+  StepResult result;
+  std::vector<double>& drivers = run.trial_drivers;
+  path.positions(s + h, drivers);
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const GroupStatus status = place_agreeing(run, path, g, s, h, drivers, result);
+    if (status != GroupStatus::kOk) {
+      result.group = g;
+      result.kind = status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees;
+      return result;
+    }
+  }
+  path.motions(s + h, run.trial_motions);
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  }
+  return result;
+}
 
 void name_item(const Run& run, std::size_t g, RunEvent& event) {
   const Group& group = run.plan.groups[g];
@@ -272,6 +268,7 @@ bool follow(Run& run, const Path& path) {
   double s = 0;
   double h = largest;
   int halvings = 0;
+  run.between = false;
   while (s != path.length) {
     const double rest = path.length - s;
     const bool last = std::abs(rest) <= h;
@@ -280,7 +277,17 @@ bool follow(Run& run, const Path& path) {
     if (result.limit) {
       add_limit(run, result.group, result.limit->u);
     }
+    if (result.kind == StepResult::kOk && !last && is_near_crossing(run, run.trial) && std::abs(step) > 0.02 * scale) {
+      // No place to rest at: come down elsewhere.
+      h = 0.618 * std::abs(step);
+      continue;
+    }
     if (result.kind == StepResult::kOk) {
+      if (last && stop_near_crossing(run, path, s, rest)) {
+        run.between = true;
+        path.positions(s, run.drivers);
+        return true;
+      }
       note_events(run, path, s, step);
       accept(run);
       s = last ? path.length : s + step;
@@ -290,23 +297,21 @@ bool follow(Run& run, const Path& path) {
     if (std::holds_alternative<TrackedPair>(run.plan.groups[result.group].kind)) {
       // The track remembers by itself where it was lost.
       run.state.tracks[result.group] = run.trial.tracks[result.group];
-      lose(run);
-      return false;
+      return lose(run, path);
     }
     h = std::abs(step) / 2;
     if (++halvings >= kHalvingsToLimit) {
       if (const auto limit = locate_limit(run, path, result.group, s, step)) {
         add_limit(run, result.group, driver_at(path, *limit));
-        lose(run);
-        return false;
+        return lose(run, path);
       }
     }
     if (h < kSmallestStep * scale * (1 + std::abs(driver_at(path, s)) / scale)) {
       add_limit(run, result.group, driver_at(path, s));
-      lose(run);
-      return false;
+      return lose(run, path);
     }
   }
+  run.drivers = path.to;
   return true;
 }
 
@@ -331,13 +336,14 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   const std::vector<double> lost_at = run.drivers;
   accept(run);
   run.held = true;
+  run.between = false;
+  run.drivers = drivers;
   if (limit) {
     add_limit(run, limited, limit->u);
     return true;
   }
   // Where this stretch begins: the limit on the way back.
   Run back = run;
-  back.drivers = drivers;
   Path way_back;
   set_path(way_back, drivers, lost_at);
   if (!follow(back, way_back)) {

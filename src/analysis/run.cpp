@@ -1,6 +1,7 @@
 #include "higherpair/analysis/run.hpp"
 
 #include "assembly.hpp"
+#include "crossing.hpp"
 #include "events.hpp"
 #include "group_solver.hpp"
 #include "path.hpp"
@@ -14,6 +15,11 @@ namespace {
 
 Model model_of(const Run& run) {
   return {run.mechanism, run.plan};
+}
+
+// Where the row is.
+const State& shown(const Run& run) {
+  return run.between ? run.trial : run.state;
 }
 
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
@@ -51,7 +57,7 @@ void mark_rates(const Run& run, MotionRow& row) {
   std::fill(row.has_rates.begin(), row.has_rates.end(), true);
   bool singular = false;
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const GroupState& group = run.state.groups[g];
+    const GroupState& group = shown(run).groups[g];
     singular = singular || !(std::abs(group.sine) > group.noise);
     if (singular) {
       for (const int body : run.plan.groups[g].bodies) {
@@ -65,10 +71,12 @@ void mark_rates(const Run& run, MotionRow& row) {
 void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   MotionRow& row = run.row;
   if (drivers.size() == 1) {
-    scale_rates(run.state, drivers.front(), row);
+    scale_rates(shown(run), drivers.front(), row);
   } else {
-    run.trial = run.state;
-    set_rates(run, drivers, run.trial);
+    run.trial = shown(run);
+    if (!run.between) {
+      set_rates(run, drivers, run.trial);
+    }
     row.bodies = run.trial.bodies;
     row.contacts = run.trial.contacts;
   }
@@ -110,6 +118,7 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   run.trial_drivers = drivers;
   run.trial_motions.resize(drivers.size());
   set_path(run.path, drivers, drivers);
+  leave_singular_start(run);
   run.row.bodies = run.state.bodies;
   run.row.contacts = run.state.contacts;
   run.row.has_rates.assign(run.state.bodies.size(), true);
@@ -126,6 +135,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (!run.held) {
     held = resume(run, run.targets);
   } else if (run.targets == run.drivers) {
+    run.between = false;
     held = true;
   } else {
     set_path(run.path, run.drivers, run.targets);
@@ -135,7 +145,6 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
     }
     held = follow(run, run.path);
   }
-  run.drivers = run.targets;
   if (held) {
     fill_row(run, drivers);
   } else {

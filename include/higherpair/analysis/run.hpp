@@ -86,6 +86,7 @@ struct Run {
   State state;                   ///< where it stood last; rates per unit of the path
   std::vector<double> drivers;   ///< the drivers' coordinates there
   bool held = true;              ///< false: lost at a limit; `state` is the last position before it
+  bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   std::vector<OutputJoint> outputs;
   MotionRow row;                 ///< of the last move_to
   std::vector<RunEvent> events;  ///< of the last move_to
