@@ -55,6 +55,25 @@ Separation separation_at(const ContactPair& pair, double u, double q, double tol
   return separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2, pose_at(pair.motion2, q), tolerance);
 }
 
+// The signed distance, known to a share of itself or to `finest`.
+struct Distance {
+  Separation separation;
+  double tolerance = 0;
+};
+
+Distance distance_at(const ContactPair& pair, double u, double q, double guess, double finest) {
+  constexpr double kShare = 0.1;
+  double tolerance = std::max(kShare * guess, finest);
+  for (;;) {
+    const Separation here = separation_at(pair, u, q, tolerance);
+    const double needed = std::max(kShare * std::abs(here.gap), finest);
+    if (tolerance <= 4 * needed) {
+      return {here, tolerance};
+    }
+    tolerance = needed;
+  }
+}
+
 // The contact that the two nearly touching bodies have here; it must be one where they touch nowhere else.
 std::optional<FindResult> touch(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                                 double size) {
@@ -84,8 +103,9 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
   const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
   const double start = q;
   bool overlapping = false;
+  double last_gap = size;
   for (int i = 0; i < kMaxSteps && std::abs(q - start) <= range; ++i) {
-    const Separation here = separation_at(pair, u, q, tolerance);
+    const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);
     if (here.gap == -INFINITY) {
       result.status = FindStatus::kOverlapAtStart;
       return result;
@@ -107,7 +127,8 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
         return *other;
       }
     }
-    q += direction * std::max(std::abs(here.gap) * (1 - 1e-12), 0.1 * kTouching * size) / *bound;
+    last_gap = std::abs(here.gap);
+    q += direction * std::max((last_gap - error) * (1 - 1e-12), 0.1 * kTouching * size) / *bound;
   }
   result.status = FindStatus::kNoContact;
   return result;

@@ -1,56 +1,23 @@
 #include "limit.hpp"
 
-#include "higherpair/geometry/support.hpp"
+#include "contact_points.hpp"
 
 #include <cmath>
 
 #include <Eigen/LU>
 
 namespace higherpair {
-namespace {
-
-bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
-Vector2d foot_on(const PlacedCurve<double>& line, const Vector2d& p) {
-  return p - (p - line.vertex_W).dot(line.axis_W) * line.axis_W;
-}
-
-}  // namespace
 
 bool place_points(const ContactPair& pair, ContactPosition& at) {
-  const PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, at.u));
-  const PlacedCurve<double> second = place(pair.curve2, pose_at(pair.motion2, at.q));
-  if (is_line(pair.curve2)) {
-    at.n_W = second.axis_W;
+  const ContactPoints points = points_at(pair, place_pair(pair, at.u, at.q), at.n_W);
+  at.n_W = points.pass.n;
+  if (!points.exist) {
+    return false;
   }
-  if (is_line(pair.curve1)) {
-    at.n_W = -first.axis_W;
-  }
-  const Vector2d inward = -at.n_W;
-  if (!is_line(pair.curve1)) {
-    if (!has_point(first, at.n_W)) {
-      return false;
-    }
-    const SupportPoint<double> s = support_point(first, at.n_W);
-    at.p1_W = s.p_W;
-    at.rho1 = s.rho;
-  }
-  if (!is_line(pair.curve2)) {
-    if (!has_point(second, inward)) {
-      return false;
-    }
-    const SupportPoint<double> s = support_point(second, inward);
-    at.p2_W = s.p_W;
-    at.rho2 = s.rho;
-  }
-  if (is_line(pair.curve1)) {
-    at.p1_W = foot_on(first, at.p2_W);
-  }
-  if (is_line(pair.curve2)) {
-    at.p2_W = foot_on(second, at.p1_W);
-  }
+  at.p1_W = points.pass.p1;
+  at.p2_W = points.pass.p2;
+  at.rho1 = points.first.rho;
+  at.rho2 = points.second.rho;
   return true;
 }
 
