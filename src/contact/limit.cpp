@@ -51,11 +51,15 @@ GapDerivatives gap_derivatives(const ContactPair& pair, const ContactPosition& a
   return d;
 }
 
-std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start) {
+std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start,
+                                        double length) {
+  constexpr int kMaxSteps = 40;
   ContactPosition at = start;
   const bool has_line = is_line(pair.curve1) || is_line(pair.curve2);
+  // Of φ, q, u: so that the three unknowns are of one size.
+  const Eigen::Vector3d unit(1, pair.motion2.turns ? 1 : length, pair.motion1.turns ? 1 : length);
   double last = INFINITY;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     if (!place_points(pair, at)) {
       return std::nullopt;
     }
@@ -64,25 +68,26 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
     Eigen::Matrix3d J;
     Eigen::Vector3d r;
     if (has_line) {
-      J << 1, 0, 0, 0, d.g_q, d.g_u, 0, d.g_qq, d.g_qu;
+      J << length, 0, 0, 0, d.g_q, d.g_u, 0, d.g_qq, d.g_qu;
       r << 0, distance.dot(at.n_W), d.g_q;
     } else {
       const double g_phi = distance.dot(perp(at.n_W));
       J << g_phi, d.g_q, d.g_u, d.g_phiphi, d.g_phiq, d.g_phiu, d.g_phiq, d.g_qq, d.g_qu;
       r << distance.dot(at.n_W), g_phi, d.g_q;
     }
+    J *= unit.asDiagonal();
+    // The last equation is a length only for a turning follower.
+    J.row(2) *= length / unit(1);
+    r(2) *= length / unit(1);
     const Eigen::Vector3d step = J.fullPivLu().solve(-r);
-    if (!step.allFinite() || !(step.norm() < 1e3 * (1 + std::abs(at.q) + std::abs(at.u)))) {
+    const double size = step.cwiseAbs().sum();
+    if (!(size < 1e3 * (1 + std::abs(at.q / unit(1)) + std::abs(at.u / unit(2))))) {
       return std::nullopt;
     }
     at.n_W = Rotation<double>::from_angle(step(0)) * at.n_W;
-    at.q += step(1);
-    at.u += step(2);
-    const double size = std::abs(step(0)) + std::abs(step(1)) + std::abs(step(2));
-    if (size < 1e-7 && size >= last / 2) {
-      return LimitPosition{at.u, at.q};
-    }
-    if (size == 0) {
+    at.q += step(1) * unit(1);
+    at.u += step(2) * unit(2);
+    if (size == 0 || (size < 1e-7 && size >= last / 2)) {
       return LimitPosition{at.u, at.q};
     }
     last = size;
