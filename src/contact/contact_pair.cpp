@@ -62,10 +62,11 @@ double twice_arc_tangent(double x) {
   return x2 < 1e-5 ? 2 * x * (1 - x2 * (1 / 3.0 - x2 * (1 / 5.0 - x2 / 7.0))) : 2 * std::atan(x);
 }
 
-// The last step, by Newton's method on g = g_φ = 0, each quantity without terms that cancel for huge radii:
-// the follower by δ, the normal by φ in ground and by ψ in body 2. With a = t·v2, P = a + ρ2, M = a - ρ1 (for
-// a sliding follower P = M = a)
-//     φ = w (s + δ P),   ψ = w (s + δ M),   g + g_q δ + [φ (s + δ M) + s δ]/2 = 0  (sliding: without s δ).
+// The last step, to second order in g = g_φ = 0, each quantity without terms that cancel for huge radii: the
+// follower by δ, the normal by φ in ground and by ψ in body 2. With a = t·v2, P = a + ρ2, M = a - ρ1 (for a
+// sliding follower P = M = a)
+//     φ = w (s + δ P),   ψ = w (s + δ M),
+//     0 = (g + w s²/2) + (g_q + s [w (P + M) + 1]/2) δ + w P M δ²/2      (sliding: 0 in place of 1).
 struct LastStep {
   double delta = 0;
   double phi = 0;
@@ -90,10 +91,9 @@ LastStep last_step(const ContactPair& pair, const PlacedPair& placed, const Cont
   const double M = along - turns2 * points.first.rho;
   const double g_qq = face2 ? turns2 * (M + pass.g) : face1 ? -turns2 * P : w * P * M;  // φ eliminated
   LastStep step;
-  double delta = -pass.g / g_q;
-  const double second =
-      g_qq * delta * delta + w * pass.s * (pass.s + delta * (P + M)) + turns2 * pass.s * delta;
-  delta -= second / (2 * g_q);
+  const double slope = g_q + (w * (P + M) + turns2) * pass.s / 2;
+  double delta = -(pass.g + w * pass.s * pass.s / 2) / slope;
+  delta -= g_qq * delta * delta / (2 * slope);
   step.delta = delta;
   step.phi = face2 ? turns2 * delta : w * (pass.s + delta * P);
   step.psi = face1 ? -turns2 * delta : w * (pass.s + delta * M);
@@ -102,7 +102,7 @@ LastStep last_step(const ContactPair& pair, const PlacedPair& placed, const Cont
   const double turn = std::max(std::abs(step.phi), std::abs(step.psi));
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
   const double arm = w == 0 ? extent : std::min(extent, 1 / std::abs(w));
-  step.sound = turn <= kLastTurn && std::abs(g_qq * delta) <= kLastTurn * std::abs(g_q);
+  step.sound = turn <= kLastTurn && std::abs(g_qq * delta) <= kLastTurn * std::abs(slope);
   step.exact = step.sound && slopes * turn * turn <= kLeftOut * arm;
   return step;
 }
@@ -219,8 +219,8 @@ ContactResult solve_contact(const ContactPair& pair, double u, double q, const V
       turn_about(placed.second, pair.motion2.p_WO, step.turn);
       q += twice_arc_tangent(step.tan_half);
     } else {
-      placed.second.vertex_W += step.slide * pair.motion2.direction_W;
       q += step.slide;
+      placed.second = place_on(pair.curve2, pair.motion2, q);
     }
     points = points_at(pair, placed, step.n.normalized());
   }

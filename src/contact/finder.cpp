@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -24,11 +25,13 @@ double reach_from(const Curve& curve, const Pose<double>& X_WB, const Vector2d& 
   return (X_WB * center(curve) - p_W).norm() + semi_axes(curve)[0];
 }
 
+// What distances are measured against. Of two radii the smaller counts: a nearly flat curve is not a huge
+// mechanism.
 double extent(const ContactPair& pair, double u, double q) {
-  const Pose<double> X1 = pose_at(pair.motion1, u);
-  const Pose<double> X2 = pose_at(pair.motion2, q);
-  return (X1 * pair.curve1.vertex_B - X2 * pair.curve2.vertex_B).norm() + pair.curve1.semi_latus +
-         pair.curve2.semi_latus + (X2 * pair.curve2.vertex_B - pair.motion2.p_WO).norm();
+  const Vector2d p1 = pose_at(pair.motion1, u) * pair.curve1.vertex_B;
+  const Vector2d p2 = pose_at(pair.motion2, q) * pair.curve2.vertex_B;
+  return (p1 - p2).norm() + (p1 - pair.motion1.p_WO).norm() + (p2 - pair.motion2.p_WO).norm() +
+         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
 }
 
 // How fast the signed distance can change with q: at most by the speed of the bounded body's fastest point.

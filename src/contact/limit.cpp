@@ -79,8 +79,13 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
     // The last equation is a length only for a turning follower.
     J.row(2) *= length / unit(1);
     r(2) *= length / unit(1);
-    const Eigen::Vector3d step = J.fullPivLu().solve(-r);
+    const Eigen::FullPivLU<Eigen::Matrix3d> lu(J);
+    const Eigen::Vector3d step = lu.solve(-r);
     const double size = step.cwiseAbs().sum();
+    // Where ∂gap/∂q cannot change (a slide against a face) no step is left, and no limit.
+    if (!((J * step + r).norm() <= 1e-6 * r.norm())) {
+      return std::nullopt;
+    }
     if (!(size < 1e3 * (1 + std::abs(at.q / unit(1)) + std::abs(at.u / unit(2))))) {
       return std::nullopt;
     }

@@ -18,9 +18,10 @@ constexpr double kAgreement = 0.25;  // of the change of a step: distance betwee
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
 constexpr double kNearCrossing = 1e-3;  // of the driver's scale: how near a crossing is interpolated over
 constexpr double kAtCrossing = 1e-6;    // of the follower's lever: ∂gap/∂q that may be that of a crossing
-constexpr int kHalvingsToLimit = 4;     // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;         // inner steps that may fail
-constexpr double kSmallestStep = 1e-14;  // of the driver's scale
+constexpr double kFallsToCrossing = 1e-3;  // of its present value: the same
+constexpr int kHalvingsToLimit = 4;        // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;            // inner steps that may fail
+constexpr double kSmallestStep = 1e-14;    // of the driver's scale
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
 double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
@@ -93,6 +94,15 @@ double gap_q_rate(const ContactTrack& track) {
   return d.g_qq * track.at.dq + d.g_phiq * track.at.dphi + d.g_qu;
 }
 
+// Whether a ∂gap/∂q to come is small enough for a crossing: against the lever, or against what it is now.
+bool vanishes(const ContactTrack& track, double gap_q) {
+  if (std::abs(gap_q) <= kFallsToCrossing * std::abs(track.at.gap_q)) {
+    return true;
+  }
+  const double lever2 = velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm();
+  return gap_q * gap_q <= kAtCrossing * kAtCrossing * lever2;
+}
+
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
 bool step_by(ContactTrack& track, double h, double predicted_gap_q) {
   if (predicted_gap_q * track.at.gap_q < 0) {
@@ -101,6 +111,8 @@ bool step_by(ContactTrack& track, double h, double predicted_gap_q) {
       accept(track, crossing.result.at, -track.branch);
       return true;
     }
+    // A limit may lie within the step, with the branch there again beyond it: shorter steps will tell.
+    return false;
   }
   const Step step = try_step(track, h, track.branch);
   if (!agrees(step, kAgreement)) {
@@ -180,9 +192,7 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
     bool last = std::abs(rest) <= h;
     double step = last ? rest : std::copysign(h, rest);
     const double rate = gap_q_rate(track);
-    const double lever2 = velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm();
-    const double at_end = track.at.gap_q + rate * rest;
-    if (last && at_end * at_end <= kAtCrossing * kAtCrossing * lever2) {
+    if (last && vanishes(track, track.at.gap_q + rate * rest)) {
       if (stop_at_crossing(track, rest)) {
         track.at.u = u;
         return true;

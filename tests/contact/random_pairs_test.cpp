@@ -128,6 +128,29 @@ TEST_P(RandomSeeds, GiveContactsThatObeyTheLawsOrAreFlagged) {
   EXPECT_GT(counts.compared, counts.found);
 }
 
+// However few the rows: the same contact, or lost in both.
+TEST_P(RandomSeeds, GiveTheSameInOneLeapAsInManyRows) {
+  RandomPairs random(static_cast<unsigned>(GetParam()) + 1000);
+  for (int i = 0; i < 400; ++i) {
+    const RandomCase one = random.next();
+    SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
+    const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
+    if (found.status != FindStatus::kFound) continue;
+    ContactTrack rows = start_track(one.pair, found.at, found.branch);
+    ContactTrack leap = rows;
+    bool held = true;
+    for (int k = 1; k <= 40 && held; ++k) {
+      held = follow_to(rows, one.u + k * step_of(one) / 2).status == TrackStatus::kOk;
+    }
+    const bool leapt = follow_to(leap, one.u + 20 * step_of(one)).status == TrackStatus::kOk;
+    EXPECT_EQ(held, leapt);
+    if (held && leapt) {
+      const double unit = one.pair.motion2.turns ? 1 : one.size;
+      EXPECT_LE(std::abs(rows.at.q - leap.at.q), 1e-9 * (unit + std::abs(rows.at.q)));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AllKinds, RandomSeeds, ::testing::Range(1, 13));
 
 }  // namespace
