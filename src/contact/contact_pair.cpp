@@ -92,8 +92,9 @@ LastStep last_step(const ContactPair& pair, const PlacedPair& placed, const Cont
   const double g_qq = face2 ? turns2 * (M + pass.g) : face1 ? -turns2 * P : w * P * M;  // φ eliminated
   LastStep step;
   const double slope = g_q + (w * (P + M) + turns2) * pass.s / 2;
-  double delta = -(pass.g + w * pass.s * pass.s / 2) / slope;
-  delta -= g_qq * delta * delta / (2 * slope);
+  const double per_slope = 1 / slope;
+  double delta = -(pass.g + w * pass.s * pass.s / 2) * per_slope;
+  delta -= g_qq * delta * delta * per_slope / 2;
   step.delta = delta;
   step.phi = face2 ? turns2 * delta : w * (pass.s + delta * P);
   step.psi = face1 ? -turns2 * delta : w * (pass.s + delta * M);
@@ -154,7 +155,8 @@ void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosi
   if (at.gap_q == 0) {
     return;
   }
-  at.dq = v1.dot(pass.n) / at.gap_q;
+  const double per_gap_q = 1 / at.gap_q;
+  at.dq = v1.dot(pass.n) * per_gap_q;
   const double omega1 = pair.motion1.turns ? 1 : 0;
   const double omega2 = pair.motion2.turns ? at.dq : 0;
   const double omega_r = omega2 - omega1;
@@ -165,7 +167,7 @@ void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosi
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
   const Vector2d a2_centripetal = at.dq * at.dq * acceleration_per_q(pair.motion2, p);
   const double normal = omega2 * u2 - omega1 * u1 - at.sliding * at.dphi;
-  at.d2q = (normal + (a1 - a2_centripetal).dot(pass.n)) / at.gap_q;
+  at.d2q = (normal + (a1 - a2_centripetal).dot(pass.n)) * per_gap_q;
 }
 
 ContactPosition position_of(const ContactPair& pair, const ContactPoints& points, double u, double q) {
