@@ -25,16 +25,6 @@ double extent(const ContactPair& pair, const PlacedPair& placed, const PassGeome
          manhattan(p - placed.first.vertex_W) + manhattan(p - placed.second.vertex_W);
 }
 
-// Change of the radius of curvature with the angle of the normal: 3 ρ (1 - q) N_x N_y / w².
-double radius_slope(const PlacedCurve<double>& curve, const SupportPoint<double>& point, const Vector2d& n) {
-  if (curve.q == 1) {
-    return 0;
-  }
-  const double N_x = n.dot(curve.axis_W);
-  const double N_y = cross(curve.axis_W, n);
-  return 3 * point.rho * (1 - curve.q) * N_x * N_y / point.w2;
-}
-
 // Near its asymptote the place on a hyperbola (to the rounding of `extent`) can say more about its curvature
 // than the normal does: ρ = ℓ (1 + (1 - q) y²/ℓ²)^{3/2}.
 double radius_at(const PlacedCurve<double>& curve, double rho, double w2, const Vector2d& p_W,
@@ -98,8 +88,8 @@ LastStep last_step(const ContactPair& pair, const PlacedPair& placed, const Cont
   step.delta = delta;
   step.phi = face2 ? turns2 * delta : w * (pass.s + delta * P);
   step.psi = face1 ? -turns2 * delta : w * (pass.s + delta * M);
-  if (!face1) step.slope1 = radius_slope(placed.first, points.first, pass.n);
-  if (!face2) step.slope2 = radius_slope(placed.second, points.second, pass.n);
+  if (!face1) step.slope1 = radius_slope(placed.first, points.first.rho, pass.n);
+  if (!face2) step.slope2 = radius_slope(placed.second, points.second.rho, pass.n);
   const double turn = std::max(std::abs(step.phi), std::abs(step.psi));
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
   const double arm = w == 0 ? extent : std::min(extent, 1 / std::abs(w));

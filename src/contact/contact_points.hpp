@@ -39,6 +39,16 @@ struct ContactPoints {
   bool exist = false;
 };
 
+/// Change of a curve's radius of curvature with the angle of its normal, ±n: 3 ρ (1 - q) N_x N_y / w².
+[[nodiscard]] inline double radius_slope(const PlacedCurve<double>& curve, double rho, const Vector2d& n) {
+  if (curve.q == 1) {
+    return 0;
+  }
+  const double N_x = n.dot(curve.axis_W);
+  const double N_y = cross(curve.axis_W, n);
+  return 3 * rho * (1 - curve.q) * N_x * N_y / (N_x * N_x + curve.q * N_y * N_y);
+}
+
 /// The foot of p on a line through `at` with unit normal n.
 [[nodiscard]] inline Vector2d foot_on(const Vector2d& at, const Vector2d& n, const Vector2d& p) {
   return p - (p - at).dot(n) * n;
