@@ -2,6 +2,7 @@
 
 #include "contact_points.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "inner_step.hpp"
 #include "limit.hpp"
 
 #include <algorithm>
@@ -11,97 +12,12 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMaxTurn = kPi / 18;           // of driver or normal in one inner step [rad]
-constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
-constexpr double kCosFarthestTurn = 0.866;
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kNearCrossing = 1e-3;  // of the driver's scale: how near a crossing is interpolated over
-constexpr double kAtCrossing = 1e-6;    // of the follower's lever: ∂gap/∂q that may be that of a crossing
-constexpr double kFallsToCrossing = 1e-3;  // of its present value: the same
-constexpr int kHalvingsToLimit = 4;        // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;            // inner steps that may fail
-constexpr double kSmallestStep = 1e-14;    // of the driver's scale
-
-// What counts as one unit of a coordinate: a radian, or the size of the mechanism.
-double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
-  return freedom.turns ? 1 : track.size;
-}
-
-// The rotation by a small or moderate angle; its direction need only be good enough for a prediction.
-Rotation<double> predicted_turn(double angle) {
-  const double square = angle * angle;
-  if (square > 1e-3) {
-    return Rotation<double>::from_angle(angle);
-  }
-  const Rotation<double> turn{1 - square / 2 * (1 - square / 12), angle * (1 - square / 6)};
-  return turn.normalised();
-}
-
-// The angle from one unit vector to the next; the series is exact to rounding for small angles.
-double angle_between(const Vector2d& from, const Vector2d& to) {
-  const double sine = cross(from, to);
-  const double cosine = from.dot(to);
-  const double square = sine * sine;
-  if (square > 1e-5 || cosine < 0) {
-    return std::atan2(sine, cosine);
-  }
-  return sine * (1 + square * (1 / 6.0 + square * (3 / 40.0 + square * 15 / 336.0)));
-}
-
-struct Step {
-  ContactResult result;
-  double change = 0;    // of q and φ, in units
-  double mismatch = 0;  // between prediction and solution, in units
-  bool solved = false;
-};
-
-Step try_step(const ContactTrack& track, double h, int branch) {
-  const ContactPosition& from = track.at;
-  const double q = from.q + h * (from.dq + h / 2 * (from.d2q + h / 3 * track.d3q));
-  const Vector2d n = predicted_turn(h * (from.dphi + h / 2 * track.d2phi)) * from.n_W;
-  Step step{solve_contact(track.pair, from.u + h, q, n, branch)};
-  const ContactPosition& to = step.result.at;
-  if (step.result.status != ContactStatus::kOk) {
-    return step;
-  }
-  const double unit = unit_of(track.pair.motion2, track);
-  step.change = std::abs(to.q - from.q) / unit + std::abs(cross(from.n_W, to.n_W));
-  step.mismatch = std::abs(to.q - q) / unit;
-  const bool turned_far = to.n_W.dot(from.n_W) < kCosFarthestTurn ||
-                          (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestTurn);
-  step.solved = !turned_far;
-  return step;
-}
-
-bool agrees(const Step& step, double share) {
-  return step.solved && step.mismatch <= share * step.change + 1e-9;
-}
-
-void accept(ContactTrack& track, const ContactPosition& at, int branch) {
-  const double h = at.u - track.at.u;
-  const bool smooth = h != 0 && branch == track.branch;
-  track.d3q = smooth ? (at.d2q - track.at.d2q) / h : 0;
-  track.d2phi = smooth ? (at.dphi - track.at.dphi) / h : 0;
-  track.phi += angle_between(track.at.n_W, at.n_W);
-  track.at = at;
-  track.branch = branch;
-}
-
-// d(∂gap/∂q)/du along the motion.
-double gap_q_rate(const ContactTrack& track) {
-  const GapDerivatives d = gap_derivatives(track.pair, track.at);
-  return d.g_qq * track.at.dq + d.g_phiq * track.at.dphi + d.g_qu;
-}
-
-// Whether a ∂gap/∂q to come is small enough for a crossing: against the lever, or against what it is now.
-bool vanishes(const ContactTrack& track, double gap_q) {
-  if (std::abs(gap_q) <= kFallsToCrossing * std::abs(track.at.gap_q)) {
-    return true;
-  }
-  const double lever2 = velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm();
-  return gap_q * gap_q <= kAtCrossing * kAtCrossing * lever2;
-}
+constexpr double kNearCrossing = 1e-3;   // of the driver's scale: how near a crossing is interpolated over
+constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;          // inner steps that may fail
+constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
 bool step_by(ContactTrack& track, double h, double predicted_gap_q) {

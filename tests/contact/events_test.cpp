@@ -104,6 +104,20 @@ TEST(Events, ADiscConformsToAnEllipticRingWhereItsCentreMeetsTheEvolute) {
   EXPECT_LE(std::abs(conforming->q - q), 1e-13);
   EXPECT_LE(std::abs(conforming->rho1 + conforming->rho2), 1e-14);
   EXPECT_LE((conforming->p2_W - conforming->p1_W).norm(), 1e-15);
+
+  // Two contacts merge there: from either side of the ring's point the track ends at the same place.
+  for (const double aside : {-0.2, 0.2}) {
+    const Vector2d n = Rotation<double>::from_angle(aside) * conforming->n_W;
+    const int branch = conforming->gap_q > 0 ? 1 : -1;
+    const ContactResult before = solve_contact(pair, u - 0.02, q, n, branch);
+    ASSERT_EQ(before.status, ContactStatus::kOk);
+    EXPECT_LT((before.at.rho1 + before.at.rho2) * aside, 0);
+    ContactTrack track = start_track(pair, before.at, branch);
+    const TrackResult lost = follow_to(track, u + 0.02);
+    EXPECT_EQ(lost.status, TrackStatus::kNotAssemblable);
+    ASSERT_TRUE(lost.limit.has_value());
+    EXPECT_LE(std::abs(lost.limit->u - u), 1e-13);
+  }
 }
 
 TEST(Events, CirclesFlatFacesAndPointsDoNotConform) {

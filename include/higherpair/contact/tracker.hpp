@@ -18,7 +18,8 @@ struct ContactTrack {
   double d2phi = 0;  ///< the next one
 };
 
-/// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0.
+/// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0, or a conforming
+/// contact (see events.hpp), or where the contact runs off to infinity along an open curve.
 struct LimitPosition {
   double u = 0;
   double q = 0;
