@@ -109,7 +109,7 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
   double last_gap = size;
   for (int i = 0; i < kMaxSteps && std::abs(q - start) <= range; ++i) {
     const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);
-    if (here.gap == -INFINITY) {
+    if (here.gap == -std::numeric_limits<double>::infinity()) {
       result.status = FindStatus::kOverlapAtStart;
       return result;
     }
