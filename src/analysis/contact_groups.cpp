@@ -51,7 +51,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     group.lever = std::max(velocity_per_q(tracked.pair.motion2, at->p2_W).norm(), 1e-300);
     group.mode = track.branch;
     group.sine = at->gap_q;
-    group.noise = 4e-15 * group.lever;
+    group.noise = 1e-12 * group.lever;
   }
   body_in(to, tracked.follower.body) = motion_at(tracked.follower.freedom, at->q, 0, 0);
   to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
@@ -97,7 +97,7 @@ GroupStatus place_touching(const Model& model, const TouchingBody& touching, std
   GroupState& group = to.groups[g];
   group.sine = at.gap_q;
   group.lever = std::max(velocity_per_q(placed.pair.motion2, at.p2_W).norm(), 1e-300);
-  group.noise = 4e-15 * group.lever;
+  group.noise = 1e-12 * group.lever;
   return GroupStatus::kOk;
 }
 
