@@ -1,0 +1,370 @@
+#include "tangency.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace higherpair {
+namespace {
+
+// Points within this of both curves touch as far as doubles can tell, in units of the problem.
+constexpr double kTouching = 1e-13;
+// sine of the angle between the normals that rounding makes of a double root.
+constexpr double kAligned = 1e-5;
+// Contacts farther off than this are at infinity.
+constexpr double kInfinite = 1e9;
+
+Complex<Extended> complex_of(const Vector2d& v) {
+  return {Extended(v.x()), Extended(v.y())};
+}
+
+// side · (y² + q x² - 2 ℓ x) with x along the axis from the vertex and y across; a line: -x.
+Form<Extended> form_of(const Curve& curve, const Complex<Extended>& v, const Complex<Extended>& u,
+                       double length) {
+  const Extended x0 = dot(u, v);
+  const Extended y0 = cross(u, v);
+  if (curve.kind == CurveKind::kPoint) {
+    return point_form(v);
+  }
+  if (curve.kind == CurveKind::kLine) {
+    return line_form<Extended>(-u.re, -u.im, x0);
+  }
+  const Extended s = curve.side == Side::kInside ? 1 : -1;
+  const Extended q = curve.q;
+  const Extended l = Extended(curve.semi_latus) / length;
+  return conic_form<Extended>({s * (u.im * u.im + q * u.re * u.re), s * (u.re * u.re + q * u.im * u.im),
+                               s * 2 * (q - 1) * u.re * u.im, s * 2 * (y0 * u.im - (q * x0 + l) * u.re),
+                               s * 2 * (-y0 * u.re - (q * x0 + l) * u.im),
+                               s * (y0 * y0 + (q * x0 + 2 * l) * x0)});
+}
+
+Extended value_at(const Form<Extended>& form, const Complex<Extended>& w) {
+  const Vector3c<Extended> p = homogeneous(w);
+  return form.kind == FormKind::kLine ? product(form.v, p).re : product(p, form.S * p).re;
+}
+
+// Gradient as a complex number.
+Complex<Extended> gradient_at(const Form<Extended>& form, const Complex<Extended>& w) {
+  const Extended scale = form.kind == FormKind::kLine ? 2 : 4;
+  const Vector3c<Extended> p = homogeneous(w);
+  const Complex<Extended> half = form.kind == FormKind::kLine ? form.v[0] : product(form.S[0], p);
+  return scale * conj(half);
+}
+
+// Change of the gradient along dw.
+Complex<Extended> hessian_times(const Form<Extended>& form, const Complex<Extended>& dw) {
+  if (form.kind == FormKind::kLine) {
+    return {};
+  }
+  return Extended(4) * conj(form.S[0][0] * dw + form.S[0][1] * conj(dw));
+}
+
+double curvature(const Form<Extended>& form, const Complex<Extended>& G) {
+  const Complex<Extended> t{-G.im, G.re};
+  const Extended n = norm(G);
+  return to_double(Extended(dot(t, hessian_times(form, t)) / (n * sqrt(n))));
+}
+
+// The finite point with the homogeneous coordinates v (any complex factor).
+std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v) {
+  const Extended far = norm(v[0]) + norm(v[1]);
+  if (norm(v[2]) * (kInfinite * kInfinite) < far || norm(v[2]) == 0) {
+    return std::nullopt;
+  }
+  const Complex<Extended> w = v[0] * inverse(v[2]);
+  const Complex<Extended> w_bar = v[1] * inverse(v[2]);
+  // The real point nearest to a pair that rounding has made complex.
+  return Extended(0.5) * (w + conj(w_bar));
+}
+
+Complex<Extended> square_root(const Complex<Extended>& a) {
+  const Extended r = sqrt(norm(a));
+  const Extended re = sqrt(Extended((r + abs(a.re)) / 2));
+  const Extended im = re == 0 ? Extended(0) : Extended(a.im / (2 * re));
+  if (a.re >= 0) {
+    return {re, im};
+  }
+  return {Extended(abs(im)), a.im < 0 ? Extended(-re) : re};
+}
+
+// M is nearly ± m mᵀ for a real line m: where it meets the conic, if it does (if it misses it by rounding, the
+// middle).
+std::vector<Complex<Extended>> points_on_double_line(const Matrix3c<Extended>& M,
+                                                     const Form<Extended>& conic) {
+  const Extended sign = M[0][1].re < 0 ? -1 : 1;
+  const Complex<Extended> m0 = square_root(sign * M[0][0]);
+  const Extended n = norm(m0);
+  if (n == 0) {
+    return {};
+  }
+  const Extended m2 = dot(m0, sign * M[0][2]) / n;
+  const Complex<Extended> foot = Extended(-m2 / (2 * n)) * conj(m0);
+  const Complex<Extended> t = Complex<Extended>{Extended(0), Extended(1)} * conj(m0);
+  const Vector3c<Extended> along = {t, conj(t), Complex<Extended>{}};
+  const Vector3c<Extended> S_along = conic.S * along;
+  const Extended a = product(along, S_along).re;
+  const Extended b = product(homogeneous(foot), S_along).re;
+  const Extended c = value_at(conic, foot);
+  const Extended D = b * b - a * c;
+  const Extended root = D > 0 ? Extended(sqrt(D)) : Extended(0);
+  std::vector<Complex<Extended>> points;
+  for (const Extended& numerator : {Extended(-b + root), Extended(-b - root)}) {
+    if (a != 0) {
+      points.push_back(foot + Extended(numerator / a) * t);
+    } else if (b != 0) {
+      points.push_back(foot + Extended(-c / (2 * b)) * t);
+    }
+  }
+  return points;
+}
+
+Coordinate advanced(const TangencyProblem& problem, const Coordinate& at, const Extended& step) {
+  if (!problem.motion.turns) {
+    return {Extended(at.re + step), Extended(0)};
+  }
+  // The rotation by 2 atan(step/2).
+  const Complex<Extended> half{Extended(1), Extended(step / 2)};
+  return at * (half * half) * inverse(Complex<Extended>{norm(half), Extended(0)});
+}
+
+// Newton's method for f1 = f2 = ∇f1 × ∇f2 = 0 in (w, q). Double roots gain nothing by it; the step is refused
+// if it leads away. \pre two conics
+void refine(const TangencyProblem& problem, Tangency& tangency) {
+  using Matrix = Eigen::Matrix<Extended, 3, 3>;
+  using Vector = Eigen::Matrix<Extended, 3, 1>;
+  const Form<Extended>& first = problem.first;
+  for (int i = 0; i < 8; ++i) {
+    const Form<Extended> second = moved(problem, tangency.at);
+    const Complex<Extended>& w = tangency.w;
+    const Complex<Extended> G1 = gradient_at(first, w);
+    const Complex<Extended> G2 = gradient_at(second, w);
+    // The material of body 2 passes w with this velocity.
+    const Complex<Extended> v =
+        problem.motion.turns ? Complex<Extended>{Extended(-w.im), w.re} : problem.motion.direction;
+    Complex<Extended> dG2_dq = -hessian_times(second, v);
+    if (problem.motion.turns) {
+      dG2_dq += Complex<Extended>{Extended(-G2.im), G2.re};
+    }
+    Matrix J;
+    for (int k = 0; k < 2; ++k) {
+      const Complex<Extended> dw{Extended(k == 0 ? 1 : 0), Extended(k)};
+      J(0, k) = dot(G1, dw);
+      J(1, k) = dot(G2, dw);
+      J(2, k) = cross(hessian_times(first, dw), G2) + cross(G1, hessian_times(second, dw));
+    }
+    J(0, 2) = 0;
+    J(1, 2) = -dot(G2, v);
+    J(2, 2) = cross(G1, dG2_dq);
+    const Vector r{value_at(first, w), value_at(second, w), cross(G1, G2)};
+    const Extended det = J.determinant();
+    if (det == 0) {
+      return;
+    }
+    const Vector step = J.inverse() * r;
+    const double length = to_double(Extended(abs(step(0)) + abs(step(1)) + abs(step(2))));
+    if (!(length < 1e-4) || length < 1e-60) {
+      return;
+    }
+    Tangency next = tangency;
+    next.w = w - Complex<Extended>{step(0), step(1)};
+    next.at = advanced(problem, tangency.at, Extended(-step(2)));
+    if (shape_at(problem, next).distance > shape_at(problem, tangency).distance) {
+      return;
+    }
+    tangency = next;
+  }
+}
+
+std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem,
+                                                const Form<Extended>& second, const Coordinate& at) {
+  const Form<Extended>& first = problem.first;
+  if (first.kind == FormKind::kPoint) {
+    return {first.v[0]};
+  }
+  if (second.kind == FormKind::kPoint) {
+    return {second.v[0]};
+  }
+  std::vector<Complex<Extended>> points;
+  if (first.kind == FormKind::kLine || second.kind == FormKind::kLine) {
+    const bool line_first = first.kind == FormKind::kLine;
+    const Form<Extended>& conic = line_first ? second : first;
+    if (const auto pole = finite_point(conic.A * (line_first ? first.v : second.v))) {
+      points.push_back(*pole);
+    }
+    return points;
+  }
+  const DoubleMember member = double_member(problem, at);
+  const Matrix3c<Extended> adj = adjugate(member.M);
+  Extended rank2 = 0;
+  Extended rank1 = 0;
+  std::size_t row = 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      rank2 += sqrt(norm(adj[i][j]));
+      rank1 += norm(member.M[i][j]);
+    }
+  }
+  if (const auto kernel = finite_point(adj[row])) {
+    points.push_back(*kernel);
+  }
+  if (rank2 <= 1e-5 * rank1) {
+    const auto more = points_on_double_line(member.M, first);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
+bool touches(const TangencyProblem& problem, const Tangency& tangency) {
+  const ContactShape shape = shape_at(problem, tangency);
+  const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
+  return shape.distance <= kTouching * reach && shape.misalignment <= kAligned;
+}
+
+}  // namespace
+
+TangencyProblem make_problem(const ContactPair& pair, double u) {
+  const PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, u));
+  const OneFreedom& motion = pair.motion2;
+  TangencyProblem problem;
+  problem.origin_W = motion.p_WO;
+  problem.motion.turns = motion.turns;
+  problem.motion.direction = complex_of(motion.direction_W);
+  double size = (pair.curve2.vertex_B - motion.p_BO).norm();
+  size = std::max({size, (first.vertex_W - motion.p_WO).norm(), first.semi_latus, pair.curve2.semi_latus});
+  problem.length = size > 0 ? std::exp2(std::ceil(std::log2(size))) : 1;
+  const auto scaled = [&](const Complex<Extended>& v) { return Extended(1 / Extended(problem.length)) * v; };
+  const Complex<Extended> origin = complex_of(motion.p_WO);
+  problem.first =
+      form_of(pair.curve1, scaled(complex_of(first.vertex_W) - origin), complex_of(first.axis_W), problem.length);
+  const Complex<Extended> turn = motion.turns ? Complex<Extended>{Extended(1), Extended(0)}
+                                              : Complex<Extended>{Extended(motion.R_WB.cos),
+                                                                  Extended(motion.R_WB.sin)};
+  const Complex<Extended> v = complex_of(pair.curve2.vertex_B) - complex_of(motion.p_BO);
+  problem.second =
+      form_of(pair.curve2, scaled(turn * v), turn * complex_of(pair.curve2.axis_B), problem.length);
+  problem.first_W = first;
+  problem.second_at_0 = place(pair.curve2, pose_at(motion, 0));
+  for (PlacedCurve<double>* curve : {&problem.first_W, &problem.second_at_0}) {
+    curve->vertex_W = (curve->vertex_W - motion.p_WO) / problem.length;
+    curve->semi_latus /= problem.length;
+  }
+  return problem;
+}
+
+Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at) {
+  Form<Extended> form = problem.second;
+  if (problem.motion.turns) {
+    const std::array<Complex<Extended>, 3> D = {conj(at), at, Complex<Extended>{Extended(1), Extended(0)}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        form.S[i][j] = D[i] * D[j] * form.S[i][j];
+        form.A[i][j] = conj(D[i] * D[j]) * form.A[i][j];
+      }
+      form.v[i] = (form.kind == FormKind::kLine ? D[i] : conj(D[i])) * form.v[i];
+    }
+    return form;
+  }
+  const Extended& q = at.re;
+  const auto evaluate = [&](const MatrixPolynomial<Extended>& m) { return m[0] + q * (m[1] + q * m[2]); };
+  form.S = evaluate(moved_primal(form.S, problem.motion));
+  form.A = evaluate(moved_dual(form.A, problem.motion));
+  const Complex<Extended> d = q * problem.motion.direction;
+  if (form.kind == FormKind::kLine) {
+    form.v[2] = form.v[2] - form.v[0] * d - form.v[1] * conj(d);
+  } else {
+    form.v[0] += d;
+    form.v[1] += conj(d);
+  }
+  return form;
+}
+
+ContactShape shape_at(const TangencyProblem& problem, const Tangency& tangency) {
+  const Form<Extended> second = moved(problem, tangency.at);
+  ContactShape shape;
+  const auto look = [&](const Form<Extended>& form, Complex<Extended>& G, double& kappa) {
+    if (form.kind == FormKind::kPoint) {
+      const double off = to_double(Extended(sqrt(norm(tangency.w - form.v[0]))));
+      shape.distance = std::max(shape.distance, off);
+      return;
+    }
+    G = gradient_at(form, tangency.w);
+    kappa = curvature(form, G);
+    const Extended off = abs(value_at(form, tangency.w)) / sqrt(norm(G));
+    shape.distance = std::max(shape.distance, to_double(off));
+  };
+  look(problem.first, shape.G1, shape.kappa1);
+  look(second, shape.G2, shape.kappa2);
+  const Extended scale = norm(shape.G1) * norm(shape.G2);
+  if (scale > 0) {
+    shape.misalignment = to_double(Extended(abs(cross(shape.G1, shape.G2)) / sqrt(scale)));
+  }
+  return shape;
+}
+
+DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at) {
+  const Form<Extended> second = moved(problem, at);
+  const Form<Extended>& first = problem.first;
+  const Extended a = determinant(first);
+  const Extended b = product(first.A, second.S).re;
+  const Extended c = product(first.S, second.A).re;
+  const Extended d = determinant(second);
+  // The double root is a root of the derivative as well.
+  const Extended D = b * b - 3 * a * c;
+  const Extended root = D > 0 ? Extended(sqrt(D)) : Extended(0);
+  const auto value = [&](const Extended& l) { return Extended(abs(((a * l + b) * l + c) * l + d)); };
+  const Extended one = (-b + root) / (3 * a);
+  const Extended other = (-b - root) / (3 * a);
+  DoubleMember member;
+  member.lambda = value(one) < value(other) ? one : other;
+  const Matrix3c<Extended> scaled = member.lambda * first.S;
+  member.M = scaled + second.S;
+  Extended left = 0;
+  Extended whole = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      left += norm(member.M[i][j]);
+      whole += norm(scaled[i][j]) + norm(second.S[i][j]);
+    }
+  }
+  member.coincident = left <= kTouching * kTouching * whole;
+  return member;
+}
+
+std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordinate& at) {
+  const Form<Extended> second = moved(problem, at);
+  const bool conics = problem.first.kind == FormKind::kConic && second.kind == FormKind::kConic;
+  std::vector<Tangency> found;
+  for (const Complex<Extended>& w : candidate_points(problem, second, at)) {
+    Tangency tangency{at, w, true};
+    if (conics) {
+      refine(problem, tangency);
+    }
+    tangency.exact = shape_at(problem, tangency).distance <= 1e-18;
+    const bool new_one = std::none_of(found.begin(), found.end(), [&](const Tangency& other) {
+      return same_within_rounding(problem, tangency, other);
+    });
+    if (new_one && touches(problem, tangency)) {
+      found.push_back(tangency);
+    }
+  }
+  return found;
+}
+
+bool same_within_rounding(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
+  const double apart = to_double(norm(a.w - b.w));
+  if (!(apart < 1e-4)) {
+    return false;
+  }
+  Tangency middle = a;
+  middle.w = Extended(0.5) * (a.w + b.w);
+  middle.at = a.at + b.at;
+  const Extended scale = problem.motion.turns ? Extended(sqrt(norm(middle.at))) : Extended(2);
+  if (scale == 0) {
+    return false;
+  }
+  middle.at = Extended(1 / scale) * middle.at;
+  return touches(problem, middle);
+}
+
+}  // namespace higherpair
