@@ -20,7 +20,8 @@ constexpr double kNotDefinite = 1e-13;
 
 bool is_centered_at(const Curve& curve, const Vector2d& p_B, double size) {
   const bool round = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kPoint;
-  const Vector2d c = curve.vertex_B + (curve.kind == CurveKind::kCircle ? curve.semi_latus : 0) * curve.axis_B;
+  const Vector2d c =
+      curve.vertex_B + (curve.kind == CurveKind::kCircle ? curve.semi_latus : 0) * curve.axis_B;
   return round && (c - p_B).norm() <= kRounding * size;
 }
 
@@ -33,15 +34,16 @@ bool is_independent(const ContactPair& pair, double u, double size) {
            is_centered_at(pair.curve1, X_W1.inverse_times(motion.p_WO), size);
   }
   const auto along = [&](const Curve& curve, const Rotation<double>& R) {
-    return curve.kind == CurveKind::kLine && std::abs((R * curve.axis_B).dot(motion.direction_W)) <= kRounding;
+    return curve.kind == CurveKind::kLine &&
+           std::abs((R * curve.axis_B).dot(motion.direction_W)) <= kRounding;
   };
   return along(pair.curve1, X_W1.R_WB) || along(pair.curve2, motion.R_WB);
 }
 
-// Two parabolas with parallel axes touch at infinity whatever q is, so that the discriminant is always 0. With
-// x along the axis of the first from its vertex, k = 1/(2ℓ), s = ±1 the sense of the second axis, (x2, y2) its
-// vertex: x = k1 y² and x = x2 + s k2 (y - y2)² have a double common point iff
-// s k1 k2 y2² + (k1 - s k2) x2 = 0. Multiplied by 4 ℓ1 ℓ2: s y2² + 2 (ℓ2 - s ℓ1) x2 = 0.
+// Two parabolas with parallel axes touch at infinity whatever q is, so that the discriminant is always 0.
+// With x along the axis of the first from its vertex, k = 1/(2ℓ), s = ±1 the sense of the second axis, (x2,
+// y2) its vertex: x = k1 y² and x = x2 + s k2 (y - y2)² have a double common point iff s k1 k2 y2² + (k1 - s
+// k2) x2 = 0. Multiplied by 4 ℓ1 ℓ2: s y2² + 2 (ℓ2 - s ℓ1) x2 = 0.
 Polynomial parallel_parabolas(const TangencyProblem& problem, const Extended& s) {
   const PlacedCurve<double>& first = problem.first_W;
   const PlacedCurve<double>& second = problem.second_at_0;
@@ -221,8 +223,7 @@ struct Finder {
     const Vector2d w = point(tangency.w);
     const Vector2d v = problem.motion.turns ? perp(w) : pair.motion2.direction_W;
     const double gap_q = contact.n_W.dot(v);
-    contact.at_limit =
-        (!tangency.exact && !contact.conforming) || std::abs(gap_q) <= kSingular * v.norm();
+    contact.at_limit = (!tangency.exact && !contact.conforming) || std::abs(gap_q) <= kSingular * v.norm();
     contact.branch = !contact.opposed || contact.at_limit ? 0 : (gap_q > 0 ? 1 : -1);
     const bool conics = is_conic(pair.curve1) && is_conic(pair.curve2);
     contact.coincident = conics && contact.conforming && double_member(problem, tangency.at).coincident;

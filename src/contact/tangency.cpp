@@ -14,6 +14,8 @@ constexpr double kTouching = 1e-13;
 constexpr double kAligned = 1e-5;
 // Contacts farther off than this are at infinity.
 constexpr double kInfinite = 1e9;
+// Farther apart than this, squared, two contacts are two without a closer look.
+constexpr double kClearlyApart = 1e-4;
 
 Complex<Extended> complex_of(const Vector2d& v) {
   return {Extended(v.x()), Extended(v.y())};
@@ -88,8 +90,8 @@ Complex<Extended> square_root(const Complex<Extended>& a) {
   return {Extended(abs(im)), a.im < 0 ? Extended(-re) : re};
 }
 
-// M is nearly ± m mᵀ for a real line m: where it meets the conic, if it does (if it misses it by rounding, the
-// middle).
+// M is nearly ± m mᵀ for a real line m: where it meets the conic, if it does (if it misses it by rounding,
+// the middle).
 std::vector<Complex<Extended>> points_on_double_line(const Matrix3c<Extended>& M,
                                                      const Form<Extended>& conic) {
   const Extended sign = M[0][1].re < 0 ? -1 : 1;
@@ -176,8 +178,8 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
   }
 }
 
-std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem,
-                                                const Form<Extended>& second, const Coordinate& at) {
+std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, const Form<Extended>& second,
+                                                const Coordinate& at) {
   const Form<Extended>& first = problem.first;
   if (first.kind == FormKind::kPoint) {
     return {first.v[0]};
@@ -195,17 +197,19 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem,
     return points;
   }
   const DoubleMember member = double_member(problem, at);
+  if (member.coincident) {
+    return {complex_of(problem.first_W.vertex_W)};
+  }
   const Matrix3c<Extended> adj = adjugate(member.M);
   Extended rank2 = 0;
   Extended rank1 = 0;
-  std::size_t row = 2;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       rank2 += sqrt(norm(adj[i][j]));
       rank1 += norm(member.M[i][j]);
     }
   }
-  if (const auto kernel = finite_point(adj[row])) {
+  if (const auto kernel = finite_point(adj[2])) {
     points.push_back(*kernel);
   }
   if (rank2 <= 1e-5 * rank1) {
@@ -235,11 +239,11 @@ TangencyProblem make_problem(const ContactPair& pair, double u) {
   problem.length = size > 0 ? std::exp2(std::ceil(std::log2(size))) : 1;
   const auto scaled = [&](const Complex<Extended>& v) { return Extended(1 / Extended(problem.length)) * v; };
   const Complex<Extended> origin = complex_of(motion.p_WO);
-  problem.first =
-      form_of(pair.curve1, scaled(complex_of(first.vertex_W) - origin), complex_of(first.axis_W), problem.length);
-  const Complex<Extended> turn = motion.turns ? Complex<Extended>{Extended(1), Extended(0)}
-                                              : Complex<Extended>{Extended(motion.R_WB.cos),
-                                                                  Extended(motion.R_WB.sin)};
+  problem.first = form_of(pair.curve1, scaled(complex_of(first.vertex_W) - origin), complex_of(first.axis_W),
+                          problem.length);
+  const Complex<Extended> turn =
+      motion.turns ? Complex<Extended>{Extended(1), Extended(0)}
+                   : Complex<Extended>{Extended(motion.R_WB.cos), Extended(motion.R_WB.sin)};
   const Complex<Extended> v = complex_of(pair.curve2.vertex_B) - complex_of(motion.p_BO);
   problem.second =
       form_of(pair.curve2, scaled(turn * v), turn * complex_of(pair.curve2.axis_B), problem.length);
@@ -353,7 +357,7 @@ std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordi
 
 bool same_within_rounding(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
   const double apart = to_double(norm(a.w - b.w));
-  if (!(apart < 1e-4)) {
+  if (!(apart < kClearlyApart)) {
     return false;
   }
   Tangency middle = a;

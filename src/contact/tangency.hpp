@@ -39,8 +39,8 @@ struct Tangency {
 
 /// How well a point and position satisfy the conditions of contact, in units of the problem.
 struct ContactShape {
-  double distance = 0;      ///< of the point from the curves, the larger one
-  double misalignment = 0;  ///< |sine| of the angle between the normals
+  double distance = 0;       ///< of the point from the curves, the larger one
+  double misalignment = 0;   ///< |sine| of the angle between the normals
   Complex<Extended> G1, G2;  ///< gradients, out of the bodies; 0 for a point
   double kappa1 = 0, kappa2 = 0;
 };

@@ -9,15 +9,18 @@ namespace higherpair {
 
 /// One position of the follower at which the two curves are tangent; vectors in ground W.
 struct CurveContact {
-  double q = 0;  ///< follower's coordinate: in (-π, π], or a displacement [m]
+  double q = 0;                     ///< follower's coordinate: in (-π, π], or a displacement [m]
   Vector2d p_W = Vector2d::Zero();  ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of body 1; where body 1 is a point, -(that of body 2)
-  bool opposed = false;  ///< the outward normals are opposed: the bodies lie on different sides (always of a point)
-  bool free = false;     ///< opposed, and the interiors of the two bodies are disjoint
-  int branch = 0;        ///< of an opposed contact: sign of ∂gap/∂q, 0 at a limit
+  Vector2d n_W =
+      Vector2d::UnitX();  ///< unit outward normal of body 1; where body 1 is a point, -(that of body 2)
+  bool opposed =
+      false;  ///< the outward normals are opposed: the bodies lie on different sides (always of a point)
+  bool free = false;        ///< opposed, and the interiors of the two bodies are disjoint
+  int branch = 0;           ///< of an opposed contact: sign of ∂gap/∂q, 0 at a limit
   bool at_limit = false;    ///< two contacts merge here: ∂gap/∂q = 0 to within rounding
   bool conforming = false;  ///< the curves have the same curvature here, to within rounding
-  bool coincident = false;  ///< the two curves are the same here and touch all along; p is any of their points
+  bool coincident =
+      false;  ///< the two curves are the same here and touch all along; p is any of their points
 };
 
 /// What a list of contacts is worth.
