@@ -47,9 +47,8 @@ bool is_independent(const ContactPair& pair, double u, double size) {
 Polynomial parallel_parabolas(const TangencyProblem& problem, const Extended& s) {
   const PlacedCurve<double>& first = problem.first_W;
   const PlacedCurve<double>& second = problem.second_at_0;
-  const Vector2d v = second.vertex_W - first.vertex_W;
-  const Complex<Extended> axis{Extended(first.axis_W.x()), Extended(first.axis_W.y())};
-  const Complex<Extended> offset{Extended(v.x()), Extended(v.y())};
+  const Complex<Extended> axis = complex_of(first.axis_W);
+  const Complex<Extended> offset = complex_of(second.vertex_W - first.vertex_W);
   const Extended x2 = dot(axis, offset), y2 = cross(axis, offset);
   const Extended dx = dot(axis, problem.motion.direction), dy = cross(axis, problem.motion.direction);
   const Extended factor = 2 * (Extended(second.semi_latus) - s * Extended(first.semi_latus));
@@ -63,9 +62,6 @@ Polynomial parallel_parabolas(const TangencyProblem& problem, const Extended& s)
 std::vector<Tangency> parallel_tangency(const TangencyProblem& problem, const Extended& s,
                                         const Extended& q) {
   const PlacedCurve<double>& first = problem.first_W;
-  const auto complex_of = [](const Vector2d& v) {
-    return Complex<Extended>{Extended(v.x()), Extended(v.y())};
-  };
   const Complex<Extended> axis = complex_of(first.axis_W);
   const Complex<Extended> v = complex_of(problem.second_at_0.vertex_W - first.vertex_W);
   const Extended y2 = cross(axis, v) + q * cross(axis, problem.motion.direction);
@@ -143,11 +139,6 @@ std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& prob
     }
   }
   return found;
-}
-
-// Hyperbolas have a second branch that is no part of the body: beyond the centre at x = ℓ/q.
-bool on_branch(const PlacedCurve<double>& curve, const Vector2d& p) {
-  return curve.q >= 0 || curve.q * (p - curve.vertex_W).dot(curve.axis_W) < curve.semi_latus;
 }
 
 struct Finder {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "contact_pencil.hpp"
-#include "extended.hpp"
+#include "extended_form.hpp"
 #include "higherpair/contact/contact_pair.hpp"
-#include "higherpair/geometry/support.hpp"
 #include "polynomial_roots.hpp"
 
 #include <optional>
