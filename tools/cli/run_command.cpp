@@ -21,13 +21,6 @@ void on_interrupt(int) {
   interrupted = 1;
 }
 
-int report(const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) {
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
-  }
-  return kExitInput;
-}
-
 std::vector<RowWriter> open_outputs(const RunOptions& options) {
   std::vector<RowWriter> writers;
   if (options.csv) {
@@ -152,15 +145,22 @@ int report_slip(const Slip& slip, const RunOptions& options, const Profile& prof
 
 }  // namespace
 
+int report_input(const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    fmt::print(stderr, "{}\n", to_string(diagnostic));
+  }
+  return kExitInput;
+}
+
 int run_command(const RunOptions& options) {
   const auto profile = read_profile_file(options.profile, options.overrides);
   if (!profile) {
-    return report(profile.error());
+    return report_input(profile.error());
   }
   const auto schedule = options.timed ? DriverSchedule::step(*profile, options.samples)
                                       : DriverSchedule::analyze(*profile, options.samples);
   if (!schedule) {
-    return report(schedule.error());
+    return report_input(schedule.error());
   }
   auto run = start_run(profile->mechanism, schedule->state(0).si.position, options.tolerance);
   if (!run) {
@@ -172,7 +172,7 @@ int run_command(const RunOptions& options) {
   }
   auto table = MotionTable::make(*profile, run->plan, options.timed);
   if (!table) {
-    return report({about(options.profile, table.error())});
+    return report_input({about(options.profile, table.error())});
   }
 
   std::signal(SIGINT, on_interrupt);
