@@ -101,10 +101,13 @@ std::optional<Coordinate> real_coordinate(const Complex<Extended>& root, bool tu
 
 void add(const TangencyProblem& problem, const Tangency& tangency, std::vector<Tangency>& found) {
   for (Tangency& other : found) {
-    if (same_within_rounding(problem, tangency, other)) {
+    if (auto middle = merged(problem, tangency, other)) {
       // The same one again, or a second one that rounding cannot tell from it?
       const bool again = norm(tangency.w - other.w) + norm(tangency.at - other.at) <= Extended("1e-36");
-      other.exact = other.exact && again;
+      if (!again) {
+        middle->exact = false;
+        other = *middle;
+      }
       return;
     }
   }

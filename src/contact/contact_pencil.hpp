@@ -49,6 +49,20 @@ template <class T>
   return form;
 }
 
+/// The body side (y² + q x² - 2 ℓ x) < 0 with x along the axis u from the vertex v and y across, side = ±1.
+/// Only the ratio of ℓ and |u| counts.
+template <class T>
+[[nodiscard]] Form<T> vertex_form(const T& side, const T& q, const T& l, const Complex<T>& v,
+                                  const Complex<T>& u) {
+  const T x0 = dot(u, v);
+  const T y0 = cross(u, v);
+  const T two(2);
+  return conic_form<T>(
+      {T(side * (u.im * u.im + q * u.re * u.re)), T(side * (u.re * u.re + q * u.im * u.im)),
+       T(side * two * (q - T(1)) * u.re * u.im), T(side * two * (y0 * u.im - (q * x0 + l) * u.re)),
+       T(side * two * (-y0 * u.re - (q * x0 + l) * u.im)), T(side * (y0 * y0 + (q * x0 + two * l) * x0))});
+}
+
 template <class T>
 [[nodiscard]] Vector3c<T> homogeneous(const Complex<T>& w) {
   return {w, conj(w), Complex<T>{T(1), T(0)}};

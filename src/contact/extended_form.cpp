@@ -24,21 +24,14 @@ Complex<Extended> complex_of(const Vector2d& v) {
 
 Form<Extended> form_of(const Curve& curve, const Complex<Extended>& v, const Complex<Extended>& u,
                        double length) {
-  const Extended x0 = dot(u, v);
-  const Extended y0 = cross(u, v);
   if (curve.kind == CurveKind::kPoint) {
     return point_form(v);
   }
   if (curve.kind == CurveKind::kLine) {
-    return line_form<Extended>(-u.re, -u.im, x0);
+    return line_form<Extended>(-u.re, -u.im, dot(u, v));
   }
-  const Extended s = curve.side == Side::kInside ? 1 : -1;
-  const Extended q = curve.q;
-  const Extended l = Extended(curve.semi_latus) / length;
-  return conic_form<Extended>({s * (u.im * u.im + q * u.re * u.re), s * (u.re * u.re + q * u.im * u.im),
-                               s * 2 * (q - 1) * u.re * u.im, s * 2 * (y0 * u.im - (q * x0 + l) * u.re),
-                               s * 2 * (-y0 * u.re - (q * x0 + l) * u.im),
-                               s * (y0 * y0 + (q * x0 + 2 * l) * x0)});
+  const Extended side = curve.side == Side::kInside ? 1 : -1;
+  return vertex_form<Extended>(side, curve.q, Extended(curve.semi_latus) / length, v, u);
 }
 
 Extended value_at(const Form<Extended>& form, const Complex<Extended>& w) {

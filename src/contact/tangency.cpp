@@ -240,7 +240,7 @@ std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordi
     }
     tangency.exact = shape_at(problem, tangency).distance <= 1e-18;
     const bool new_one = std::none_of(found.begin(), found.end(), [&](const Tangency& other) {
-      return same_within_rounding(problem, tangency, other);
+      return merged(problem, tangency, other).has_value();
     });
     if (new_one && touches(problem, tangency)) {
       found.push_back(tangency);
@@ -249,20 +249,34 @@ std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordi
   return found;
 }
 
-bool same_within_rounding(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
+bool has_finite_point(const TangencyProblem& problem, const Coordinate& at) {
+  const Form<Extended> second = moved(problem, at);
+  if (problem.first.kind == FormKind::kConic && second.kind == FormKind::kConic) {
+    const Matrix3c<Extended> adj = adjugate(double_member(problem, at).M);
+    return finite_point(adj[2]).has_value();
+  }
+  return !candidate_points(problem, second, at).empty();
+}
+
+std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
   const double apart = to_double(norm(a.w - b.w));
   if (!(apart < kClearlyApart)) {
-    return false;
+    return std::nullopt;
   }
   Tangency middle = a;
   middle.w = Extended(0.5) * (a.w + b.w);
   middle.at = a.at + b.at;
   const Extended scale = problem.motion.turns ? Extended(sqrt(norm(middle.at))) : Extended(2);
   if (scale == 0) {
-    return false;
+    return std::nullopt;
   }
   middle.at = Extended(1 / scale) * middle.at;
-  return touches(problem, middle);
+  // From the chord onto the curve.
+  for (int i = 0; i < 2 && problem.first.kind != FormKind::kPoint; ++i) {
+    const Complex<Extended> G = gradient_at(problem.first, middle.w);
+    middle.w = middle.w - Extended(value_at(problem.first, middle.w) / norm(G)) * G;
+  }
+  return touches(problem, middle) ? std::optional(middle) : std::nullopt;
 }
 
 }  // namespace higherpair

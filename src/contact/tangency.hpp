@@ -57,7 +57,12 @@ struct DoubleMember {
 /// contact is complex, at infinity or farther off than rounding explains.
 [[nodiscard]] std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordinate& at);
 
-/// Two that the rounding of doubles cannot tell apart: everything between them touches as well as they do.
-[[nodiscard]] bool same_within_rounding(const TangencyProblem& problem, const Tangency& a, const Tangency& b);
+/// Whether the point of contact at a root of the contact polynomial is nearer than 1e9 sizes.
+[[nodiscard]] bool has_finite_point(const TangencyProblem& problem, const Coordinate& at);
+
+/// The middle of two that the rounding of doubles cannot tell apart (everything between them touches as well
+/// as they do), or none.
+[[nodiscard]] std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a,
+                                             const Tangency& b);
 
 }  // namespace higherpair
