@@ -149,15 +149,18 @@ struct Finder {
   const TangencyProblem& problem;
   double u;
 
-  [[nodiscard]] Vector2d point(const Complex<Extended>& w) const {
-    return {to_double(w.re), to_double(w.im)};
+  // Of the 100 digits those below 1e-30 are noise of an exact 0.
+  [[nodiscard]] static Vector2d point(const Complex<Extended>& w) {
+    const auto clean = [](const Extended& x) { return abs(x) < 1e-30 ? 0.0 : to_double(x); };
+    return {clean(w.re), clean(w.im)};
   }
 
   [[nodiscard]] double coordinate(const Coordinate& at) const {
+    const Vector2d rounded = point(at);
     if (!problem.motion.turns) {
-      return to_double(at.re) * problem.length;
+      return rounded.x() * problem.length;
     }
-    const double q = std::atan2(to_double(at.im), to_double(at.re));
+    const double q = angle_of(rounded);
     return q <= -kPi ? kPi : q;
   }
 

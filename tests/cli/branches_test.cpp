@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -44,6 +45,22 @@ TEST(Branches, OfADriverPositionThatIsOverriddenAreThoseThere) {
       output_of(profile("flat_faced_translating.toml") + " --set driver.start=90 --json -"));
   EXPECT_EQ(json.at("driver"), 90.0);
   EXPECT_NEAR(json.at("contacts").at(1).at("position").get<double>(), 28, 1e-13);
+}
+
+TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
+  // Disc of radius 30 about (10, 0), the edge above the origin: at ±sqrt(30² - 10²).
+  const auto json =
+      nlohmann::json::parse(output_of(profile("knife_edge.toml") + " --certify --quiet --json -"));
+  ASSERT_EQ(json.at("contacts").size(), 2U);
+  const nlohmann::json& interval = json.at("contacts").at(1).at("certified");
+  EXPECT_LE(interval.at(0).get<double>(), std::sqrt(800.0));
+  EXPECT_GE(interval.at(1).get<double>(), std::sqrt(800.0));
+  EXPECT_LE(interval.at(1).get<double>() - interval.at(0).get<double>(), 1e-11);
+}
+
+TEST(Branches, SayWhatIsCertified) {
+  EXPECT_THAT(output_of(profile("disc_in_ring.toml") + " --certify"),
+              ::testing::HasSubstr("certified: exactly these contacts exist"));
 }
 
 TEST(Branches, AreTextWithUnitsWhereNoFileIsAskedFor) {

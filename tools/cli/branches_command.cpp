@@ -1,5 +1,6 @@
 #include "branches_command.hpp"
 
+#include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
@@ -7,7 +8,10 @@
 #include "output_file.hpp"
 #include "run_command.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,6 +28,7 @@ struct Entry {
   bool opposed = false;
   bool free = false;
   std::string remark;
+  std::optional<std::array<double, 2>> certified;  ///< interval of the position
 };
 
 struct Report {
@@ -36,7 +41,8 @@ struct Report {
   std::string driver_unit;
   double driver = 0;
   std::vector<Entry> entries;
-  std::string note;  ///< why there is no list, or empty
+  std::string note;         ///< why there is no list, or empty
+  std::string certificate;  ///< what was certified; empty: not asked for
 };
 
 double plus_zero(double value) {
@@ -74,6 +80,22 @@ Entry entry_of(const CurveContact& contact, const Profile& profile, const Contac
   return entry;
 }
 
+// The interval of q as one of the position: in the profile's units, rounded outwards.
+std::array<double, 2> position_interval(const std::array<double, 2>& q, double q_of_contact,
+                                        const Entry& entry, const Profile& profile,
+                                        const ContactGroup& group) {
+  const bool turns = group.follower.freedom.turns;
+  const Scaling scaling = from_si(turns ? dimension::kAngle : dimension::kLength, profile.units);
+  // The position may be a turn away from q: the interval keeps its place about it.
+  const auto bound = [&](double q_bound, double towards) {
+    const double offset = scaling.apply(group.follower.sign * (q_bound - q_of_contact));
+    return std::nextafter(entry.position + offset, towards);
+  };
+  const double a = bound(q[0], group.follower.sign > 0 ? -INFINITY : INFINITY);
+  const double b = bound(q[1], group.follower.sign > 0 ? INFINITY : -INFINITY);
+  return {std::min(a, b), std::max(a, b)};
+}
+
 nlohmann::ordered_json json_of(const Report& report) {
   nlohmann::ordered_json json;
   json["driver"] = report.driver;
@@ -86,6 +108,11 @@ nlohmann::ordered_json json_of(const Report& report) {
                                 {"normal", entry.normal},
                                 {"opposed", entry.opposed},
                                 {"free", entry.free}});
+    if (entry.certified) {
+      json["contacts"].back()["certified"] = *entry.certified;
+    } else if (!report.certificate.empty()) {
+      json["contacts"].back()["certified"] = nullptr;
+    }
   }
   json["assemblies"] = nlohmann::ordered_json::array();
   return json;
@@ -93,11 +120,22 @@ nlohmann::ordered_json json_of(const Report& report) {
 
 std::string csv_of(const Report& report) {
   const std::string& length = report.length_unit;
-  std::string text = fmt::format("contact,position[{}],x[{}],y[{}],normal[{}],opposed,free\n",
+  const bool certified = !report.certificate.empty();
+  std::string text = fmt::format("contact,position[{}],x[{}],y[{}],normal[{}],opposed,free",
                                  report.position_unit, length, length, report.angle_unit);
+  if (certified) {
+    text += fmt::format(",certified_low[{0}],certified_high[{0}]", report.position_unit);
+  }
+  text += '\n';
   for (const Entry& entry : report.entries) {
-    text += fmt::format("{},{},{},{},{},{},{}\n", report.contact, entry.position, entry.x, entry.y,
+    text += fmt::format("{},{},{},{},{},{},{}", report.contact, entry.position, entry.x, entry.y,
                         entry.normal, entry.opposed, entry.free);
+    if (entry.certified) {
+      text += fmt::format(",{},{}", (*entry.certified)[0], (*entry.certified)[1]);
+    } else if (certified) {
+      text += ",,";
+    }
+    text += '\n';
   }
   return text;
 }
@@ -121,6 +159,12 @@ std::string text_of(const Report& report) {
     text += fmt::format("{:>20.12g}{:>18.10g}{:>18.10g}{:>18.10g}  {:<8}{:<5}{}\n", entry.position, entry.x,
                         entry.y, entry.normal, entry.opposed ? "yes" : "no", entry.free ? "yes" : "no",
                         entry.remark);
+    if (entry.certified) {
+      text += fmt::format("{:>20}in [{}, {}]\n", "", (*entry.certified)[0], (*entry.certified)[1]);
+    }
+  }
+  if (!report.certificate.empty()) {
+    text += "\n" + report.certificate + "\n";
   }
   return text;
 }
@@ -145,10 +189,31 @@ int write_all(const BranchesOptions& options, const Report& report) {
   }
   if (!options.csv && !options.json) {
     good = write("-", text_of(report));
-  } else if (!report.note.empty() && !options.quiet) {
-    fmt::print(stderr, "{}: contacts.{}: {}\n", options.profile, report.contact, report.note);
+  } else if (!options.quiet) {
+    for (const std::string& remark : {report.note, report.certificate}) {
+      if (!remark.empty()) {
+        fmt::print(stderr, "{}: contacts.{}: {}\n", options.profile, report.contact, remark);
+      }
+    }
   }
   return good ? kExitOk : kExitMachine;
+}
+
+void add_certificate(const Certificate& certificate, const CurveContacts& found, const Profile& profile,
+                     const ContactGroup& group, Report& report) {
+  report.certificate = describe(certificate.status);
+  if (certificate.status != CertificateStatus::kNotDecided) {
+    report.certificate +=
+        " (every number of the mechanism to within 2^-50 of itself, the driver's angle as a rational "
+        "rotation "
+        "within 2^-60, quarter turns exact)";
+  }
+  for (std::size_t i = 0; i < report.entries.size(); ++i) {
+    if (const auto& interval = certificate.intervals[i]) {
+      report.entries[i].certified =
+          position_interval(*interval, found.contacts[i].q, report.entries[i], profile, group);
+    }
+  }
 }
 
 int fail(const BranchesOptions& options, const std::string& reason) {
@@ -197,6 +262,16 @@ int branches_command(const BranchesOptions& options) {
   }
   for (const CurveContact& contact : found.contacts) {
     report.entries.push_back(entry_of(contact, *profile, group));
+  }
+  if (options.certify) {
+    const Certificate certificate =
+        certify_contacts(group.pair, plan->driver.sign * driver.si.position, found);
+    if (certificate.status == CertificateStatus::kDisagreement) {
+      fmt::print(stderr, "{}: contacts.{}: {}\n", options.profile, report.contact,
+                 describe(certificate.status));
+      return kExitMachine;
+    }
+    add_certificate(certificate, found, *profile, group, report);
   }
   return write_all(options, report);
 }
