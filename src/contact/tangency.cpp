@@ -259,7 +259,7 @@ bool has_finite_point(const TangencyProblem& problem, const Coordinate& at) {
 }
 
 std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
-  const double apart = to_double(norm(a.w - b.w));
+  const double apart = to_double(norm(a.w - b.w) + norm(a.at - b.at));
   if (!(apart < kClearlyApart)) {
     return std::nullopt;
   }
@@ -267,9 +267,6 @@ std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a
   middle.w = Extended(0.5) * (a.w + b.w);
   middle.at = a.at + b.at;
   const Extended scale = problem.motion.turns ? Extended(sqrt(norm(middle.at))) : Extended(2);
-  if (scale == 0) {
-    return std::nullopt;
-  }
   middle.at = Extended(1 / scale) * middle.at;
   // From the chord onto the curve.
   for (int i = 0; i < 2 && problem.first.kind != FormKind::kPoint; ++i) {

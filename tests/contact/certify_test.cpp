@@ -4,6 +4,7 @@
 #include "contact/random_pair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -106,6 +107,28 @@ TEST_P(CertifyRandom, DoesNotPassAListWithAMistake) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, CertifyRandom, ::testing::Range(0, 72));
+
+TEST(Certify, AgreesWithTheListOnPairsOfWholeNumbers) {
+  std::array<int, 4> seen = {};
+  for (unsigned number = 0; number < 720; ++number) {
+    const testing::RandomPair random = testing::grid_pair(number);
+    SCOPED_TRACE(random.text);
+    const CurveContacts list = find_curve_contacts(random.pair, random.u);
+    const Certificate certificate = certify_contacts(random.pair, random.u, list);
+    ++seen.at(static_cast<std::size_t>(certificate.status));
+    EXPECT_NE(certificate.status, CertificateStatus::kDisagreement);
+    EXPECT_EQ(certificate.status == CertificateStatus::kNotDecided, list.status != ContactsStatus::kComplete);
+    for (std::size_t i = 0; i < list.contacts.size(); ++i) {
+      const CurveContact& contact = list.contacts[i];
+      const bool fragile = contact.at_limit || contact.conforming || contact.coincident;
+      EXPECT_EQ(certificate.intervals[i].has_value(), !fragile);
+    }
+  }
+  // Of every answer there are some.
+  EXPECT_GT(seen[0], 300);
+  EXPECT_GT(seen[1], 10);
+  EXPECT_GT(seen[2], 5);
+}
 
 // The list and the certificate of a pair with the driver at 0.
 struct Both {

@@ -204,6 +204,22 @@ TEST(Contacts, OfAFaceTurningOverACircleAreItsTangentsThroughThePivot) {
   }
 }
 
+TEST(Contacts, OfAFaceThroughItsPivotAreFourAlsoWhereTwoShareAPoint) {
+  // The face lies along the tangent at (1, 0) or (3, -2), pointing to the disc or away from it: positions
+  // half a turn apart have the same point.
+  ContactPair pair;
+  pair.curve1 = make_circle({1, -2}, 2).value();
+  pair.curve2 = make_line({0, 0}, {0, 1}).value();
+  pair.motion2.p_WO = {3, 0};
+  const CurveContacts found = find_curve_contacts(pair, 0);
+  ASSERT_EQ(found.contacts.size(), 4U);
+  const std::vector<double> expected = {-kPi / 2, 0, kPi / 2, kPi};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(found.contacts[i].q, expected[i], 1e-15);
+    EXPECT_FALSE(found.contacts[i].at_limit);
+  }
+}
+
 TEST(Contacts, OfAPointSlidingThroughAParabolaAreWhereItCrosses) {
   ContactPair pair;
   pair.curve1 = make_parabola({0, 0}, 0.25, 0).value();  // y² = x

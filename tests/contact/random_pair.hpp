@@ -68,6 +68,41 @@ inline RandomPair random_pair(unsigned number) {
   return result;
 }
 
+/// As random_pair, with small whole numbers and quarter turns: full of contacts at one position, tangents at
+/// infinity, coincidences and limits.
+inline RandomPair grid_pair(unsigned number) {
+  RandomPair result = random_pair(number);
+  std::mt19937 random(50000 + number);
+  const auto whole = [&](int low, int high) {
+    return static_cast<double>(std::uniform_int_distribution<int>(low, high)(random));
+  };
+  for (Curve* curve : {&result.pair.curve1, &result.pair.curve2}) {
+    const double turn = whole(0, 3);
+    curve->vertex_B = {whole(-2, 2), whole(-2, 2)};
+    curve->axis_B = turn < 2 ? Vector2d(1 - 2 * turn, 0) : Vector2d(0, 2 * turn - 5);
+    if (is_conic(*curve)) {
+      curve->semi_latus = whole(1, 4) / 2;
+    }
+    if (curve->kind == CurveKind::kEllipse) {
+      curve->q = whole(1, 3) / 4;
+    }
+    if (curve->kind == CurveKind::kHyperbola) {
+      curve->q = -whole(1, 3) / 2;
+    }
+  }
+  result.pair.motion1.p_WO = {whole(-1, 1), whole(-1, 1)};
+  OneFreedom& follower = result.pair.motion2;
+  follower.p_WO = {whole(-2, 3), whole(-1, 1)};
+  follower.p_BO = {whole(-1, 1), whole(-1, 1)};
+  if (!follower.turns) {
+    follower.direction_W = whole(0, 1) > 0 ? Vector2d(0, 1) : Vector2d(-0.6, 0.8);
+    follower.R_WB = whole(0, 1) > 0 ? Rotation<double>{0, 1} : Rotation<double>{-1, 0};
+    follower.theta = follower.R_WB.sin > 0 ? kPi / 2 : kPi;
+  }
+  result.u = whole(0, 3) * kPi / 2;
+  return result;
+}
+
 /// The same pair with all lengths multiplied.
 inline ContactPair scaled(ContactPair pair, double scale) {
   for (Curve* curve : {&pair.curve1, &pair.curve2}) {
