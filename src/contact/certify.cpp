@@ -1,6 +1,6 @@
 #include "higherpair/contact/certify.hpp"
 
-#include "exact_decision.hpp"
+#include "exact/exact_decision.hpp"
 #include "tangency.hpp"
 
 #include <algorithm>

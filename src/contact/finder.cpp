@@ -89,10 +89,10 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
       return find_listed_contact(pair, u, start, direction, from_overlap);
     }
     const Separation here = separation_at(pair, u, q, tolerance);
-    if (here.gap == -INFINITY && from_overlap) {
-      return find_listed_contact(pair, u, start, direction, from_overlap);
-    }
     if (here.gap == -INFINITY) {
+      if (from_overlap) {
+        return find_listed_contact(pair, u, start, direction, from_overlap);
+      }
       result.status = FindStatus::kOverlapAtStart;
       return result;
     }

@@ -1,5 +1,7 @@
 #include "polynomial_roots.hpp"
 
+#include "higherpair/geometry/vector.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,10 +48,12 @@ std::vector<Complex<Extended>> starting_values(const Polynomial& c) {
   }
   std::vector<Complex<Extended>> values;
   for (std::size_t edge = 1; edge < hull.size(); ++edge) {
-    const auto count = static_cast<double>(hull[edge] - hull[edge - 1]);
-    const Extended radius = exp(Extended((height[hull[edge - 1]] - height[hull[edge]]) / count));
-    for (double i = 0; i < count; ++i) {
-      const double angle = 2 * 3.14159265358979 * (i / count + static_cast<double>(edge) / 7) + 0.7;
+    const std::size_t count = hull[edge] - hull[edge - 1];
+    const double slope = (height[hull[edge - 1]] - height[hull[edge]]) / static_cast<double>(count);
+    const Extended radius = exp(Extended(slope));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(count);
+      const double angle = 2 * kPi * (share + static_cast<double>(edge) / 7) + 0.7;
       values.push_back({Extended(radius * std::cos(angle)), Extended(radius * std::sin(angle))});
     }
   }

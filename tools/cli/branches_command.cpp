@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -91,8 +92,9 @@ std::array<double, 2> position_interval(const std::array<double, 2>& q, double q
     const double offset = scaling.apply(group.follower.sign * (q_bound - q_of_contact));
     return std::nextafter(entry.position + offset, towards);
   };
-  const double a = bound(q[0], group.follower.sign > 0 ? -INFINITY : INFINITY);
-  const double b = bound(q[1], group.follower.sign > 0 ? INFINITY : -INFINITY);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double a = bound(q[0], -group.follower.sign * infinity);
+  const double b = bound(q[1], group.follower.sign * infinity);
   return {std::min(a, b), std::max(a, b)};
 }
 

@@ -19,7 +19,7 @@ Point times(const Point& rotation, const Vector2d& v) {
 
 // A rational rotation within 2^-60 of the angle; quarter turns exactly.
 Point rational_rotation(double angle) {
-  const Extended quarter = boost::math::constants::half_pi<Extended>();
+  const Extended& quarter = boost::math::constants::half_pi<Extended>();
   const Extended turns = round(Extended(angle) / quarter);
   const Extended rest = Extended(angle) - turns * quarter;
   // The double nearest to a quarter turn is meant to be one.
