@@ -49,8 +49,8 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
   for (std::size_t i = 1; i < b.bodies.size(); ++i) {
     const BodyMotion& before = a.bodies[i];
     BodyMotion& body = b.bodies[i];
-    const auto angle = middle<double>({before.theta, before.omega, before.alpha},
-                                      {body.theta, body.omega, body.alpha}, h);
+    const auto angle =
+        middle<double>({before.theta, before.omega, before.alpha}, {body.theta, body.omega, body.alpha}, h);
     const auto place = middle<Vector2d>({before.X_WB.p_WB, before.v_WB, before.a_WB},
                                         {body.X_WB.p_WB, body.v_WB, body.a_WB}, h);
     body.theta = angle.value;
@@ -63,8 +63,8 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
   for (std::size_t i = 0; i < b.contacts.size(); ++i) {
     const Contact& contact = run.mechanism.contacts[i];
     ContactMotion& motion = b.contacts[i];
-    const double phi = (a.contacts[i].phi + motion.phi) / 2 +
-                       h / 8 * (a.contacts[i].rates.phi_dot - motion.rates.phi_dot);
+    const double phi =
+        (a.contacts[i].phi + motion.phi) / 2 + h / 8 * (a.contacts[i].rates.phi_dot - motion.rates.phi_dot);
     const auto at = find_common_normal(
         curve_of(run.mechanism, contact.first), b.bodies[static_cast<std::size_t>(contact.first.body)].X_WB,
         curve_of(run.mechanism, contact.second), b.bodies[static_cast<std::size_t>(contact.second.body)].X_WB,

@@ -2,7 +2,6 @@
 
 #include "crossing.hpp"
 #include "events.hpp"
-
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -277,7 +276,8 @@ bool follow(Run& run, const Path& path) {
     if (result.limit) {
       add_limit(run, result.group, result.limit->u);
     }
-    if (result.kind == StepResult::kOk && !last && is_near_crossing(run, run.trial) && std::abs(step) > 0.02 * scale) {
+    if (result.kind == StepResult::kOk && !last && is_near_crossing(run, run.trial) &&
+        std::abs(step) > 0.02 * scale) {
       // No place to rest at: come down elsewhere.
       h = 0.618 * std::abs(step);
       continue;

@@ -1,6 +1,7 @@
 #include "higherpair/contact/finder.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "listed_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,17 +100,22 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
   const std::optional<double> bound = speed_bound(pair, u, q);
   FindResult result;
   if (!bound) {
-    result.status = FindStatus::kUnbounded;
-    return result;
+    return find_listed_contact(pair, u, q, direction, from_overlap);
   }
   const double tolerance = 1e-12 * size;
   const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
   const double start = q;
   bool overlapping = false;
   double last_gap = size;
-  for (int i = 0; i < kMaxSteps && std::abs(q - start) <= range; ++i) {
+  for (int i = 0; std::abs(q - start) <= range; ++i) {
+    if (i == kMaxSteps) {
+      return find_listed_contact(pair, u, start, direction, from_overlap);
+    }
     const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);
     if (here.gap == -std::numeric_limits<double>::infinity()) {
+      if (from_overlap) {
+        return find_listed_contact(pair, u, start, direction, from_overlap);
+      }
       result.status = FindStatus::kOverlapAtStart;
       return result;
     }

@@ -82,10 +82,10 @@ struct OutputJoint {
 struct Run {
   Mechanism mechanism;
   Plan plan;
-  double tolerance = 1e-9;       ///< of plan.size: larger residuals are not `ok`
-  State state;                   ///< where it stood last; rates per unit of the path
-  std::vector<double> drivers;   ///< the drivers' coordinates there
-  bool held = true;              ///< false: lost at a limit; `state` is the last position before it
+  double tolerance = 1e-9;      ///< of plan.size: larger residuals are not `ok`
+  State state;                  ///< where it stood last; rates per unit of the path
+  std::vector<double> drivers;  ///< the drivers' coordinates there
+  bool held = true;             ///< false: lost at a limit; `state` is the last position before it
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   std::vector<OutputJoint> outputs;
   MotionRow row;                 ///< of the last move_to
