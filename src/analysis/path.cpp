@@ -2,6 +2,7 @@
 
 #include "crossing.hpp"
 #include "events.hpp"
+#include "overlap.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -289,6 +290,7 @@ bool follow(Run& run, const Path& path) {
         return true;
       }
       note_events(run, path, s, step);
+      watch_overlaps(run, path, s, step);
       accept(run);
       s = last ? path.length : s + step;
       h = std::min(2 * h, largest);

@@ -4,6 +4,7 @@
 #include "crossing.hpp"
 #include "events.hpp"
 #include "group_solver.hpp"
+#include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
 
@@ -81,6 +82,10 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
     row.contacts = run.trial.contacts;
   }
   mark_rates(run, row);
+  for (std::size_t i = 0; i < run.watches.size(); ++i) {
+    row.arcs_hold[i] = !run.watches[i].jumped;
+    row.status = run.watches[i].overlaps ? RowStatus::kOverlap : row.status;
+  }
   row.residual = residual_of(run);
   if (!(row.residual <= run.tolerance * run.plan.size)) {
     row.status = RowStatus::kNotConverged;
@@ -113,6 +118,7 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   }
   set_rates(run, unit_motions(drivers), run.state);
   run.outputs = output_joints(mechanism);
+  run.watches = watched_contacts(mechanism);
   run.trial = run.state;
   run.targets = drivers;
   run.trial_drivers = drivers;
@@ -121,6 +127,7 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   leave_singular_start(run);
   run.row.bodies = run.state.bodies;
   run.row.contacts = run.state.contacts;
+  run.row.arcs_hold.assign(mechanism.contacts.size(), true);
   run.row.has_rates.assign(run.state.bodies.size(), true);
   return run;
 }
