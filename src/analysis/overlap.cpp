@@ -24,8 +24,8 @@ struct Radii {
 
 Radii radii_of(const Curve& curve) {
   const double at_vertex = curve.semi_latus;
-  const double across =
-      curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q)) : std::numeric_limits<double>::infinity();
+  const double across = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q))
+                                    : std::numeric_limits<double>::infinity();
   return {std::min(at_vertex, across), std::max(at_vertex, across)};
 }
 
@@ -48,9 +48,10 @@ Separation separation_in(const Run& run, const Contact& contact, const State& st
                     0.1 * kOverlap * run.plan.size);
 }
 
-// Where between run.state and run.trial the gap at the common normal near n_W closes; the way's end if it cannot be
-// followed back.
-double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h, const Vector2d& n_W) {
+// Where between run.state and run.trial the gap at the common normal near n_W closes; the way's end if it
+// cannot be followed back.
+double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
+                       const Vector2d& n_W) {
   const State kept = run.trial;
   const auto gap_in = [&](const State& state) {
     const auto at = find_common_normal(
@@ -123,8 +124,8 @@ std::vector<ContactWatch> watched_contacts(const Mechanism& mechanism) {
   std::vector<ContactWatch> watched;
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     const Contact& contact = mechanism.contacts[i];
-    watched.push_back({may_overlap(curve_of(mechanism, contact.first), curve_of(mechanism, contact.second)),
-                       false, false});
+    watched.push_back(
+        {may_overlap(curve_of(mechanism, contact.first), curve_of(mechanism, contact.second)), false, false});
   }
   return watched;
 }
@@ -155,7 +156,8 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
       watch.jumped = true;
       event.type = EventType::kSecondContact;
       event.cause = fmt::format(
-          "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate for a "
+          "a second contact of the same two bodies appears and the motion goes on with it; the follower's "
+          "rate for a "
           "unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
           change->rate_before, change->rate_after);
     }

@@ -8,9 +8,9 @@ namespace higherpair {
 /// everywhere more curved than the ring about it.
 [[nodiscard]] std::vector<ContactWatch> watched_contacts(const Mechanism& mechanism);
 
-/// Looks for overlaps of touching bodies elsewhere in run.trial, which is `h` of the path beyond run.state at s. A
-/// driver and follower whose contact allows it go over to the second contact there (run.trial is changed); others are
-/// marked. Adds an event where this begins.
+/// Looks for overlaps of touching bodies elsewhere in run.trial, which is `h` of the path beyond run.state at
+/// s. A driver and follower whose contact allows it go over to the second contact there (run.trial is
+/// changed); others are marked. Adds an event where this begins.
 void watch_overlaps(Run& run, const Path& path, double s, double h);
 
 }  // namespace higherpair

@@ -2,9 +2,9 @@
 
 #include "crossing.hpp"
 #include "events.hpp"
-#include "overlap.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "overlap.hpp"
 
 #include <algorithm>
 #include <cmath>

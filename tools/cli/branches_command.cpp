@@ -173,13 +173,13 @@ std::string contact_text(const Report& report, const ContactReport& contact) {
   if (!contact.note.empty()) {
     return text + contact.note + "\n";
   }
-  text += fmt::format("\n{:>20}{:>18}{:>18}{:>18}  {:<8}{:<5}\n", head(contact.joint, contact.position_unit),
-                      head("x", report.length_unit), head("y", report.length_unit),
-                      head("normal", report.angle_unit), "opposed", "free");
+  text += fmt::format("\n{:>20}{:>18}{:>18}{:>18}  opposed free\n",
+                      head(contact.joint, contact.position_unit), head("x", report.length_unit),
+                      head("y", report.length_unit), head("normal", report.angle_unit));
   for (const Entry& entry : contact.entries) {
-    text += fmt::format("{:>20.12g}{:>18.10g}{:>18.10g}{:>18.10g}  {:<8}{:<5}{}\n", entry.position, entry.x,
+    text += fmt::format("{:>20.12g}{:>18.10g}{:>18.10g}{:>18.10g}  {:<8}{}{}\n", entry.position, entry.x,
                         entry.y, entry.normal, entry.opposed ? "yes" : "no", entry.free ? "yes" : "no",
-                        entry.remark);
+                        entry.remark.empty() ? "" : "   " + entry.remark);
     if (entry.certified) {
       text += fmt::format("{:>20}in [{}, {}]\n", "", (*entry.certified)[0], (*entry.certified)[1]);
     }

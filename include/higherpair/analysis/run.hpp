@@ -100,9 +100,9 @@ struct Run {
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   std::vector<OutputJoint> outputs;
   std::vector<ContactWatch> watches;  ///< of Mechanism::contacts
-  MotionRow row;                 ///< of the last move_to
-  std::vector<RunEvent> events;  ///< of the last move_to
-  State trial;                   ///< where steps are tried, and the drivers there
+  MotionRow row;                      ///< of the last move_to
+  std::vector<RunEvent> events;       ///< of the last move_to
+  State trial;                        ///< where steps are tried, and the drivers there
   std::vector<double> trial_drivers;
   std::vector<DriverMotion> trial_motions;
   std::vector<double> targets;  ///< of the last move_to
