@@ -121,6 +121,32 @@ void predict(const Group& group, const State& from, double h, State& to) {
   }
 }
 
+bool is_idle(const Model& model, int body) {
+  const std::vector<int>& idle = model.plan.idle_bodies;
+  return std::find(idle.begin(), idle.end(), body) != idle.end();
+}
+
+// A body whose turning nothing sets keeps its angle: size·(θ - predicted θ) = 0.
+void append_idle_rows(const Model& model, const Group& group, std::vector<ConstraintRow>& rows) {
+  for (const int body : group.bodies) {
+    if (is_idle(model, body)) {
+      ConstraintRow row;
+      row.body = {0, body};
+      row.coefficient[1].z() = model.plan.size;
+      rows.push_back(row);
+    }
+  }
+}
+
+// Takes away what rounding leaves of an idle body's turning.
+void hold_idle(const Model& model, const Group& group, Eigen::VectorXd& change) {
+  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+    if (is_idle(model, group.bodies[i])) {
+      change(static_cast<Eigen::Index>(3 * i + 2)) = 0;
+    }
+  }
+}
+
 void add_step(const Group& group, const Eigen::VectorXd& step, double size, State& to) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     BodyMotion& body = to.bodies[static_cast<std::size_t>(group.bodies[i])];
@@ -177,12 +203,14 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
       return GroupStatus::kNotConverged;
     }
     group_rows(model, group, targets, to, rows);
+    append_idle_rows(model, group, rows);
     const System system = make_system(group, rows, size, [](int) { return Eigen::Vector3d::Zero().eval(); });
     const Solver solver(system.J);
     Eigen::VectorXd step = solver.solve(-values_of(rows));
     if (!step.allFinite()) {
       return GroupStatus::kNotConverged;
     }
+    hold_idle(model, group, step);
     const double length = step.cwiseAbs().maxCoeff() / size;
     if (length == 0 || (length < 1e-9 && length >= last / 2)) {
       to.groups[g].sine = solver.determinant();
@@ -212,6 +240,7 @@ void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMot
   };
   std::vector<ConstraintRow> rows;
   group_rows(model, group, drivers, state, rows);
+  append_idle_rows(model, group, rows);
   const System velocity = make_system(group, rows, size, [&](int body) {
     return Eigen::Vector3d(body_at(body).v_WB.x(), body_at(body).v_WB.y(), body_at(body).omega);
   });
@@ -221,6 +250,7 @@ void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMot
     rates(static_cast<Eigen::Index>(i)) += rows[i].rate;
   }
   rates = solver.solve(rates);
+  hold_idle(model, group, rates);
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(3 * i);
     body_at(group.bodies[i]).v_WB = rates.segment<2>(column);
@@ -230,6 +260,7 @@ void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMot
     set_contact_rates(model, index, state);
   }
   group_rows(model, group, drivers, state, rows);
+  append_idle_rows(model, group, rows);
   const System acceleration = make_system(group, rows, size, [&](int body) {
     return Eigen::Vector3d(body_at(body).a_WB.x(), body_at(body).a_WB.y(), body_at(body).alpha);
   });
@@ -238,6 +269,7 @@ void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMot
     change(static_cast<Eigen::Index>(i)) -= rows[i].gamma;
   }
   change = solver.solve(change);
+  hold_idle(model, group, change);
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(3 * i);
     body_at(group.bodies[i]).a_WB = change.segment<2>(column);

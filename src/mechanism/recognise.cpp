@@ -203,6 +203,22 @@ std::optional<GroupKind> pin_and_slot(const Mechanism& mechanism, const Joint& p
   return link_with_line(mechanism, pin, body, known_end(mechanism, slot, body), line);
 }
 
+// A body on a slide and a slot (a yoke): the slot is on the known body, or on the body itself.
+GroupKind slide_and_slot(const Mechanism& mechanism, const Joint& slide, const Joint& slot, int body) {
+  const Guide guide = guide_of(mechanism, slide, body, point_of(mechanism, end_on(slot, body)));
+  SlideDyad dyad;
+  dyad.first = guide.line;
+  dyad.riders = {guide.rider};
+  const Rotation<double> along{slot.direction_A.x(), slot.direction_A.y()};
+  if (slot.second.body == body) {
+    dyad.second = {slot.first.body, point_of(mechanism, slot.first), along};
+  } else {
+    dyad.pin = known_end(mechanism, slot, body);
+    dyad.second = {guide.line.body, Vector2d::Zero(), guide.rider.relative * along};
+  }
+  return dyad;
+}
+
 // Of two bodies a carries the pin to a known body, b the slide to one, and a pin joins them.
 std::optional<GroupKind> rrp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
   const Joint& inner = joint_of(mechanism, joints.inner);
@@ -264,11 +280,14 @@ std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const BodySet
   if (set.joints.size() == 2 && set.contacts.empty() && set.drivers.empty()) {
     const Joint& one = joint_of(mechanism, set.joints[0]);
     const Joint& two = joint_of(mechanism, set.joints[1]);
-    const bool pin_first = one.type == JointType::kRevolute && two.type == JointType::kSlot;
-    const bool pin_second = two.type == JointType::kRevolute && one.type == JointType::kSlot;
-    return pin_first    ? pin_and_slot(mechanism, one, two, body)
-           : pin_second ? pin_and_slot(mechanism, two, one, body)
-                        : std::nullopt;
+    const bool second_is_slot = two.type == JointType::kSlot;
+    const Joint& slot = second_is_slot ? two : one;
+    const Joint& other = second_is_slot ? one : two;
+    if (slot.type != JointType::kSlot || other.type == JointType::kSlot) {
+      return std::nullopt;
+    }
+    return other.type == JointType::kRevolute ? pin_and_slot(mechanism, other, slot, body)
+                                              : slide_and_slot(mechanism, other, slot, body);
   }
   if (set.joints.size() != 1) {
     return std::nullopt;

@@ -88,7 +88,8 @@ struct RprDyad {
 
 /// Two slides that place a point C. On its first line C runs; the second line either lies on another known
 /// body (two sliders that meet in a pin C), or goes through a known pin A in a direction that turns with the
-/// body of the first (a body pinned at A slides on a body that slides on a known one).
+/// body of the first (a body pinned at A slides on a body that slides on a known one). Of one body on a slide
+/// and a slot the slot is the second line.
 struct SlideDyad {
   BodyLine first;
   BodyLine second;               ///< with `pin` set only its direction counts, in the frame of first.body
