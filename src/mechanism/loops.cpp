@@ -178,6 +178,8 @@ void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_
           loop.crank = crank;
           loop.linkage = {r2, r3, cross(line.along_G, Vector2d(line.p_G - O.p_B)), 0};
           loop.inversion = inversion_of(loop);
+          loop.along_G = line.along_G;
+          loop.coupler_AC = p_C - A.p_B;
           found.push_back(loop);
         }
       }
@@ -206,6 +208,14 @@ void add_of_slide(const Mechanism& mechanism, const PinGraph& graph, const std::
 }
 
 }  // namespace
+
+AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyMotion>& bodies) {
+  const auto turned = [&](int body, const Vector2d& v_B) {
+    return Vector2d(bodies[static_cast<std::size_t>(body)].X_WB.R_WB * v_B);
+  };
+  const bool ahead = turned(loop.guide, loop.along_G).dot(turned(loop.coupler, loop.coupler_AC)) > 0;
+  return ahead ? AssemblyMode::kPlus : AssemblyMode::kMinus;
+}
 
 std::vector<FourBarInMechanism> find_four_bars(const Mechanism& mechanism) {
   const PinGraph graph(mechanism);

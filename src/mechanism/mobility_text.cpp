@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -107,7 +108,7 @@ std::string structure_text(const Mobility& mobility) {
 
 std::string missing_text(const Mechanism& mechanism, const Mobility& mobility) {
   std::string text =
-      fmt::format("more freedom than drivers: {} left by the drivers, in which {} move(s); add {}",
+      fmt::format("more freedom than drivers: {} left by the drivers, in which {} can move; add {}",
                   freedoms(mobility.missing_drivers), body_names(mechanism, mobility.loose_bodies),
                   drivers(mobility.missing_drivers));
   if (!mobility.joints_to_drive.empty()) {
@@ -178,7 +179,7 @@ std::vector<std::string> explanations(const Mechanism& mechanism, const Mobility
   }
   if (mobility.shaky > 0) {
     sentences.push_back(fmt::format(
-        "it is shaky: {} lead(s) nowhere; small clearances let it give, and its forces grow without bound",
+        "it is shaky: {} of the null space lead nowhere; it gives within its clearances, under large forces",
         freedoms(mobility.shaky)));
   } else if (mobility.singular) {
     sentences.push_back(fmt::format(
@@ -206,7 +207,7 @@ std::optional<std::string> driver_objection(const Mechanism& mechanism, const Mo
   }
   const int given = static_cast<int>(mechanism.drivers.size());
   std::string text =
-      fmt::format("wrong mobility for its drivers: {} by rank ({} by the count {})",
+      fmt::format("wrong mobility for its drivers: {} by rank ({} by the count, {})",
                   freedoms(mobility.freedom), mobility.count.mobility(), formula_text(mobility.count));
   if (!mobility.idle.empty()) {
     text += fmt::format(", {} of them idle", mobility.idle.size());
@@ -219,6 +220,15 @@ std::optional<std::string> driver_objection(const Mechanism& mechanism, const Mo
     text += "; " + useless_text(mechanism, mobility);
   }
   return text;
+}
+
+std::optional<std::string> surplus_objection(const Mechanism& mechanism, const Plan& plan,
+                                             const std::vector<double>& drivers) {
+  const bool rolls = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const Group& group) {
+    const auto* pair = std::get_if<TrackedPair>(&group.kind);
+    return pair != nullptr && mechanism.contacts[static_cast<std::size_t>(pair->contact)].rolling;
+  });
+  return plan.surplus == 0 || rolls ? std::nullopt : driver_objection(mechanism, drivers);
 }
 
 std::optional<std::string> driver_objection(const Mechanism& mechanism, const std::vector<double>& drivers) {

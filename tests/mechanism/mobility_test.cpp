@@ -201,6 +201,7 @@ TEST(Mobility, OfEllipsesThatRollAboutTheirFociIsOne) {
   const double b = 0.04;
   const double c = 0.03;
   for (const bool foci : {true, false}) {
+    SCOPED_TRACE(foci ? "about their foci" : "about their centres");
     DrawnMechanism drawn;
     const Vector2d O2(2 * a, 0);
     const int one = drawn.crank("one", Vector2d::Zero());
@@ -247,6 +248,29 @@ TEST(DriverObjection, SaysThatAStructureCannotBeDriven) {
   drawn.drive(0);
   EXPECT_THAT(driver_objection(drawn.mechanism, std::vector<double>{0}).value_or(""),
               AllOf(HasSubstr("0 drivers needed, 1 given"), HasSubstr("nothing can move")));
+}
+
+TEST(SurplusObjection, IsThereForADriverTooManyAndNotForAMemberThatFits) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.drive(2, "rocker");
+  const auto plan = make_plan(drawn.mechanism);
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->surplus, 1);
+  EXPECT_THAT(surplus_objection(drawn.mechanism, *plan, {0, 0}).value_or(""), HasSubstr("2 given"));
+  drawn.mechanism.drivers.pop_back();
+  drawn.mechanism.joints.push_back(drawn.mechanism.joints.back());
+  const auto fitting = make_plan(drawn.mechanism);
+  ASSERT_TRUE(fitting) << fitting.error();
+  EXPECT_EQ(fitting->surplus, 2);
+  EXPECT_EQ(surplus_objection(drawn.mechanism, *fitting, {0}), std::nullopt);
+}
+
+TEST(Plan, RefusesLooseBodiesInTheSameWords) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.mechanism.drivers.clear();
+  const auto plan = make_plan(drawn.mechanism);
+  ASSERT_FALSE(plan);
+  EXPECT_THAT(plan.error(), AllOf(HasSubstr("1 driver needed, 0 given"), HasSubstr("crank, dyad_a, dyad_b")));
 }
 
 TEST(Mobility, IsCountedOnlyWhereTheMechanismDoesNotClose) {

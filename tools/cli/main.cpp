@@ -1,3 +1,4 @@
+#include "mobility_command.hpp"
 #include "run_command.hpp"
 
 #include <exception>
@@ -39,10 +40,15 @@ int run(int argc, char** argv) {
   const CLI::App* analyze_command =
       add_run_command(app, "analyze", "motion at every driver position of the profile", analyze);
   add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  higherpair::cli::MobilityOptions mobility;
+  const CLI::App* mobility_command = higherpair::cli::add_mobility_command(app, mobility);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? higherpair::cli::kExitOk : higherpair::cli::kExitInput;
+  }
+  if (mobility_command->parsed()) {
+    return higherpair::cli::mobility_command(mobility);
   }
   return higherpair::cli::run_command(analyze_command->parsed() ? analyze : step);
 }

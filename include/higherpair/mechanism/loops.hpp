@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/geometry/motion.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/linkage/slider_crank.hpp"
 #include "higherpair/mechanism/description.hpp"
@@ -34,8 +35,13 @@ struct SliderCrankInMechanism {
   int slider = -1;  ///< -1: a slot
   int joint = 0;    ///< the slide or slot
   SliderCrankInversion inversion = SliderCrankInversion::kGuide;
-  SliderCrank linkage;  ///< theta1 = 0: along the joint's line
+  SliderCrank linkage;                     ///< theta1 = 0: along the joint's line
+  Vector2d along_G = Vector2d::UnitX();    ///< that direction in the frame of the guide
+  Vector2d coupler_AC = Vector2d::Zero();  ///< from the crank to the slider, in the coupler's frame [m]
 };
+
+/// The mode in which a slider-crank stands, driven by its crank. \param bodies  of the mechanism
+[[nodiscard]] AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyMotion>& bodies);
 
 /// All rings of four bodies and four pins, without links of no length, in the order of their bodies.
 [[nodiscard]] std::vector<FourBarInMechanism> find_four_bars(const Mechanism& mechanism);

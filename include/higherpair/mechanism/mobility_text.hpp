@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/mechanism/mobility.hpp"
+#include "higherpair/mechanism/plan.hpp"
 
 #include <optional>
 #include <string>
@@ -33,5 +34,11 @@ namespace higherpair {
 /// assembled there.
 [[nodiscard]] std::optional<std::string> driver_objection(const Mechanism& mechanism,
                                                           const std::vector<double>& drivers);
+
+/// The same for a mechanism that a plan places with conditions left over: whether the rank has room for them.
+/// None without surplus, and for a driver and a follower that are to roll on each other: whether they can is
+/// seen along the way, and how far they slip is said then.
+[[nodiscard]] std::optional<std::string> surplus_objection(const Mechanism& mechanism, const Plan& plan,
+                                                           const std::vector<double>& drivers);
 
 }  // namespace higherpair
