@@ -1,6 +1,7 @@
 #pragma once
 
 #include "path.hpp"
+#include "step.hpp"
 
 namespace higherpair {
 

@@ -150,7 +150,8 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       run.path.motions(0, run.trial_motions);
       set_rates(run, run.trial_motions, run.state);
     }
-    held = follow(run, run.path);
+    // The branch may be there again at the end of a path on which it is lost.
+    held = follow(run, run.path) || resume(run, run.targets);
   }
   if (held) {
     fill_row(run, drivers);

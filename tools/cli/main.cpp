@@ -1,4 +1,5 @@
 #include "branches_command.hpp"
+#include "mobility_command.hpp"
 #include "run_command.hpp"
 
 #include <exception>
@@ -59,6 +60,8 @@ int run(int argc, char** argv) {
   add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
   BranchesOptions branches;
   const CLI::App* branches_command = add_branches_command(app, branches);
+  higherpair::cli::MobilityOptions mobility;
+  const CLI::App* mobility_command = higherpair::cli::add_mobility_command(app, mobility);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -66,6 +69,9 @@ int run(int argc, char** argv) {
   }
   if (branches_command->parsed()) {
     return higherpair::cli::branches_command(branches);
+  }
+  if (mobility_command->parsed()) {
+    return higherpair::cli::mobility_command(mobility);
   }
   return higherpair::cli::run_command(analyze_command->parsed() ? analyze : step);
 }
