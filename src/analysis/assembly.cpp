@@ -1,5 +1,6 @@
 #include "assembly.hpp"
 
+#include "coupled_bodies.hpp"
 #include "group_solver.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
@@ -165,7 +166,9 @@ private:
     }
     std::optional<LimitPosition> limit;
     const State& from = std::holds_alternative<TouchingBody>(group.kind) ? touching_start_ : posed_;
-    const GroupStatus status = place_group(model_, g, from, 0, run_.drivers, state_, limit);
+    const GroupStatus status = starts_rolling(group)
+                                   ? start_rolling_bodies(g)
+                                   : place_group(model_, g, from, 0, run_.drivers, state_, limit);
     if (status != GroupStatus::kOk) {
       fail(g, unreachable(group));
       return false;
@@ -178,6 +181,26 @@ private:
       }
     }
     return true;
+  }
+
+  [[nodiscard]] bool starts_rolling(const Group& group) const {
+    return std::holds_alternative<CoupledBodies>(group.kind) &&
+           std::any_of(group.contacts.begin(), group.contacts.end(),
+                       [&](int contact) { return contact_of(run_.mechanism, contact).rolling; });
+  }
+
+  // At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their angles.
+  GroupStatus start_rolling_bodies(std::size_t g) {
+    const Group& group = run_.plan.groups[g];
+    Mechanism slipping = run_.mechanism;
+    for (const int contact : group.contacts) {
+      slipping.contacts[static_cast<std::size_t>(contact)].rolling = false;
+    }
+    std::vector<int> held;
+    std::copy_if(run_.plan.phase_bodies.begin(), run_.plan.phase_bodies.end(), std::back_inserter(held), [&](int body) {
+      return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
+    });
+    return place_coupled({slipping, run_.plan}, g, posed_, 0, run_.drivers, state_, held);
   }
 
   std::string unreachable(const Group& group) const {

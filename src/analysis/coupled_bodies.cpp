@@ -157,6 +157,18 @@ void add_step(const Group& group, const Eigen::VectorXd& step, double size, Stat
   }
 }
 
+void hold_angles(const std::vector<int>& held, const State& from, const State& to, double size,
+                 std::vector<ConstraintRow>& rows) {
+  for (const int body : held) {
+    const auto index = static_cast<std::size_t>(body);
+    ConstraintRow row;
+    row.body[1] = body;
+    row.coefficient[1].z() = size;
+    row.value = size * (to.bodies[index].theta - from.bodies[index].theta);
+    rows.push_back(row);
+  }
+}
+
 Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -188,7 +200,7 @@ void group_rows(const Model& model, const Group& group, const std::vector<Driver
 }
 
 GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
-                          const std::vector<double>& drivers, State& to) {
+                          const std::vector<double>& drivers, State& to, const std::vector<int>& held) {
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
   std::vector<DriverMotion> targets(drivers.size());
@@ -203,6 +215,7 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
       return GroupStatus::kNotConverged;
     }
     group_rows(model, group, targets, to, rows);
+    hold_angles(held, from, to, size, rows);
     append_idle_rows(model, group, rows);
     const System system = make_system(group, rows, size, [](int) { return Eigen::Vector3d::Zero().eval(); });
     const Solver solver(system.J);

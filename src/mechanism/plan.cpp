@@ -91,6 +91,28 @@ double size_of(const Mechanism& mechanism) {
   return largest_distance(points);
 }
 
+namespace {
+
+std::vector<int> phase_bodies(const Mechanism& mechanism) {
+  Mechanism slipping = mechanism;
+  bool rolls = false;
+  for (Contact& contact : slipping.contacts) {
+    rolls = rolls || contact.rolling;
+    contact.rolling = false;
+  }
+  std::vector<int> bodies;
+  if (rolls) {
+    for (const LooseBody& loose : analyse_structure(slipping).loose) {
+      if (loose.turning_only) {
+        bodies.push_back(loose.body);
+      }
+    }
+  }
+  return bodies;
+}
+
+}  // namespace
+
 tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   const Structure structure = analyse_structure(mechanism);
   Plan plan;
@@ -109,6 +131,7 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
     plan.groups.push_back(recognise(mechanism, set, plan.groups));
   }
   plan.surplus = structure.surplus;
+  plan.phase_bodies = phase_bodies(mechanism);
   plan.size = size_of(mechanism);
   for (Group& group : plan.groups) {
     if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {

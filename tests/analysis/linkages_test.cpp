@@ -102,7 +102,6 @@ TEST(ScotchYoke, IsAPureHarmonicForEveryDirectionOfItsSlot) {
 
 // Exactly at the end of its stroke the yoke stands still, while the crank's pin does not.
 TEST(ScotchYoke, IsOkExactlyAtTheEndOfItsStroke) {
-  GTEST_SKIP() << "the residual's speed scale leaves out the second body of a joint";
   const Motion motion =
       analyze(shipped("scotch_yoke", {"joints.slot.direction=141", "driver.positions=[51, 231]"}));
   expect_all_ok(motion);
@@ -323,7 +322,6 @@ velocity = 60
 
 // Rolling, the roller's rim moves with the cam's: equal arcs from the first row on, no sliding.
 TEST(RollerBody, IsTurnedByTheCamWhereItRollsFromTheAngleOfItsPose) {
-  GTEST_SKIP() << "a coupled group does not yet start its arcs from the poses";
   const Motion motion =
       analyze(shipped("roller_body", {"contacts.touch.rolling=true", "bodies.roller.pose.angle=33"}));
   expect_all_ok(motion);
