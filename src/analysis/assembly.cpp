@@ -17,6 +17,8 @@ namespace {
 // More tries than this and only the nearer mode of each further group is looked at.
 constexpr int kMaxTries = 20000;
 
+constexpr std::size_t kMaxAssemblies = 4096;
+
 const std::string& name_of_body(const Mechanism& mechanism, int index) {
   return mechanism.bodies[static_cast<std::size_t>(index)].name;
 }
@@ -68,6 +70,15 @@ public:
     return std::nullopt;
   }
 
+  // Every assembly, not only the nearest.
+  Assemblies run_all() {
+    state_ = posed_;
+    Assemblies found;
+    all_ = &found;
+    search(0, 0);
+    return found;
+  }
+
 private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -94,7 +105,12 @@ private:
   }
 
   void search(std::size_t g, double cost) {
-    if (cost >= best_cost_) {
+    if (cost >= best_cost_ || (all_ != nullptr && !all_->complete)) {
+      return;
+    }
+    if (g == run_.plan.groups.size() && all_ != nullptr) {
+      all_->states.push_back(state_);
+      all_->complete = all_->states.size() < kMaxAssemblies;
       return;
     }
     if (g == run_.plan.groups.size()) {
@@ -281,6 +297,7 @@ private:
   }
 
   Run& run_;
+  Assemblies* all_ = nullptr;
   Model model_;
   State posed_;
   State state_;
@@ -294,12 +311,25 @@ private:
 
 }  // namespace
 
-std::optional<StartFailure> assemble(Run& run) {
+namespace {
+
+void prepare(Run& run) {
   run.state.bodies = posed_bodies(run.mechanism);
   run.state.contacts.resize(run.mechanism.contacts.size());
   run.state.groups.resize(run.plan.groups.size());
   run.state.tracks.resize(run.plan.groups.size());
+}
+
+}  // namespace
+
+std::optional<StartFailure> assemble(Run& run) {
+  prepare(run);
   return Assembler(run).run();
+}
+
+Assemblies assemble_all(Run& run) {
+  prepare(run);
+  return Assembler(run).run_all();
 }
 
 }  // namespace higherpair

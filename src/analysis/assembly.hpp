@@ -7,4 +7,13 @@ namespace higherpair {
 /// Sets run.state to the assembly nearest to the poses at run.drivers, without rates; says why there is none.
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);
 
+struct Assemblies {
+  std::vector<State>
+      states;            ///< in the order of their distance from the poses, as the modes of each group go
+  bool complete = true;  ///< false: there are more
+};
+
+/// Every combination of assembly modes that closes at run.drivers.
+[[nodiscard]] Assemblies assemble_all(Run& run);
+
 }  // namespace higherpair

@@ -51,7 +51,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     group.lever = std::max(velocity_per_q(tracked.pair.motion2, at->p2_W).norm(), 1e-300);
     group.mode = track.branch;
     group.sine = at->gap_q;
-    group.noise = 4e-15 * group.lever;
+    group.noise = 1e-12 * group.lever;
   }
   body_in(to, tracked.follower.body) = motion_at(tracked.follower.freedom, at->q, 0, 0);
   to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
@@ -97,7 +97,7 @@ GroupStatus place_touching(const Model& model, const TouchingBody& touching, std
   GroupState& group = to.groups[g];
   group.sine = at.gap_q;
   group.lever = std::max(velocity_per_q(placed.pair.motion2, at.p2_W).norm(), 1e-300);
-  group.noise = 4e-15 * group.lever;
+  group.noise = 1e-12 * group.lever;
   return GroupStatus::kOk;
 }
 
@@ -152,6 +152,13 @@ std::optional<double> touching_slack(const Model& model, const TouchingBody& tou
                : (body.X_WB * touching.follower.freedom.p_BO - placed.pair.motion2.p_WO)
                      .dot(placed.pair.motion2.direction_W);
   return extreme_gap(placed.pair, near);
+}
+
+double touching_sine(const Model& model, const TouchingBody& touching, const State& state) {
+  const PlacedPair placed = placed_pair(model, touching, state);
+  const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
+  const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;
+  return n.dot(velocity_per_q(placed.pair.motion2, (at.p1_W + at.p2_W) / 2));
 }
 
 }  // namespace higherpair

@@ -224,4 +224,21 @@ double dyad_slack(const SlideDyad& dyad, const State& state) {
   return solve(dyad, state).sine;
 }
 
+double dyad_sine(const RrrDyad& dyad, const State& state) {
+  const Rotation<double> u_a = body_in(state, dyad.link_a).X_WB.R_WB * dyad.along_a;
+  const Rotation<double> u_b = body_in(state, dyad.link_b).X_WB.R_WB * dyad.along_b;
+  return (u_a.inverse() * u_b).sin;
+}
+
+double dyad_sine(const RrpDyad& dyad, const State& state) {
+  const Rotation<double> u_link = body_in(state, dyad.link).X_WB.R_WB * dyad.along;
+  const Rotation<double> u = body_in(state, dyad.line.body).X_WB.R_WB * dyad.line.u_B;
+  return (u.inverse() * u_link).cos;
+}
+
+double dyad_sine(const RprDyad& dyad, const State& state) {
+  const Rotation<double> u = body_in(state, dyad.link).X_WB.R_WB * dyad.line.u_B;
+  return (place_of(state, dyad.B) - place_of(state, dyad.A)).dot(Vector2d(u.cos, u.sin));
+}
+
 }  // namespace higherpair

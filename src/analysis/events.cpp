@@ -15,8 +15,10 @@ namespace {
 // Velocities below this share of the step's largest are rounding, not a motion whose sense could change.
 constexpr double kAtRest = 1e-12;
 
-// The root of f between 0 and h; f(x) is for the state at s + x. None where the values at the ends have one sign.
-std::optional<double> root_between(const std::function<double(double)>& f, double at_0, double h, double at_h) {
+// The root of f between 0 and h; f(x) is for the state at s + x. None where the values at the ends have one
+// sign.
+std::optional<double> root_between(const std::function<double(double)>& f, double at_0, double h,
+                                   double at_h) {
   if (!(at_0 * at_h < 0)) {
     return at_h == 0 ? std::optional(h) : std::nullopt;
   }
@@ -52,8 +54,8 @@ void note_stroke_ends(Run& run, const Path& path, double s, double h) {
     const auto velocity = [&](double x) {
       return solve_at(run, path, s, x) ? output_velocity(output, run.trial) : NAN;
     };
-    const auto x = std::abs(before) <= kAtRest * fast ? std::optional(0.0)
-                                                      : root_between(velocity, before, h, after);
+    const auto x =
+        std::abs(before) <= kAtRest * fast ? std::optional(0.0) : root_between(velocity, before, h, after);
     run.trial = kept;
     if (x) {
       RunEvent event;
@@ -69,8 +71,8 @@ void note_stroke_ends(Run& run, const Path& path, double s, double h) {
 // κ1 + κ2 up to a positive factor; empty where one of the curves is a line or a point, which cannot conform.
 std::optional<double> conformity(const Run& run, std::size_t contact, const State& state) {
   const Contact& touching = run.mechanism.contacts[contact];
-  const bool conics = is_conic(curve_of(run.mechanism, touching.first)) &&
-                      is_conic(curve_of(run.mechanism, touching.second));
+  const bool conics =
+      is_conic(curve_of(run.mechanism, touching.first)) && is_conic(curve_of(run.mechanism, touching.second));
   const CommonNormal& at = state.contacts[contact].at;
   return conics ? std::optional((at.rho1 + at.rho2) * (at.rho1 * at.rho2 > 0 ? 1 : -1)) : std::nullopt;
 }
@@ -93,14 +95,15 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
       event.type = EventType::kConforming;
       event.driver = driver_at(path, s + *x);
       event.contact = static_cast<int>(i);
-      event.cause = "both curves have the same curvature at the contact: beyond, the bodies cut into each other there";
+      event.cause =
+          "both curves have the same curvature at the contact: beyond, the bodies cut into each other there";
       run.events.push_back(std::move(event));
     }
   }
 }
 
-// Where a group's sine passes through 0 with its sign changed: between `reach` before and after the place of the least
-// slack it is interpolated with its rates (cubic Hermite).
+// Where a group's sine passes through 0 with its sign changed: between `reach` before and after the place of
+// the least slack it is interpolated with its rates (cubic Hermite).
 double crossing_between(Run& run, const Path& path, std::size_t g, double s, double h) {
   const auto sine = [&](double x) {
     return solve_at(run, path, s, x) ? std::abs(run.trial.groups[g].sine) : INFINITY;
@@ -122,9 +125,9 @@ double crossing_between(Run& run, const Path& path, std::size_t g, double s, dou
   double t = 0.5;
   for (int i = 0; i < 20; ++i) {
     const double u = 1 - t;
-    const double value = f0 * (1 + 2 * t) * u * u + d0 * t * u * u + f1 * t * t * (3 - 2 * t) - d1 * t * t * u;
-    const double slope =
-        6 * t * u * (f1 - f0) + d0 * u * (1 - 3 * t) - d1 * t * (2 - 3 * t);
+    const double value =
+        f0 * (1 + 2 * t) * u * u + d0 * t * u * u + f1 * t * t * (3 - 2 * t) - d1 * t * t * u;
+    const double slope = 6 * t * u * (f1 - f0) + d0 * u * (1 - 3 * t) - d1 * t * (2 - 3 * t);
     t -= slope == 0 ? 0 : value / slope;
   }
   return t >= 0 && t <= 1 ? middle - reach + 2 * reach * t : middle;
@@ -137,9 +140,9 @@ void note_dead_points(Run& run, const Path& path, double s, double h) {
     }
     const State kept = run.trial;
     const bool tracked = std::holds_alternative<TrackedPair>(run.plan.groups[g].kind);
-    const double x = tracked ? h * run.state.groups[g].sine /
-                                   (run.state.groups[g].sine - run.trial.groups[g].sine)
-                             : crossing_between(run, path, g, s, h);
+    const double x =
+        tracked ? h * run.state.groups[g].sine / (run.state.groups[g].sine - run.trial.groups[g].sine)
+                : crossing_between(run, path, g, s, h);
     run.trial = kept;
     RunEvent event;
     event.type = EventType::kDeadPoint;

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "path.hpp"
+#include "step.hpp"
 
 namespace higherpair {
 
-/// Adds to run.events what happens between run.state (at s of the path) and run.trial (at s + h): ends of strokes,
-/// dead points, conforming contacts, each located by a root on the way. Leaves run.trial as it was.
+/// Adds to run.events what happens between run.state (at s of the path) and run.trial (at s + h): ends of
+/// strokes, dead points, conforming contacts, each located by a root on the way. Leaves run.trial as it was.
 void note_events(Run& run, const Path& path, double s, double h);
 
 /// The joints to ground whose reversal ends a stroke: all that are not driven.

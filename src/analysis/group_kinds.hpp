@@ -58,6 +58,11 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
 [[nodiscard]] double dyad_slack(const RprDyad& dyad, const State& state);
 [[nodiscard]] double dyad_slack(const SlideDyad& dyad, const State& state);
 
+[[nodiscard]] double dyad_sine(const RrrDyad& dyad, const State& state);
+[[nodiscard]] double dyad_sine(const RrpDyad& dyad, const State& state);
+[[nodiscard]] double dyad_sine(const RprDyad& dyad, const State& state);
+[[nodiscard]] double touching_sine(const Model& model, const TouchingBody& touching, const State& state);
+
 [[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
                                         const std::vector<double>& drivers, State& to,
                                         std::optional<LimitPosition>& limit);

@@ -132,4 +132,14 @@ std::optional<double> slack_of(const Model& model, std::size_t g, const State& s
       model.plan.groups[g].kind);
 }
 
+double sine_of(const Model& model, std::size_t g, const State& state) {
+  return std::visit(
+      Overload{[&](const RrrDyad& dyad) { return dyad_sine(dyad, state); },
+               [&](const RrpDyad& dyad) { return dyad_sine(dyad, state); },
+               [&](const RprDyad& dyad) { return dyad_sine(dyad, state); },
+               [&](const TouchingBody& touching) { return touching_sine(model, touching, state); },
+               [&](const auto&) { return state.groups[g].sine; }},
+      model.plan.groups[g].kind);
+}
+
 }  // namespace higherpair

@@ -31,6 +31,9 @@ enum class GroupStatus {
 void set_group_rates(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state);
 
+/// GroupState::sine of a group that can cross over to another branch, from where its bodies stand.
+[[nodiscard]] double sine_of(const Model& model, std::size_t g, const State& state);
+
 /// A smooth function of the path whose sign changes where the group loses its assembly; the groups before
 /// must stand in `state`, the group itself somewhere near. None where the group has none of its own (drivers,
 /// tracked pairs, coupled bodies).

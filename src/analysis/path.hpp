@@ -1,6 +1,6 @@
 #pragma once
 
-#include "group_solver.hpp"
+#include "step.hpp"
 #include "higherpair/analysis/run.hpp"
 
 #include <vector>
@@ -13,14 +13,11 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 /// The first driver's coordinate at s.
 [[nodiscard]] double driver_at(const Path& path, double s);
 
-/// Places all groups and sets their rates in run.trial, `x` beyond run.state, which stands at s; in the modes of
-/// run.state and without asking whether they agree with a prediction.
-[[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
-
 /// Names the joint or contact at which an event of a group happens.
 void name_item(const Run& run, std::size_t g, RunEvent& event);
 
 /// Follows the path; false if the branch is lost on the way (run.held is then false and an event says where).
+/// Sets run.drivers to where run.state stands, and run.between where the end itself is in run.trial.
 bool follow(Run& run, const Path& path);
 
 /// Looks for the branch held last at the drivers' positions; true if it is there again.

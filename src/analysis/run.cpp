@@ -1,8 +1,10 @@
 #include "higherpair/analysis/run.hpp"
 
 #include "assembly.hpp"
+#include "crossing.hpp"
 #include "events.hpp"
 #include "group_solver.hpp"
+#include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
 
@@ -14,6 +16,11 @@ namespace {
 
 Model model_of(const Run& run) {
   return {run.mechanism, run.plan};
+}
+
+// Where the row is.
+const State& shown(const Run& run) {
+  return run.between ? run.trial : run.state;
 }
 
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
@@ -51,7 +58,7 @@ void mark_rates(const Run& run, MotionRow& row) {
   std::fill(row.has_rates.begin(), row.has_rates.end(), true);
   bool singular = false;
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const GroupState& group = run.state.groups[g];
+    const GroupState& group = shown(run).groups[g];
     singular = singular || !(std::abs(group.sine) > group.noise);
     if (singular) {
       for (const int body : run.plan.groups[g].bodies) {
@@ -65,14 +72,20 @@ void mark_rates(const Run& run, MotionRow& row) {
 void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   MotionRow& row = run.row;
   if (drivers.size() == 1) {
-    scale_rates(run.state, drivers.front(), row);
+    scale_rates(shown(run), drivers.front(), row);
   } else {
-    run.trial = run.state;
-    set_rates(run, drivers, run.trial);
+    run.trial = shown(run);
+    if (!run.between) {
+      set_rates(run, drivers, run.trial);
+    }
     row.bodies = run.trial.bodies;
     row.contacts = run.trial.contacts;
   }
   mark_rates(run, row);
+  for (std::size_t i = 0; i < run.watches.size(); ++i) {
+    row.arcs_hold[i] = !run.watches[i].jumped;
+    row.status = run.watches[i].overlaps ? RowStatus::kOverlap : row.status;
+  }
   row.residual = residual_of(run);
   if (!(row.residual <= run.tolerance * run.plan.size)) {
     row.status = RowStatus::kNotConverged;
@@ -105,13 +118,16 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   }
   set_rates(run, unit_motions(drivers), run.state);
   run.outputs = output_joints(mechanism);
+  run.watches = watched_contacts(mechanism);
   run.trial = run.state;
   run.targets = drivers;
   run.trial_drivers = drivers;
   run.trial_motions.resize(drivers.size());
   set_path(run.path, drivers, drivers);
+  leave_singular_start(run);
   run.row.bodies = run.state.bodies;
   run.row.contacts = run.state.contacts;
+  run.row.arcs_hold.assign(mechanism.contacts.size(), true);
   run.row.has_rates.assign(run.state.bodies.size(), true);
   return run;
 }
@@ -126,6 +142,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (!run.held) {
     held = resume(run, run.targets);
   } else if (run.targets == run.drivers) {
+    run.between = false;
     held = true;
   } else {
     set_path(run.path, run.drivers, run.targets);
@@ -133,9 +150,9 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       run.path.motions(0, run.trial_motions);
       set_rates(run, run.trial_motions, run.state);
     }
-    held = follow(run, run.path);
+    // The branch may be there again at the end of a path on which it is lost.
+    held = follow(run, run.path) || resume(run, run.targets);
   }
-  run.drivers = run.targets;
   if (held) {
     fill_row(run, drivers);
   } else {

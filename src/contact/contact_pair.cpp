@@ -1,94 +1,25 @@
 #include "higherpair/contact/contact_pair.hpp"
 
-#include "osculating_pass.hpp"
+#include "contact_points.hpp"
+#include "last_step.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
 
-constexpr int kMaxPasses = 8;
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr int kMaxPasses = 12;
 
-bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
-// Both bodies as they stand in a pass.
-struct Placed {
-  PlacedCurve<double> first;
-  PlacedCurve<double> second;
-};
-
-// The foot of p on a line.
-Vector2d foot_on(const PlacedCurve<double>& line, const Vector2d& p) {
-  return p - (p - line.vertex_W).dot(line.axis_W) * line.axis_W;
-}
-
-struct Points {
-  PassGeometry<double> pass;
-  double rho1 = 0;
-  double rho2 = 0;
-  bool exist = false;
-};
-
-Points points_at(const ContactPair& pair, const Placed& placed, const Vector2d& n) {
-  Points points;
-  PassGeometry<double>& pass = points.pass;
-  pass.n = n;
-  if (is_line(pair.curve2)) {
-    pass.n = placed.second.axis_W;
-    const SupportPoint<double> s1 = support_point(placed.first, pass.n);
-    points.exist = has_point(placed.first, pass.n);
-    pass.p1 = s1.p_W;
-    pass.p2 = foot_on(placed.second, s1.p_W);
-    points.rho1 = s1.rho;
-    pass.weights = {1, 0, 0, s1.rho};
-  } else if (is_line(pair.curve1)) {
-    pass.n = -placed.first.axis_W;
-    const Vector2d inward = -pass.n;
-    const SupportPoint<double> s2 = support_point(placed.second, inward);
-    points.exist = has_point(placed.second, inward);
-    pass.p2 = s2.p_W;
-    pass.p1 = foot_on(placed.first, s2.p_W);
-    points.rho2 = s2.rho;
-    pass.weights = {0, 1, 0, s2.rho};
-  } else {
-    const Vector2d inward = -n;
-    const SupportPoint<double> s1 = support_point(placed.first, n);
-    const SupportPoint<double> s2 = support_point(placed.second, inward);
-    points.exist = has_point(placed.first, n) && has_point(placed.second, inward) && s1.rho + s2.rho != 0;
-    pass.p1 = s1.p_W;
-    pass.p2 = s2.p_W;
-    points.rho1 = s1.rho;
-    points.rho2 = s2.rho;
-    pass.weights = weights_of_curved(s1.rho, s2.rho);
-  }
-  pass.t = perp(pass.n);
-  pass.g = (pass.p2 - pass.p1).dot(pass.n);
-  pass.s = (pass.p2 - pass.p1).dot(pass.t);
-  return points;
-}
-
-// What rounding leaves of p2 - p1.
-double closure_noise(const ContactPair& pair, const Points& points) {
-  const Vector2d& p = points.pass.p1;
-  return 4 * kEps *
-         (p.norm() + (p - pair.motion2.p_WO).norm() + (p - pair.motion1.p_WO).norm() + std::abs(points.rho1) +
-          std::abs(points.rho2));
-}
-
-void turn_about(PlacedCurve<double>& curve, const Vector2d& pivot_W, const Rotation<double>& turn) {
-  curve.vertex_W = pivot_W + turn * Vector2d(curve.vertex_W - pivot_W);
-  curve.axis_W = turn * curve.axis_W;
+// 2 atan(x); the series is exact to rounding for small x.
+double twice_arc_tangent(double x) {
+  const double x2 = x * x;
+  return x2 < 1e-5 ? 2 * x * (1 - x2 * (1 / 3.0 - x2 * (1 / 5.0 - x2 / 7.0))) : 2 * std::atan(x);
 }
 
 // Velocities and accelerations for du/dt = 1: the equivalent link written without radii, so that flat faces
 // and points need no cases. With ω_r = ω2 - ω1 and the speeds u1, u2 of the contact along each curve,
 //     n·(v2 - v1) = 0,   n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇,   φ̇ = ω1 + w1 ω_r + w v_s.
-void add_rates(const ContactPair& pair, const Points& points, ContactPosition& at) {
+void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosition& at) {
   const PassGeometry<double>& pass = points.pass;
   const auto& [w1, w2, w, z] = pass.weights;
   const Vector2d p = (pass.p1 + pass.p2) / 2;
@@ -98,7 +29,8 @@ void add_rates(const ContactPair& pair, const Points& points, ContactPosition& a
   if (at.gap_q == 0) {
     return;
   }
-  at.dq = v1.dot(pass.n) / at.gap_q;
+  const double per_gap_q = 1 / at.gap_q;
+  at.dq = v1.dot(pass.n) * per_gap_q;
   const double omega1 = pair.motion1.turns ? 1 : 0;
   const double omega2 = pair.motion2.turns ? at.dq : 0;
   const double omega_r = omega2 - omega1;
@@ -109,58 +41,86 @@ void add_rates(const ContactPair& pair, const Points& points, ContactPosition& a
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
   const Vector2d a2_centripetal = at.dq * at.dq * acceleration_per_q(pair.motion2, p);
   const double normal = omega2 * u2 - omega1 * u1 - at.sliding * at.dphi;
-  at.d2q = (normal + (a1 - a2_centripetal).dot(pass.n)) / at.gap_q;
+  at.d2q = (normal + (a1 - a2_centripetal).dot(pass.n)) * per_gap_q;
 }
 
-ContactPosition position_of(const ContactPair& pair, const Points& points, double u, double q) {
+ContactPosition position_of(const ContactPair& pair, const ContactPoints& points, double u, double q) {
   ContactPosition at;
   at.u = u;
   at.q = q;
   at.n_W = points.pass.n;
   at.p1_W = points.pass.p1;
   at.p2_W = points.pass.p2;
-  at.rho1 = points.rho1;
-  at.rho2 = points.rho2;
+  at.rho1 = points.first.rho;
+  at.rho2 = points.second.rho;
   add_rates(pair, points, at);
   return at;
+}
+
+// One osculating pass: the follower, its curve and the normal after it; false where the circles cannot touch.
+struct Moved {
+  PlacedCurve<double> second;
+  double q = 0;
+  Vector2d n_W;
+  bool possible = false;
+};
+
+Moved osculating_pass(const ContactPair& pair, const PassGeometry<double>& at, PlacedCurve<double> second,
+                      double q, int branch) {
+  const OneFreedom& motion = pair.motion2;
+  PassStep<double> step;
+  if (motion.turns) {
+    step = turning_pass(at, motion.p_WO, branch);
+    second.vertex_W = motion.p_WO + step.turn * Vector2d(second.vertex_W - motion.p_WO);
+    second.axis_W = step.turn * second.axis_W;
+    q += twice_arc_tangent(step.tan_half);
+  } else {
+    step = sliding_pass(at, motion.direction_W, branch);
+    q += step.slide;
+    second = place_on(pair.curve2, motion, q);
+  }
+  const bool possible = step.discriminant >= 0 && step.n.allFinite() && step.n.squaredNorm() > 0;
+  return {second, q, step.n.normalized(), possible};
+}
+
+// Whether the two points coincide as far as their rounding allows.
+bool is_closed(const ContactPoints& points, double extent) {
+  const double radii = std::abs(points.first.rho) + std::abs(points.second.rho);
+  return std::abs(points.pass.g) <= 2 * kEps * extent &&
+         std::abs(points.pass.s) <= 2 * kEps * (extent + radii);
 }
 
 }  // namespace
 
 ContactResult solve_contact(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch) {
   ContactResult result;
-  Placed placed = {place(pair.curve1, pose_at(pair.motion1, u)),
-                   place(pair.curve2, pose_at(pair.motion2, q))};
-  Points points = points_at(pair, placed, n_W);
+  PlacedPair placed = place_pair(pair, u, q);
+  ContactPoints points = points_at(pair, placed, n_W);
   const Vector2d n_guess = points.pass.n;
   for (int pass = 0; pass <= kMaxPasses; ++pass) {
     if (!points.exist) {
       result.status = ContactStatus::kNoContact;
       return result;
     }
-    const double distance = std::max(std::abs(points.pass.g), std::abs(points.pass.s));
-    if (distance <= closure_noise(pair, points)) {
-      result.at = position_of(pair, points, u, q);
-      result.step_n = (points.pass.n - n_guess).norm();
+    const double size = extent(pair, placed, points.pass);
+    const LastStep last = last_step(pair, placed, points, size);
+    if (last.exact || is_closed(points, size)) {
+      const LastStep step = last.sound ? last : LastStep{};
+      const ContactPoints end = moved(pair, placed, step, size, points);
+      result.at = position_of(pair, end, u, q + step.delta);
+      result.step_n = (end.pass.n - n_guess).norm();
       const bool wanted = branch * result.at.gap_q >= 0;
       result.status = wanted ? ContactStatus::kOk : ContactStatus::kOtherBranch;
       return result;
     }
-    const PassStep<double> step = pair.motion2.turns
-                                      ? turning_pass(points.pass, pair.motion2.p_WO, branch)
-                                      : sliding_pass(points.pass, pair.motion2.direction_W, branch);
-    if (!(step.discriminant >= 0) || !step.n.allFinite() || !(step.n.squaredNorm() > 0)) {
+    const Moved next = osculating_pass(pair, points.pass, placed.second, q, branch);
+    if (!next.possible) {
       result.status = ContactStatus::kNoContact;
       return result;
     }
-    if (pair.motion2.turns) {
-      turn_about(placed.second, pair.motion2.p_WO, step.turn);
-      q += 2 * std::atan(step.tan_half);
-    } else {
-      placed.second.vertex_W += step.slide * pair.motion2.direction_W;
-      q += step.slide;
-    }
-    points = points_at(pair, placed, step.n.normalized());
+    placed.second = next.second;
+    q = next.q;
+    points = points_at(pair, placed, next.n_W);
   }
   result.status = ContactStatus::kNotConverged;
   return result;

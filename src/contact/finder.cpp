@@ -1,9 +1,11 @@
 #include "higherpair/contact/finder.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "listed_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -24,11 +26,13 @@ double reach_from(const Curve& curve, const Pose<double>& X_WB, const Vector2d& 
   return (X_WB * center(curve) - p_W).norm() + semi_axes(curve)[0];
 }
 
+// What distances are measured against. Of two radii the smaller counts: a nearly flat curve is not a huge
+// mechanism.
 double extent(const ContactPair& pair, double u, double q) {
-  const Pose<double> X1 = pose_at(pair.motion1, u);
-  const Pose<double> X2 = pose_at(pair.motion2, q);
-  return (X1 * pair.curve1.vertex_B - X2 * pair.curve2.vertex_B).norm() + pair.curve1.semi_latus +
-         pair.curve2.semi_latus + (X2 * pair.curve2.vertex_B - pair.motion2.p_WO).norm();
+  const Vector2d p1 = pose_at(pair.motion1, u) * pair.curve1.vertex_B;
+  const Vector2d p2 = pose_at(pair.motion2, q) * pair.curve2.vertex_B;
+  return (p1 - p2).norm() + (p1 - pair.motion1.p_WO).norm() + (p2 - pair.motion2.p_WO).norm() +
+         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
 }
 
 // How fast the signed distance can change with q: at most by the speed of the bounded body's fastest point.
@@ -55,6 +59,25 @@ Separation separation_at(const ContactPair& pair, double u, double q, double tol
   return separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2, pose_at(pair.motion2, q), tolerance);
 }
 
+// The signed distance, known to a share of itself or to `finest`.
+struct Distance {
+  Separation separation;
+  double tolerance = 0;
+};
+
+Distance distance_at(const ContactPair& pair, double u, double q, double guess, double finest) {
+  constexpr double kShare = 0.1;
+  double tolerance = std::max(kShare * guess, finest);
+  for (;;) {
+    const Separation here = separation_at(pair, u, q, tolerance);
+    const double needed = std::max(kShare * std::abs(here.gap), finest);
+    if (tolerance <= 4 * needed) {
+      return {here, tolerance};
+    }
+    tolerance = needed;
+  }
+}
+
 // The contact that the two nearly touching bodies have here; it must be one where they touch nowhere else.
 std::optional<FindResult> touch(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                                 double size) {
@@ -77,16 +100,22 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
   const std::optional<double> bound = speed_bound(pair, u, q);
   FindResult result;
   if (!bound) {
-    result.status = FindStatus::kUnbounded;
-    return result;
+    return find_listed_contact(pair, u, q, direction, from_overlap);
   }
   const double tolerance = 1e-12 * size;
   const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
   const double start = q;
   bool overlapping = false;
-  for (int i = 0; i < kMaxSteps && std::abs(q - start) <= range; ++i) {
-    const Separation here = separation_at(pair, u, q, tolerance);
-    if (here.gap == -INFINITY) {
+  double last_gap = size;
+  for (int i = 0; std::abs(q - start) <= range; ++i) {
+    if (i == kMaxSteps) {
+      return find_listed_contact(pair, u, start, direction, from_overlap);
+    }
+    const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);
+    if (here.gap == -std::numeric_limits<double>::infinity()) {
+      if (from_overlap) {
+        return find_listed_contact(pair, u, start, direction, from_overlap);
+      }
       result.status = FindStatus::kOverlapAtStart;
       return result;
     }
@@ -107,7 +136,8 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
         return *other;
       }
     }
-    q += direction * std::max(std::abs(here.gap) * (1 - 1e-12), 0.1 * kTouching * size) / *bound;
+    last_gap = std::abs(here.gap);
+    q += direction * std::max((last_gap - error) * (1 - 1e-12), 0.1 * kTouching * size) / *bound;
   }
   result.status = FindStatus::kNoContact;
   return result;

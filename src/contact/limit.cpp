@@ -1,56 +1,23 @@
 #include "limit.hpp"
 
-#include "higherpair/geometry/support.hpp"
+#include "contact_points.hpp"
 
 #include <cmath>
 
 #include <Eigen/LU>
 
 namespace higherpair {
-namespace {
-
-bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
-Vector2d foot_on(const PlacedCurve<double>& line, const Vector2d& p) {
-  return p - (p - line.vertex_W).dot(line.axis_W) * line.axis_W;
-}
-
-}  // namespace
 
 bool place_points(const ContactPair& pair, ContactPosition& at) {
-  const PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, at.u));
-  const PlacedCurve<double> second = place(pair.curve2, pose_at(pair.motion2, at.q));
-  if (is_line(pair.curve2)) {
-    at.n_W = second.axis_W;
+  const ContactPoints points = points_at(pair, place_pair(pair, at.u, at.q), at.n_W);
+  at.n_W = points.pass.n;
+  if (!points.exist) {
+    return false;
   }
-  if (is_line(pair.curve1)) {
-    at.n_W = -first.axis_W;
-  }
-  const Vector2d inward = -at.n_W;
-  if (!is_line(pair.curve1)) {
-    if (!has_point(first, at.n_W)) {
-      return false;
-    }
-    const SupportPoint<double> s = support_point(first, at.n_W);
-    at.p1_W = s.p_W;
-    at.rho1 = s.rho;
-  }
-  if (!is_line(pair.curve2)) {
-    if (!has_point(second, inward)) {
-      return false;
-    }
-    const SupportPoint<double> s = support_point(second, inward);
-    at.p2_W = s.p_W;
-    at.rho2 = s.rho;
-  }
-  if (is_line(pair.curve1)) {
-    at.p1_W = foot_on(first, at.p2_W);
-  }
-  if (is_line(pair.curve2)) {
-    at.p2_W = foot_on(second, at.p1_W);
-  }
+  at.p1_W = points.pass.p1;
+  at.p2_W = points.pass.p2;
+  at.rho1 = points.first.rho;
+  at.rho2 = points.second.rho;
   return true;
 }
 
@@ -84,11 +51,15 @@ GapDerivatives gap_derivatives(const ContactPair& pair, const ContactPosition& a
   return d;
 }
 
-std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start) {
+std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start,
+                                        double length) {
+  constexpr int kMaxSteps = 40;
   ContactPosition at = start;
   const bool has_line = is_line(pair.curve1) || is_line(pair.curve2);
+  // Of φ, q, u: so that the three unknowns are of one size.
+  const Eigen::Vector3d unit(1, pair.motion2.turns ? 1 : length, pair.motion1.turns ? 1 : length);
   double last = INFINITY;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     if (!place_points(pair, at)) {
       return std::nullopt;
     }
@@ -97,25 +68,31 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
     Eigen::Matrix3d J;
     Eigen::Vector3d r;
     if (has_line) {
-      J << 1, 0, 0, 0, d.g_q, d.g_u, 0, d.g_qq, d.g_qu;
+      J << length, 0, 0, 0, d.g_q, d.g_u, 0, d.g_qq, d.g_qu;
       r << 0, distance.dot(at.n_W), d.g_q;
     } else {
       const double g_phi = distance.dot(perp(at.n_W));
       J << g_phi, d.g_q, d.g_u, d.g_phiphi, d.g_phiq, d.g_phiu, d.g_phiq, d.g_qq, d.g_qu;
       r << distance.dot(at.n_W), g_phi, d.g_q;
     }
-    const Eigen::Vector3d step = J.fullPivLu().solve(-r);
-    if (!step.allFinite() || !(step.norm() < 1e3 * (1 + std::abs(at.q) + std::abs(at.u)))) {
+    J *= unit.asDiagonal();
+    // The last equation is a length only for a turning follower.
+    J.row(2) *= length / unit(1);
+    r(2) *= length / unit(1);
+    const Eigen::FullPivLU<Eigen::Matrix3d> lu(J);
+    const Eigen::Vector3d step = lu.solve(-r);
+    const double size = step.cwiseAbs().sum();
+    // Where ∂gap/∂q cannot change (a slide against a face) no step is left, and no limit.
+    if (!((J * step + r).norm() <= 1e-6 * r.norm())) {
+      return std::nullopt;
+    }
+    if (!(size < 1e3 * (1 + std::abs(at.q / unit(1)) + std::abs(at.u / unit(2))))) {
       return std::nullopt;
     }
     at.n_W = Rotation<double>::from_angle(step(0)) * at.n_W;
-    at.q += step(1);
-    at.u += step(2);
-    const double size = std::abs(step(0)) + std::abs(step(1)) + std::abs(step(2));
-    if (size < 1e-7 && size >= last / 2) {
-      return LimitPosition{at.u, at.q};
-    }
-    if (size == 0) {
+    at.q += step(1) * unit(1);
+    at.u += step(2) * unit(2);
+    if (size == 0 || (size < 1e-7 && size >= last / 2)) {
       return LimitPosition{at.u, at.q};
     }
     last = size;

@@ -20,6 +20,12 @@ struct Arc {
   double half = kPi;
 };
 
+// The same by its normal in the middle.
+struct NormalArc {
+  Vector2d n;
+  Rotation<double> half;  // by at most 45°
+};
+
 // F is g for two convex bodies, -g for a body in a ring: the extreme wanted is always a maximum of F.
 struct Value {
   double f = 0;
@@ -33,8 +39,7 @@ struct Problem {
   double sign = 1;  // F = sign g
 };
 
-Value value_at(const Problem& problem, double phi) {
-  const Vector2d n = unit_vector(phi);
+Value value_at(const Problem& problem, const Vector2d& n) {
   const Vector2d inward = -n;
   const SupportPoint<double> s1 = support_point(problem.first, n);
   const SupportPoint<double> s2 = support_point(problem.second, inward);
@@ -56,38 +61,36 @@ struct Range {
   double high = kInfinity;
 };
 
-// Smallest and largest |ρ| = ℓ/w³ of a curve for outward normals in the arc; w² = q + (1 - q) cos² of the
-// angle to the axis has its extremes at the ends and at quarter turns.
-Range radius_range(const PlacedCurve<double>& curve, const Arc& arc) {
-  const double from = arc.middle - arc.half - angle_of(-curve.side * curve.axis_W);
-  const double to = from + 2 * arc.half;
-  const auto w2_at = [&](double psi) {
-    const double c = std::cos(psi);
-    return curve.q + (1 - curve.q) * c * c;
-  };
-  double w2_min = std::min(w2_at(from), w2_at(to));
-  double w2_max = std::max(w2_at(from), w2_at(to));
-  const auto contains_multiple = [&](double offset) {
-    return std::floor((to - offset) / kPi) > std::floor((from - offset) / kPi);
-  };
-  const double at_axis = 1;
-  const double across_axis = curve.q;
-  if (contains_multiple(0)) {
-    w2_min = std::min(w2_min, at_axis);
-    w2_max = std::max(w2_max, at_axis);
+// Smallest and largest |ρ| = ℓ/w³ of a curve for outward normals in the arc; w² = N_x² + q N_y² has its
+// extremes at the ends and where the normal is along or across the axis.
+Range radius_range(const PlacedCurve<double>& curve, const NormalArc& arc) {
+  if (curve.q == 1) {
+    return {curve.semi_latus, curve.semi_latus};
   }
-  if (contains_multiple(kPi / 2)) {
-    w2_min = std::min(w2_min, across_axis);
-    w2_max = std::max(w2_max, across_axis);
+  const double N_x = arc.n.dot(curve.axis_W);
+  const double N_y = cross(curve.axis_W, arc.n);
+  const auto w2_at = [&](double x, double y) { return x * x + curve.q * y * y; };
+  const auto [c, s] = arc.half;
+  const double one_end = w2_at(c * N_x - s * N_y, s * N_x + c * N_y);
+  const double other_end = w2_at(c * N_x + s * N_y, c * N_y - s * N_x);
+  double w2_min = std::min(one_end, other_end);
+  double w2_max = std::max(one_end, other_end);
+  if (std::abs(N_y) <= s) {
+    w2_min = std::min(w2_min, 1.0);
+    w2_max = std::max(w2_max, 1.0);
+  }
+  if (std::abs(N_x) <= s) {
+    w2_min = std::min(w2_min, curve.q);
+    w2_max = std::max(w2_max, curve.q);
   }
   const auto rho = [&](double w2) { return w2 > 0 ? curve.semi_latus / (w2 * std::sqrt(w2)) : kInfinity; };
-  return {rho(w2_max), curve.semi_latus == 0 ? 0 : rho(w2_min)};
+  return {rho(w2_max), rho(w2_min)};
 }
 
 // A bound R >= -sign (ρ1 + ρ2) on the arc.
-double curvature_bound(const Problem& problem, const Arc& arc) {
+double curvature_bound(const Problem& problem, const NormalArc& arc) {
   const Range r1 = radius_range(problem.first, arc);
-  const Range r2 = radius_range(problem.second, {arc.middle + kPi, arc.half});
+  const Range r2 = radius_range(problem.second, arc);
   if (problem.sign > 0) {
     return -(r1.low + r2.low);
   }
@@ -103,20 +106,24 @@ struct Piece {
   bool operator<(const Piece& other) const { return bound < other.bound; }
 };
 
-double bound_of(const Piece& piece, double R) {
+double bound_of(const Value& value, const Rotation<double>& half, double R) {
   if (!std::isfinite(R)) {
     return kInfinity;
   }
-  const double a = piece.value.f - R;
-  const double b = std::abs(piece.value.slope);
-  const double d = piece.arc.half;
-  const double peak = std::atan2(b, a);
-  return R + (peak <= d ? std::hypot(a, b) : a * std::cos(d) + b * std::sin(d));
+  const double a = value.f - R;
+  const double b = std::abs(value.slope);
+  // R + √(a² + b²) or R + a cos + b sin, written so that a huge R does not cancel.
+  if (b * half.cos <= a * half.sin) {
+    return a > 0 ? value.f + b * b / (std::sqrt(a * a + b * b) + a) : R;
+  }
+  const double versine = half.sin * half.sin / (1 + half.cos);
+  return value.f - a * versine + b * half.sin;
 }
 
 Piece make_piece(const Problem& problem, const Arc& arc) {
-  Piece piece{arc, value_at(problem, arc.middle), kInfinity};
-  piece.bound = bound_of(piece, curvature_bound(problem, arc));
+  const NormalArc normals{unit_vector(arc.middle), Rotation<double>::from_angle(arc.half)};
+  Piece piece{arc, value_at(problem, normals.n), kInfinity};
+  piece.bound = bound_of(piece.value, normals.half, curvature_bound(problem, normals));
   return piece;
 }
 
@@ -133,7 +140,7 @@ std::pair<double, double> climb(const Problem& problem, const Arc& within, doubl
     if (!(std::abs(phi - within.middle) < within.half)) {
       break;
     }
-    value = value_at(problem, phi);
+    value = value_at(problem, unit_vector(phi));
     if (!(value.f > best)) {
       break;
     }

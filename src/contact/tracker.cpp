@@ -1,85 +1,40 @@
 #include "higherpair/contact/tracker.hpp"
 
+#include "contact_points.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "inner_step.hpp"
 #include "limit.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
 
-constexpr double kMaxTurn = kPi / 18;  // of driver or normal in one inner step [rad]
-constexpr double kAgreement = 0.25;    // of the change of a step: distance between prediction and solution
+constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kNearCrossing = 1e-3;  // of the driver's scale: how near a crossing is interpolated over
-constexpr double kAtCrossing = 1e-6;    // of the follower's lever: ∂gap/∂q that may be that of a crossing
-constexpr int kHalvingsToLimit = 4;     // halvings before a limit position is looked for
+constexpr double kNearCrossing = 1e-3;   // of the driver's scale: how near a crossing is interpolated over
+constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;          // inner steps that may fail
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 
-// What counts as one unit of a coordinate: a radian, or the size of the mechanism.
-double scale_of(const OneFreedom& freedom, const ContactPosition& at) {
-  return freedom.turns ? 1 : 1e-300 + (at.p1_W - freedom.p_WO).norm() + std::abs(at.rho1) + std::abs(at.rho2);
-}
-
-struct Step {
-  ContactPosition at;
-  double change = 0;    // of q and φ, in units
-  double mismatch = 0;  // between prediction and solution, in units
-  bool solved = false;
-};
-
-Step try_step(const ContactTrack& track, double h, int branch) {
-  const ContactPosition& from = track.at;
-  const double q = from.q + h * (from.dq + h / 2 * from.d2q);
-  const Vector2d n = Rotation<double>::from_angle(h * from.dphi) * from.n_W;
-  const ContactResult result = solve_contact(track.pair, from.u + h, q, n, branch);
-  Step step;
-  if (result.status != ContactStatus::kOk) {
-    return step;
-  }
-  const double scale = scale_of(track.pair.motion2, from);
-  step.at = result.at;
-  step.solved = true;
-  step.change = std::abs(result.at.q - from.q) / scale + std::abs(cross(from.n_W, result.at.n_W));
-  step.mismatch = std::abs(result.at.q - q) / scale;
-  const bool turned_far = result.at.n_W.dot(from.n_W) < std::cos(2 * kMaxTurn);
-  if (turned_far || std::abs(result.at.q - from.q) > 3 * kMaxTurn * scale) {
-    step.solved = false;
-  }
-  return step;
-}
-
-bool agrees(const Step& step, double share) {
-  return step.solved && step.mismatch <= share * step.change + 1e-9;
-}
-
-void accept(ContactTrack& track, const ContactPosition& at, int branch) {
-  track.phi += std::atan2(cross(track.at.n_W, at.n_W), track.at.n_W.dot(at.n_W));
-  track.at = at;
-  track.branch = branch;
-}
-
-// ∂gap/∂q after a step of the driver, to first order.
-double predicted_gap_q(const ContactTrack& track, double h) {
-  const GapDerivatives d = gap_derivatives(track.pair, track.at);
-  return track.at.gap_q + h * (d.g_qq * track.at.dq + d.g_phiq * track.at.dphi + d.g_qu);
-}
-
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
-bool step_by(ContactTrack& track, double h) {
-  if (predicted_gap_q(track, h) * track.at.gap_q < 0) {
+bool step_by(ContactTrack& track, double h, double predicted_gap_q) {
+  if (predicted_gap_q * track.at.gap_q < 0) {
     const Step crossing = try_step(track, h, -track.branch);
     if (agrees(crossing, kCrossingAgreement)) {
-      accept(track, crossing.at, -track.branch);
+      accept(track, crossing.result.at, -track.branch);
       return true;
     }
+    // A limit may lie within the step, with the branch there again beyond it: shorter steps will tell.
+    return false;
   }
   const Step step = try_step(track, h, track.branch);
   if (!agrees(step, kAgreement)) {
     return false;
   }
-  accept(track, step.at, track.branch);
+  accept(track, step.result.at, track.branch);
   return true;
 }
 
@@ -87,8 +42,7 @@ bool step_by(ContactTrack& track, double h) {
 // position is interpolated between here and a place just beyond; its gap_q is exactly 0 and its rates are
 // those of the smooth motion.
 bool stop_at_crossing(ContactTrack& track, double rest) {
-  const double scale = scale_of(track.pair.motion1, track.at);
-  if (std::abs(rest) > kNearCrossing * scale) {
+  if (std::abs(rest) > kNearCrossing * unit_of(track.pair.motion1, track)) {
     return false;
   }
   const double h = 2 * rest;
@@ -97,7 +51,7 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
     return false;
   }
   const ContactPosition& a = track.at;
-  const ContactPosition& b = beyond.at;
+  const ContactPosition& b = beyond.result.at;
   ContactPosition at = b;
   at.u = a.u + rest;
   at.q = (a.q + b.q) / 2 + h * (a.dq - b.dq) / 8;
@@ -113,35 +67,59 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   return true;
 }
 
-// The limit lies ahead, not further than the step that failed and the few before it.
-bool is_ahead(const LimitPosition& limit, const ContactPosition& at, double h) {
+// The limit lies ahead, not further than the step that failed and the few before it, and the motion leads to
+// it: near a limit q changes with the root of the distance, so that twice the present rate leads there.
+bool is_ahead(const ContactTrack& track, const LimitPosition& limit, double h) {
+  const ContactPosition& at = track.at;
+  const double unit1 = unit_of(track.pair.motion1, track);
+  const double unit2 = unit_of(track.pair.motion2, track);
   const double distance = (limit.u - at.u) * (h > 0 ? 1 : -1);
-  return distance >= -1e-12 * (1 + std::abs(at.u)) && distance <= 64 * std::abs(h);
+  const double way = 2 * (limit.u - at.u) * at.dq;
+  return distance >= -1e-12 * (unit1 + std::abs(at.u)) && distance <= 64 * std::abs(h) &&
+         std::abs(limit.q - at.q - way) <= std::abs(way) / 2 + 1e-6 * unit2;
 }
 
-// Follows the contact towards u; false if it is lost on the way (then `limit` says where, if that could be
-// located).
+// What stands in the way of a step towards u that failed: the limit if it can be located, the present place
+// if the steps have become too small.
+std::optional<LimitPosition> obstacle(const ContactTrack& track, double u, double h, bool look_for_limit) {
+  const ContactPosition& at = track.at;
+  if (look_for_limit) {
+    const auto found = limit_near(track.pair, at, track.size);
+    const bool beyond = found && (u - found->u) * (u - at.u) < 0;
+    if (found && !beyond && is_ahead(track, *found, std::copysign(h, u - at.u))) {
+      return found;
+    }
+  }
+  if (h < kSmallestStep * (unit_of(track.pair.motion1, track) + std::abs(at.u))) {
+    return LimitPosition{at.u, at.q};
+  }
+  return std::nullopt;
+}
+
+// Follows the contact towards u; false if it is lost on the way (then `limit` says where).
 bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) {
-  const double scale = scale_of(track.pair.motion1, track.at);
-  const double largest = kMaxTurn * scale;
+  const double unit = unit_of(track.pair.motion1, track);
+  const double largest = kMaxTurn * unit;
   double h = largest;
   int halvings = 0;
+  int attempts = kAttempts + static_cast<int>(std::min(1e6, 4 * std::abs(u - track.at.u) / largest));
   while (track.at.u != u) {
     const double rest = u - track.at.u;
     bool last = std::abs(rest) <= h;
-    const double lever = velocity_per_q(track.pair.motion2, track.at.p2_W).norm();
-    if (last && std::abs(predicted_gap_q(track, rest)) <= kAtCrossing * lever) {
+    double step = last ? rest : std::copysign(h, rest);
+    const double rate = gap_q_rate(track);
+    if (last && vanishes(track, track.at.gap_q + rate * rest)) {
       if (stop_at_crossing(track, rest)) {
         track.at.u = u;
         return true;
       }
       // Come nearer first, if it is not near yet.
-      if (std::abs(rest) > kNearCrossing * scale) {
-        h = std::abs(rest) - kNearCrossing * scale / 2;
+      if (std::abs(rest) > kNearCrossing * unit) {
+        step = std::copysign(std::abs(rest) - kNearCrossing * unit / 2, rest);
         last = false;
       }
     }
-    if (step_by(track, last ? rest : std::copysign(h, rest))) {
+    if (step_by(track, step, track.at.gap_q + rate * step)) {
       if (last) {
         track.at.u = u;
       }
@@ -151,17 +129,10 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
     if (last && stop_at_crossing(track, rest)) {
       return true;
     }
-    h = std::min(h, std::abs(rest)) / 2;
-    if (++halvings >= kHalvingsToLimit) {
-      const auto found = limit_near(track.pair, track.at);
-      const bool beyond = found && (u - found->u) * rest < 0;
-      if (found && !beyond && is_ahead(*found, track.at, std::copysign(h, rest))) {
-        limit = found;
-        return false;
-      }
-    }
-    if (h < kSmallestStep * scale * (1 + std::abs(track.at.u) / scale)) {
-      limit = LimitPosition{track.at.u, track.at.q};
+    h = std::abs(step) / 2;
+    limit = --attempts < 0 ? LimitPosition{track.at.u, track.at.q}
+                           : obstacle(track, u, h, ++halvings >= kHalvingsToLimit);
+    if (limit) {
       return false;
     }
   }
@@ -188,7 +159,15 @@ bool resume(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
 }  // namespace
 
 ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int branch) {
-  return {pair, branch, at, angle_of(at.n_W), true};
+  ContactTrack track{pair, branch, at, angle_of(at.n_W)};
+  const Vector2d& p = at.p1_W;
+  const double radius1 = std::abs(at.rho1);
+  const double radius2 = std::abs(at.rho2);
+  const double radii = is_line(pair.curve1) || is_line(pair.curve2) ? radius1 + radius2
+                                                                    : radius1 * radius2 / (radius1 + radius2);
+  track.size = (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() + radii +
+               std::numeric_limits<double>::min();
+  return track;
 }
 
 TrackResult follow_to(ContactTrack& track, double u) {

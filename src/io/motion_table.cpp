@@ -34,6 +34,8 @@ std::string_view name_of(RowStatus status) {
       return "not_assemblable";
     case RowStatus::kSingular:
       return "singular";
+    case RowStatus::kOverlap:
+      return "overlap";
     case RowStatus::kNotConverged:
       return "not_converged";
   }
@@ -50,6 +52,10 @@ std::string_view name_of(EventType type) {
       return "stroke_end";
     case EventType::kConforming:
       return "conforming";
+    case EventType::kSecondContact:
+      return "second_contact";
+    case EventType::kOverlap:
+      return "overlap";
   }
   return "limit_position";
 }
@@ -272,14 +278,14 @@ void MotionTable::add_contact(const MotionRow& row, std::size_t index) {
   const bool rates = row.has_rates[static_cast<std::size_t>(contact.first.body)] &&
                      row.has_rates[static_cast<std::size_t>(contact.second.body)];
   rates ? number(scale_.velocity.apply(motion.rates.sliding)) : void(cells_.emplace_back());
-  add_arcs(details, index);
+  add_arcs(details, row.arcs_hold[index], index);
   optional_angle(details.pressure);
   optional_angle(details.transmission);
 }
 
-void MotionTable::add_arcs(const ContactDetails& details, std::size_t index) {
+void MotionTable::add_arcs(const ContactDetails& details, bool hold, std::size_t index) {
   auto& start = arc_starts_[index];
-  if (broken_) {
+  if (broken_ || !hold) {
     // The way since the first row has a gap.
     cells_.resize(cells_.size() + 2);
     return;

@@ -1,6 +1,7 @@
 #include "higherpair/mechanism/plan.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
 #include "recognise.hpp"
 #include "structure.hpp"
 
@@ -32,28 +33,6 @@ double largest_distance(const std::vector<Vector2d>& points) {
   return distance;
 }
 
-double size_of(const Mechanism& mechanism) {
-  std::vector<Vector2d> points;
-  const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
-  const auto add = [&](int body, const Vector2d& p_B) {
-    points.push_back(bodies[static_cast<std::size_t>(body)].X_WB * p_B);
-  };
-  for (const Joint& joint : mechanism.joints) {
-    add(joint.first.body, point_of(mechanism, joint.first));
-    add(joint.second.body, point_of(mechanism, joint.second));
-  }
-  for (const Contact& contact : mechanism.contacts) {
-    for (const CurveRef& ref : {contact.first, contact.second}) {
-      const Curve& curve = curve_of(mechanism, ref);
-      add(ref.body, curve.vertex_B);
-      if (is_conic(curve) && curve.q > 0) {
-        add(ref.body, center(curve));
-      }
-    }
-  }
-  return largest_distance(points);
-}
-
 std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
   std::string names;
   for (const LooseBody& body : loose) {
@@ -76,27 +55,41 @@ bool is_idle(const Mechanism& mechanism, const LooseBody& loose) {
   return has_contact;
 }
 
-int gruebler_count(const Mechanism& mechanism) {
-  int freedoms = 3 * static_cast<int>(mechanism.bodies.size() - 1);
-  for (const Joint& joint : mechanism.joints) {
-    freedoms -= joint.type == JointType::kSlot ? 1 : 2;
-  }
-  for (const Contact& contact : mechanism.contacts) {
-    freedoms -= contact.rolling ? 2 : 1;
-  }
-  return freedoms;
-}
-
+// The rank tells more than the matching: which joints could be driven, what the count does not see.
 std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
-  const int missing = static_cast<int>(loose.size());
-  return "the mechanism has more freedom than drivers: mobility " +
-         std::to_string(gruebler_count(mechanism)) + " by the count 3(n - j - 1) + sum f, drivers " +
-         std::to_string(mechanism.drivers.size()) + "; not placed: " + names_of(mechanism, loose) + ". Add " +
-         (missing == 1 ? "a driver, joint or contact" : "drivers, joints or contacts") + " that sets " +
-         (missing == 1 ? "it" : "them") + ", or remove what is loose";
+  const Mobility mobility = analyse_mobility(mechanism);
+  if (const auto objection = driver_objection(mechanism, mobility)) {
+    return *objection;
+  }
+  const auto drivers = mechanism.drivers.size();
+  return "the mechanism has more freedom than drivers: by the count " + formula_text(mobility.count) +
+         ", drivers " + std::to_string(drivers) + "; not placed: " + names_of(mechanism, loose) +
+         "; add a driver, joint or contact that sets " + (loose.size() == 1 ? "it" : "them");
 }
 
 }  // namespace
+
+double size_of(const Mechanism& mechanism) {
+  std::vector<Vector2d> points;
+  const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
+  const auto add = [&](int body, const Vector2d& p_B) {
+    points.push_back(bodies[static_cast<std::size_t>(body)].X_WB * p_B);
+  };
+  for (const Joint& joint : mechanism.joints) {
+    add(joint.first.body, point_of(mechanism, joint.first));
+    add(joint.second.body, point_of(mechanism, joint.second));
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    for (const CurveRef& ref : {contact.first, contact.second}) {
+      const Curve& curve = curve_of(mechanism, ref);
+      add(ref.body, curve.vertex_B);
+      if (is_conic(curve) && curve.q > 0) {
+        add(ref.body, center(curve));
+      }
+    }
+  }
+  return largest_distance(points);
+}
 
 tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   const Structure structure = analyse_structure(mechanism);

@@ -1,3 +1,5 @@
+#include "branches_command.hpp"
+#include "mobility_command.hpp"
 #include "run_command.hpp"
 
 #include <exception>
@@ -8,6 +10,7 @@
 
 namespace {
 
+using higherpair::cli::BranchesOptions;
 using higherpair::cli::RunOptions;
 
 CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& text,
@@ -29,6 +32,22 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
   return command;
 }
 
+CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "branches", "every contact of the two curves at the first driver position, free or not");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("--csv", options.csv, "write the list as CSV to this file (-: standard output)");
+  command->add_option("--json", options.json, "write the list as JSON to this file");
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--quiet", options.quiet, "no remarks on standard error");
+  command->add_flag("--certify", options.certify, "decide every contact in exact arithmetic");
+  return command;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Analyses planar mechanisms whose bodies touch, by their equivalent linkages.", "higherpair");
   app.set_version_flag("--version", "higherpair " HIGHERPAIR_VERSION);
@@ -39,10 +58,20 @@ int run(int argc, char** argv) {
   const CLI::App* analyze_command =
       add_run_command(app, "analyze", "motion at every driver position of the profile", analyze);
   add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  BranchesOptions branches;
+  const CLI::App* branches_command = add_branches_command(app, branches);
+  higherpair::cli::MobilityOptions mobility;
+  const CLI::App* mobility_command = higherpair::cli::add_mobility_command(app, mobility);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? higherpair::cli::kExitOk : higherpair::cli::kExitInput;
+  }
+  if (branches_command->parsed()) {
+    return higherpair::cli::branches_command(branches);
+  }
+  if (mobility_command->parsed()) {
+    return higherpair::cli::mobility_command(mobility);
   }
   return higherpair::cli::run_command(analyze_command->parsed() ? analyze : step);
 }

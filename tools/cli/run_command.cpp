@@ -21,13 +21,6 @@ void on_interrupt(int) {
   interrupted = 1;
 }
 
-int report(const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) {
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
-  }
-  return kExitInput;
-}
-
 std::vector<RowWriter> open_outputs(const RunOptions& options) {
   std::vector<RowWriter> writers;
   if (options.csv) {
@@ -186,15 +179,22 @@ std::vector<double> first_positions(const DriverSchedule& schedule) {
 
 }  // namespace
 
+int report_input(const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    fmt::print(stderr, "{}\n", to_string(diagnostic));
+  }
+  return kExitInput;
+}
+
 int run_command(const RunOptions& options) {
   const auto profile = read_profile_file(options.profile, options.overrides);
   if (!profile) {
-    return report(profile.error());
+    return report_input(profile.error());
   }
   const auto schedule = options.timed ? DriverSchedule::step(*profile, options.samples)
                                       : DriverSchedule::analyze(*profile, options.samples);
   if (!schedule) {
-    return report(schedule.error());
+    return report_input(schedule.error());
   }
   auto run = start_run(profile->mechanism, first_positions(*schedule), options.tolerance);
   if (!run && run.error().slip) {
@@ -209,7 +209,7 @@ int run_command(const RunOptions& options) {
   }
   auto table = MotionTable::make(*profile, options.timed);
   if (!table) {
-    return report({about(options.profile, table.error())});
+    return report_input({about(options.profile, table.error())});
   }
 
   std::signal(SIGINT, on_interrupt);

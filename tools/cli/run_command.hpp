@@ -1,5 +1,7 @@
 #pragma once
 
+#include "higherpair/io/diagnostic.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +27,9 @@ struct RunOptions {
   bool quiet = false;
   bool summary = false;
 };
+
+/// Prints what is wrong with the input on standard error; returns the exit code.
+[[nodiscard]] int report_input(const Diagnostics& diagnostics);
 
 /// Runs `analyze` or `step`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

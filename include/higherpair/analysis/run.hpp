@@ -14,6 +14,7 @@ enum class RowStatus {
   kOk,
   kNotAssemblable,  ///< the mechanism cannot be put together at this driver position on its branch
   kSingular,        ///< the closure has lost rank to rounding: positions hold, some rates are not defined
+  kOverlap,         ///< touching bodies overlap elsewhere
   kNotConverged,    ///< the closure residual exceeds the tolerance
 };
 
@@ -24,6 +25,7 @@ struct MotionRow {
   std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies; meaningless where not assemblable
   std::vector<bool> has_rates;          ///< whether the body's rates are defined
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
+  std::vector<bool> arcs_hold;          ///< whether the contact has been one and the same since the first row
 };
 
 enum class EventType {
@@ -31,6 +33,8 @@ enum class EventType {
   kDeadPoint,      ///< passed through: branches cross, or the output loses the input
   kStrokeEnd,      ///< the output reverses
   kConforming,     ///< κ1 + κ2 = 0: beyond, the bodies cut into each other at the contact
+  kSecondContact,  ///< of the same two bodies, with which the motion goes on
+  kOverlap,        ///< touching bodies begin to overlap elsewhere
 };
 
 struct RunEvent {
@@ -78,18 +82,27 @@ struct OutputJoint {
   double fastest = 0;                        ///< largest speed so far, per unit of the path
 };
 
+/// What is looked out for at a contact.
+struct ContactWatch {
+  bool needed = false;    ///< whether the bodies could overlap elsewhere
+  bool overlaps = false;  ///< they do now
+  bool jumped = false;    ///< the motion has gone over to a second contact: arcs are interrupted
+};
+
 /// A running analysis: a mechanism, its plan and where it stands.
 struct Run {
   Mechanism mechanism;
   Plan plan;
-  double tolerance = 1e-9;       ///< of plan.size: larger residuals are not `ok`
-  State state;                   ///< where it stood last; rates per unit of the path
-  std::vector<double> drivers;   ///< the drivers' coordinates there
-  bool held = true;              ///< false: lost at a limit; `state` is the last position before it
+  double tolerance = 1e-9;      ///< of plan.size: larger residuals are not `ok`
+  State state;                  ///< where it stood last; rates per unit of the path
+  std::vector<double> drivers;  ///< the drivers' coordinates there
+  bool held = true;             ///< false: lost at a limit; `state` is the last position before it
+  bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   std::vector<OutputJoint> outputs;
-  MotionRow row;                 ///< of the last move_to
-  std::vector<RunEvent> events;  ///< of the last move_to
-  State trial;                   ///< where steps are tried, and the drivers there
+  std::vector<ContactWatch> watches;  ///< of Mechanism::contacts
+  MotionRow row;                      ///< of the last move_to
+  std::vector<RunEvent> events;       ///< of the last move_to
+  State trial;                        ///< where steps are tried, and the drivers there
   std::vector<double> trial_drivers;
   std::vector<DriverMotion> trial_motions;
   std::vector<double> targets;  ///< of the last move_to

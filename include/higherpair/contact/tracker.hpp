@@ -13,9 +13,13 @@ struct ContactTrack {
   ContactPosition at;     ///< where it was held last
   double phi = 0;         ///< angle of at.n_W, continuous [rad]
   bool assembled = true;  ///< false: lost at a limit; `at` is the last position before it
+  double size = 0;        ///< of the mechanism where the track began [m]: one unit of a displacement
+  double d3q = 0;  ///< d³q/du³ and d²φ/du² by differences over the last step: they only serve to predict
+  double d2phi = 0;  ///< the next one
 };
 
-/// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0.
+/// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0, or a conforming
+/// contact (see events.hpp), or where the contact runs off to infinity along an open curve.
 struct LimitPosition {
   double u = 0;
   double q = 0;
@@ -35,7 +39,7 @@ struct TrackResult {
 [[nodiscard]] ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int branch);
 
 /// Moves the track along the straight path of the driver to u, in as many inner steps as it takes: each is
-/// predicted to second order and accepted only if the solution agrees with the prediction. At a limit
+/// predicted to third order and accepted only if the solution agrees with the prediction. At a limit
 /// position the driver position is located by Newton's method on the extended system; beyond it later calls
 /// look for the branch again.
 [[nodiscard]] TrackResult follow_to(ContactTrack& track, double u);

@@ -50,7 +50,7 @@ private:
   void add_body(const MotionRow& row, std::size_t index);
   void add_joint(const MotionRow& row, const Joint& joint);
   void add_contact(const MotionRow& row, std::size_t index);
-  void add_arcs(const ContactDetails& details, std::size_t index);
+  void add_arcs(const ContactDetails& details, bool hold, std::size_t index);
   void number(double value);
   void length(std::optional<double> value);
   void optional_angle(std::optional<double> value);

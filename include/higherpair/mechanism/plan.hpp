@@ -151,6 +151,9 @@ struct Plan {
   double size = 0;  ///< largest distance between joint points and curve centres or vertices, in the poses [m]
 };
 
+/// Largest distance between joint points and curve centres or vertices, in the poses [m].
+[[nodiscard]] double size_of(const Mechanism& mechanism);
+
 /// The plan of a mechanism: its conditions matched with its coordinates, and the smallest sets of bodies that
 /// can be solved one after the other (strongly connected components), each recognised as a closed-form group
 /// where it is one. Independent of the order of the description. Refuses mechanisms whose bodies are not all

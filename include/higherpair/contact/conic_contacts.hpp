@@ -1,0 +1,56 @@
+#pragma once
+
+#include "higherpair/contact/contact_pair.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace higherpair {
+
+/// One position of the follower at which the two curves are tangent; vectors in ground W.
+struct CurveContact {
+  double q = 0;                     ///< follower's coordinate: in (-π, π], or a displacement [m]
+  Vector2d p_W = Vector2d::Zero();  ///< the common point [m]
+  Vector2d n_W =
+      Vector2d::UnitX();  ///< unit outward normal of body 1; where body 1 is a point, -(that of body 2)
+  bool opposed =
+      false;  ///< the outward normals are opposed: the bodies lie on different sides (always of a point)
+  bool free = false;        ///< opposed, and the interiors of the two bodies are disjoint
+  int branch = 0;           ///< of an opposed contact: sign of ∂gap/∂q, 0 at a limit
+  bool at_limit = false;    ///< two contacts merge here: ∂gap/∂q = 0 to within rounding
+  bool conforming = false;  ///< the curves have the same curvature here, to within rounding
+  bool coincident =
+      false;  ///< the two curves are the same here and touch all along; p is any of their points
+};
+
+/// What a list of contacts is worth.
+enum class ContactsStatus {
+  kComplete,           ///< the list holds every tangency
+  kTouchesEverywhere,  ///< the distance of the curves does not depend on q, and they touch; the list is empty
+  kTouchesNowhere,     ///< the distance does not depend on q, and they do not touch; the list is empty
+  kTangentAtInfinity,  ///< hyperbolas that share an asymptote at every q: the condition says nothing; no list
+  kNoPair,             ///< two lines or two points
+};
+
+struct CurveContacts {
+  ContactsStatus status = ContactsStatus::kNoPair;
+  std::vector<CurveContact> contacts;  ///< by rising q
+};
+
+/// All positions q of the follower at which its curve is tangent to the driver's, the driver being held at u.
+///
+/// The pencil λ Q1 + Q2(q) of two conics holds a tangency iff the cubic det(λ Q1 + Q2) has a double root: its
+/// discriminant, a trigonometric polynomial of degree 8 in a turning q, a polynomial of degree 8 in a sliding
+/// one, vanishes. A line and a conic touch where lᵀ adj(Q) l = 0, a point lies on a conic where pᵀQp = 0. The
+/// roots are found in numbers of 100 digits, those within 1e-4 of a real position are taken up, their contact
+/// point (the kernel of λ₀Q1 + Q2) is sought, and what is complex, at infinity or on the other branch of a
+/// hyperbola falls away. So the answer is right for the given doubles to their last digits, also for contacts
+/// 1e-12 apart or levers a million times longer than the bodies; contacts that the rounding of the input can
+/// create or destroy are one entry with `at_limit` or `conforming` set.
+/// Cost: some 10 ms (two conics), not for the inside of a loop.
+[[nodiscard]] CurveContacts find_curve_contacts(const ContactPair& pair, double u);
+
+/// What the status means, as a sentence.
+[[nodiscard]] std::string_view describe(ContactsStatus status);
+
+}  // namespace higherpair

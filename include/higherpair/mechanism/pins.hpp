@@ -1,0 +1,19 @@
+#pragma once
+
+#include "higherpair/mechanism/plan.hpp"
+
+#include <vector>
+
+namespace higherpair {
+
+/// A pin with everything that turns on it: revolute joints that share their points make one pin.
+struct Pin {
+  std::vector<BodyPoint> ends;  ///< one for each body, in the order of bodies
+  std::vector<int> joints;      ///< of Mechanism::joints; ends.size() - 1 hold it together
+};
+
+/// All pins, in the order of their first joints. Two points of a body are one if they differ by less than
+/// 1e-12 of their distance from the frame's origin.
+[[nodiscard]] std::vector<Pin> find_pins(const Mechanism& mechanism);
+
+}  // namespace higherpair

@@ -1,0 +1,186 @@
+#include "crossing.hpp"
+
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr double kNear = 1e-3;   // of a group's lever: a sine below this is near a crossing
+constexpr double kReach = 4e-3;  // of the driver's scale: how far to both sides the interpolation goes
+
+Model model_of(const Run& run) {
+  return {run.mechanism, run.plan};
+}
+
+bool can_cross(const Group& group) {
+  return std::holds_alternative<RrrDyad>(group.kind) || std::holds_alternative<RrpDyad>(group.kind) ||
+         std::holds_alternative<RprDyad>(group.kind) || std::holds_alternative<TouchingBody>(group.kind);
+}
+
+bool modes_differ(const State& a, const State& b) {
+  for (std::size_t g = 0; g < a.groups.size(); ++g) {
+    if (a.groups[g].mode != b.groups[g].mode) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Value, first and second derivative in the middle of an interval of width h, from those at its ends.
+template <class V>
+struct Jet {
+  V value, first, second;
+};
+
+template <class V>
+Jet<V> middle(const Jet<V>& a, const Jet<V>& b, double h) {
+  const V rise = b.value - a.value;
+  const V bend = b.first - a.first;
+  const V twist = b.second - a.second;
+  return {a.value + rise / 2 - 5 * h / 32 * bend + h * h / 64 * (a.second + b.second),
+          15 / (8 * h) * rise - 7.0 / 16 * (a.first + b.first) + h / 32 * twist,
+          3 / (2 * h) * bend - (a.second + b.second) / 4};
+}
+
+void interpolate(const Run& run, const State& a, double h, State& b) {
+  for (std::size_t i = 1; i < b.bodies.size(); ++i) {
+    const BodyMotion& before = a.bodies[i];
+    BodyMotion& body = b.bodies[i];
+    const auto angle =
+        middle<double>({before.theta, before.omega, before.alpha}, {body.theta, body.omega, body.alpha}, h);
+    const auto place = middle<Vector2d>({before.X_WB.p_WB, before.v_WB, before.a_WB},
+                                        {body.X_WB.p_WB, body.v_WB, body.a_WB}, h);
+    body.theta = angle.value;
+    body.omega = angle.first;
+    body.alpha = angle.second;
+    body.X_WB = {Rotation<double>::from_angle(angle.value), place.value};
+    body.v_WB = place.first;
+    body.a_WB = place.second;
+  }
+  for (std::size_t i = 0; i < b.contacts.size(); ++i) {
+    const Contact& contact = run.mechanism.contacts[i];
+    ContactMotion& motion = b.contacts[i];
+    const double phi =
+        (a.contacts[i].phi + motion.phi) / 2 + h / 8 * (a.contacts[i].rates.phi_dot - motion.rates.phi_dot);
+    const auto at = find_common_normal(
+        curve_of(run.mechanism, contact.first), b.bodies[static_cast<std::size_t>(contact.first.body)].X_WB,
+        curve_of(run.mechanism, contact.second), b.bodies[static_cast<std::size_t>(contact.second.body)].X_WB,
+        unit_vector(phi));
+    if (at) {
+      motion.at = *at;
+      motion.phi = nearest_turn(angle_of(at->n_W), phi);
+    }
+    set_contact_rates(model_of(run), static_cast<int>(i), b);
+  }
+  for (std::size_t g = 0; g < b.groups.size(); ++g) {
+    if (can_cross(run.plan.groups[g])) {
+      b.groups[g].sine = sine_of(model_of(run), g, b);
+      b.groups[g].noise = 1e-14 * b.groups[g].lever;
+    }
+  }
+}
+
+// One unit of the first driver's scale, in the path's coordinate.
+double unit_of(const Run& run, const Path& path) {
+  if (path.is_single()) {
+    return driver_scale(run, 0);
+  }
+  double fastest = 0;
+  for (std::size_t i = 0; i < path.from.size(); ++i) {
+    fastest = std::max(fastest, std::abs(path.to[i] - path.from[i]) / driver_scale(run, i));
+  }
+  return 1 / fastest;
+}
+
+// How fast all bodies together move.
+double total_speed(const Run& run, const State& state) {
+  double speed = 0;
+  for (const BodyMotion& body : state.bodies) {
+    speed += std::abs(body.omega) + body.v_WB.norm() / run.plan.size;
+  }
+  return speed;
+}
+
+}  // namespace
+
+bool is_near_crossing(const Run& run, const State& state) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    if (can_cross(run.plan.groups[g]) && std::abs(state.groups[g].sine) < kNear * state.groups[g].lever) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
+  if (!is_near_crossing(run, run.trial)) {
+    return false;
+  }
+  const double reach = std::copysign(kReach * unit_of(run, path), path.length);
+  const State direct = run.trial;
+  const State kept = run.state;
+  bool crosses = solve_at(run, path, s, rest - reach);
+  if (crosses) {
+    const State before = run.trial;
+    run.state = before;
+    crosses = try_step(run, path, path.length - reach, 2 * reach).kind == StepResult::kOk &&
+              modes_differ(before, run.trial);
+    if (crosses) {
+      interpolate(run, before, 2 * reach, run.trial);
+    }
+  }
+  run.state = kept;
+  if (!crosses) {
+    run.trial = direct;
+  }
+  return crosses;
+}
+
+void leave_singular_start(Run& run) {
+  std::size_t singular = 0;
+  while (singular < run.plan.groups.size() &&
+         !(can_cross(run.plan.groups[singular]) &&
+           std::abs(run.state.groups[singular].sine) <= 1e-7 * run.state.groups[singular].lever)) {
+    ++singular;
+  }
+  if (singular == run.plan.groups.size()) {
+    return;
+  }
+  const State start = run.state;
+  State best;
+  double slowest = std::numeric_limits<double>::infinity();
+  double best_reach = 0;
+  for (const double sense : {-1.0, 1.0}) {
+    const double reach = sense * kReach * driver_scale(run, 0);
+    std::vector<double> there = run.drivers;
+    there[0] += reach;
+    Path path;
+    set_path(path, run.drivers, there);
+    for (const int mode : {start.groups[singular].mode, -start.groups[singular].mode}) {
+      run.state = start;
+      run.state.groups[singular].mode = mode;
+      if (!solve_at(run, path, 0, path.length)) {
+        continue;
+      }
+      const double speed = total_speed(run, run.trial);
+      if (speed < slowest * (1 - 1e-9)) {
+        slowest = speed;
+        best = run.trial;
+        best_reach = reach;
+      }
+    }
+    if (best_reach != 0) {
+      break;
+    }
+  }
+  run.state = start;
+  if (best_reach != 0) {
+    run.state = best;
+    run.drivers[0] += best_reach;
+  }
+}
+
+}  // namespace higherpair

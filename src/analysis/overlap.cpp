@@ -1,0 +1,168 @@
+#include "overlap.hpp"
+
+#include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/separation.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kOverlap = 1e-9;  // of the size: a depth below this is a touch
+
+// Smallest and largest |ρ| of a conic.
+struct Radii {
+  double smallest = 0;
+  double largest = 0;
+};
+
+Radii radii_of(const Curve& curve) {
+  const double at_vertex = curve.semi_latus;
+  const double across = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q))
+                                    : std::numeric_limits<double>::infinity();
+  return {std::min(at_vertex, across), std::max(at_vertex, across)};
+}
+
+bool may_overlap(const Curve& a, const Curve& b) {
+  if (a.side == Side::kInside && b.side == Side::kInside) {
+    return false;
+  }
+  const Curve& ring = a.side == Side::kOutside ? a : b;
+  const Curve& inner = a.side == Side::kOutside ? b : a;
+  return inner.kind != CurveKind::kPoint && !(radii_of(inner).largest <= radii_of(ring).smallest);
+}
+
+const BodyMotion& body_in(const State& state, int body) {
+  return state.bodies[static_cast<std::size_t>(body)];
+}
+
+Separation separation_in(const Run& run, const Contact& contact, const State& state) {
+  return separation(curve_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
+                    curve_of(run.mechanism, contact.second), body_in(state, contact.second.body).X_WB,
+                    0.1 * kOverlap * run.plan.size);
+}
+
+// Where between run.state and run.trial the gap at the common normal near n_W closes; the way's end if it
+// cannot be followed back.
+double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
+                       const Vector2d& n_W) {
+  const State kept = run.trial;
+  const auto gap_in = [&](const State& state) {
+    const auto at = find_common_normal(
+        curve_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
+        curve_of(run.mechanism, contact.second), body_in(state, contact.second.body).X_WB, n_W);
+    return at ? at->gap() : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto gap = [&](double x) {
+    return solve_at(run, path, s, x) ? gap_in(run.trial) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const double before = gap_in(run.state);
+  const double after = gap_in(kept);
+  double x = h;
+  if (before * after < 0) {
+    std::uintmax_t calls = 200;
+    const bool forward = h > 0;
+    const auto bracket = boost::math::tools::toms748_solve(
+        gap, forward ? 0 : h, forward ? h : 0, forward ? before : after, forward ? after : before,
+        boost::math::tools::eps_tolerance<double>(52), calls);
+    x = (bracket.first + bracket.second) / 2;
+  }
+  run.trial = kept;
+  return x;
+}
+
+// The tracked pair of a contact, if it is one.
+std::optional<std::size_t> tracked_group(const Run& run, int contact) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
+    if (tracked != nullptr && tracked->contact == contact &&
+        std::holds_alternative<ContactTrack>(run.trial.tracks[g])) {
+      return g;
+    }
+  }
+  return std::nullopt;
+}
+
+struct Jump {
+  double rate_before = 0;  // of the follower, for a unit rate of the driver
+  double rate_after = 0;
+};
+
+// Goes over to the contact that keeps the bodies apart, and places what hangs on the follower anew.
+std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h) {
+  const auto& tracked = std::get<TrackedPair>(run.plan.groups[g].kind);
+  const auto& track = std::get<ContactTrack>(run.trial.tracks[g]);
+  const FindResult found = find_nearest_contact(tracked.pair, track.at.u, track.at.q);
+  if (found.status != FindStatus::kFound) {
+    return std::nullopt;
+  }
+  const Jump change{track.at.dq, found.at.dq};
+  State over = run.trial;
+  ContactTrack next = start_track(tracked.pair, found.at, found.branch);
+  next.phi = nearest_turn(next.phi, track.phi);
+  over.tracks[g] = next;
+  const State kept = run.trial;
+  std::swap(run.state, over);
+  const bool placed = solve_at(run, path, s + h, 0);
+  std::swap(run.state, over);
+  if (!placed) {
+    run.trial = kept;
+    return std::nullopt;
+  }
+  return change;
+}
+
+}  // namespace
+
+std::vector<ContactWatch> watched_contacts(const Mechanism& mechanism) {
+  std::vector<ContactWatch> watched;
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    const Contact& contact = mechanism.contacts[i];
+    watched.push_back(
+        {may_overlap(curve_of(mechanism, contact.first), curve_of(mechanism, contact.second)), false, false});
+  }
+  return watched;
+}
+
+void watch_overlaps(Run& run, const Path& path, double s, double h) {
+  for (std::size_t i = 0; i < run.watches.size(); ++i) {
+    ContactWatch& watch = run.watches[i];
+    if (!watch.needed) {
+      continue;
+    }
+    const Contact& contact = run.mechanism.contacts[i];
+    const Separation here = separation_in(run, contact, run.trial);
+    const bool overlaps = here.gap < -kOverlap * run.plan.size;
+    const bool begins = overlaps && !watch.overlaps;
+    watch.overlaps = overlaps;
+    if (!begins) {
+      continue;
+    }
+    RunEvent event;
+    event.type = EventType::kOverlap;
+    event.driver = driver_at(path, s + closing_between(run, path, contact, s, h, here.n_W));
+    event.contact = static_cast<int>(i);
+    event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
+    const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
+    const auto change = g ? jump(run, path, *g, s, h) : std::nullopt;
+    if (change) {
+      watch.overlaps = false;
+      watch.jumped = true;
+      event.type = EventType::kSecondContact;
+      event.cause = fmt::format(
+          "a second contact of the same two bodies appears and the motion goes on with it; the follower's "
+          "rate for a "
+          "unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
+          change->rate_before, change->rate_after);
+    }
+    run.events.push_back(std::move(event));
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,185 @@
+#include "step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/tools/minima.hpp>
+
+namespace higherpair {
+namespace {
+
+constexpr double kAgreement = 0.25;          // of the change of a step: distance between prediction and solution
+constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
+
+// Groups that keep to their branch by themselves.
+bool is_safe(const Group& group) {
+  return std::holds_alternative<DrivenBody>(group.kind) || std::holds_alternative<TrackedPair>(group.kind) ||
+         std::holds_alternative<IdleBody>(group.kind);
+}
+
+// How far the bodies of a group have moved, and how far from where their rates said; angles, and lengths by
+// the size.
+struct Agreement {
+  double change = 0;
+  double mismatch = 0;
+
+  [[nodiscard]] bool within(double share) const { return mismatch <= share * change + 1e-9; }
+};
+
+Agreement agreement(const Group& group, const State& from, const State& to, double h, double size) {
+  Agreement result;
+  for (const int index : group.bodies) {
+    const BodyMotion& a = from.bodies[static_cast<std::size_t>(index)];
+    const BodyMotion& b = to.bodies[static_cast<std::size_t>(index)];
+    const double turn = b.theta - a.theta;
+    const Vector2d shift = b.X_WB.p_WB - a.X_WB.p_WB;
+    result.change += std::abs(turn) + shift.lpNorm<1>() / size;
+    result.mismatch += std::abs(turn - h * (a.omega + h / 2 * a.alpha)) +
+                       (shift - h * (a.v_WB + h / 2 * a.a_WB)).lpNorm<1>() / size;
+  }
+  return result;
+}
+
+Model model_of(const Run& run) {
+  return {run.mechanism, run.plan};
+}
+
+// Places groups up to (not including) `end` in run.trial, without asking whether they agree with a
+// prediction.
+bool place_before(Run& run, std::size_t end, double h, const std::vector<double>& drivers) {
+  std::optional<LimitPosition> limit;
+  for (std::size_t g = 0; g < end; ++g) {
+    run.trial.groups[g].mode = run.state.groups[g].mode;
+    if (place_group(model_of(run), g, run.state, h, drivers, run.trial, limit) != GroupStatus::kOk) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether the slack only touches 0 within the step, so that branches really cross there; without it the links
+// would come near to being aligned and part again, or part of the way could not be assembled.
+bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
+  const double before = slack_after(run, path, g, s, 0);
+  if (!std::isfinite(before)) {
+    return true;
+  }
+  const auto slack = [&](double x) { return slack_after(run, path, g, s, x); };
+  std::uintmax_t calls = 100;
+  const auto [x, smallest] =
+      boost::math::tools::brent_find_minima(slack, std::min(0.0, h), std::max(0.0, h), 52, calls);
+  const double after = slack(h);
+  return std::abs(smallest) <= 1e-13 * (std::abs(before) + std::abs(after) + run.plan.size * run.plan.size);
+}
+
+GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
+                           const std::vector<double>& drivers, StepResult& result) {
+  const Group& group = run.plan.groups[g];
+  const GroupState& before = run.state.groups[g];
+  GroupState& now = run.trial.groups[g];
+  now.mode = before.mode;
+  const GroupStatus status = place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit);
+  if (status != GroupStatus::kOk || is_safe(group)) {
+    return status;
+  }
+  const bool crosses = (before.sine + h * before.sine_rate) * before.sine < 0;
+  if (!crosses && agreement(group, run.state, run.trial, h, run.plan.size).within(kAgreement)) {
+    return GroupStatus::kOk;
+  }
+  if (crosses && !std::holds_alternative<CoupledBodies>(group.kind)) {
+    now.mode = -before.mode;
+    if (place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit) == GroupStatus::kOk &&
+        agreement(group, run.state, run.trial, h, run.plan.size).within(kCrossingAgreement)) {
+      const State kept = run.trial;
+      const bool crossing = really_crosses(run, path, g, s, h);
+      run.trial = kept;
+      if (crossing) {
+        return GroupStatus::kOk;
+      }
+    }
+    now.mode = before.mode;
+    if (place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit) == GroupStatus::kOk &&
+        agreement(group, run.state, run.trial, h, run.plan.size).within(kAgreement)) {
+      return GroupStatus::kOk;
+    }
+  }
+  return GroupStatus::kNotConverged;
+}
+
+}  // namespace
+
+double driver_scale(const Run& run, std::size_t driver) {
+  const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[driver].joint)];
+  return joint.type == JointType::kRevolute ? 1 : run.plan.size;
+}
+
+double slack_after(Run& run, const Path& path, std::size_t g, double s, double h) {
+  std::vector<double> drivers;
+  path.positions(s + h, drivers);
+  if (!place_before(run, g, h, drivers)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  for (const int body : run.plan.groups[g].bodies) {
+    run.trial.bodies[static_cast<std::size_t>(body)] = run.state.bodies[static_cast<std::size_t>(body)];
+  }
+  for (const int contact : run.plan.groups[g].contacts) {
+    run.trial.contacts[static_cast<std::size_t>(contact)] =
+        run.state.contacts[static_cast<std::size_t>(contact)];
+  }
+  return slack_of(model_of(run), g, run.trial).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+StepResult try_step(Run& run, const Path& path, double s, double h) {
+  StepResult result;
+  std::vector<double>& drivers = run.trial_drivers;
+  path.positions(s + h, drivers);
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const GroupStatus status = place_agreeing(run, path, g, s, h, drivers, result);
+    if (status != GroupStatus::kOk) {
+      result.group = g;
+      result.kind = status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees;
+      return result;
+    }
+  }
+  path.motions(s + h, run.trial_motions);
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  }
+  return result;
+}
+
+bool solve_at(Run& run, const Path& path, double s, double x) {
+  std::vector<double> drivers;
+  path.positions(s + x, drivers);
+  if (!place_before(run, run.plan.groups.size(), x, drivers)) {
+    return false;
+  }
+  path.motions(s + x, run.trial_motions);
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  }
+  return true;
+}
+
+StepResult place_anew(Run& run, const std::vector<double>& drivers) {
+  StepResult result;
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const bool known = result.limit.has_value();
+    run.trial.groups[g].mode = run.state.groups[g].mode;
+    if (place_group(model_of(run), g, run.state, 0, drivers, run.trial, result.limit) != GroupStatus::kOk) {
+      return {StepResult::kLost, g, std::nullopt};
+    }
+    result.group = result.limit && !known ? g : result.group;
+  }
+  run.trial_motions.resize(drivers.size());
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    run.trial_motions[i] = {drivers[i], drivers.size() == 1 ? 1.0 : 0.0, 0};
+  }
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  }
+  return result;
+}
+
+}  // namespace higherpair

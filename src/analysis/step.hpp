@@ -1,0 +1,35 @@
+#pragma once
+
+#include "group_solver.hpp"
+#include "higherpair/analysis/run.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+struct StepResult {
+  enum Kind { kOk, kLost, kDisagrees } kind = kOk;
+  std::size_t group = 0;               ///< which failed
+  std::optional<LimitPosition> limit;  ///< of a tracked pair, its u the driver's coordinate
+};
+
+/// Tries a step of `h` from run.state, which stands at s, into run.trial; kOk only where every group agrees
+/// with its prediction, or crosses over to its other branch where branches cross.
+[[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
+
+/// What counts as one unit of a driver's coordinate: a radian, or the size of the mechanism.
+[[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
+
+/// Places all groups and sets their rates in run.trial, `x` beyond run.state, which stands at s; in the modes
+/// of run.state and without asking whether they agree with a prediction.
+[[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
+
+/// The slack of a group `h` beyond run.state; NaN where the groups before cannot be placed, or it has none.
+[[nodiscard]] double slack_after(Run& run, const Path& path, std::size_t g, double s, double h);
+
+/// Places all groups at the drivers' positions in run.trial in the modes of run.state, however far that is; rates are
+/// per unit of a single driver. result.limit is that of a tracked pair which has come back to its branch.
+[[nodiscard]] StepResult place_anew(Run& run, const std::vector<double>& drivers);
+
+}  // namespace higherpair

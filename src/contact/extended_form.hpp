@@ -1,0 +1,38 @@
+#pragma once
+
+#include "contact_pencil.hpp"
+#include "extended.hpp"
+#include "higherpair/geometry/support.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+[[nodiscard]] Complex<Extended> complex_of(const Vector2d& v);
+
+/// The form of a curve with its vertex at v and its axis along u, its lengths divided by `length`: for a
+/// conic 4 side (y² + q x² - 2 ℓ x) with x along the axis from the vertex and y across; for a line -2x.
+[[nodiscard]] Form<Extended> form_of(const Curve& curve, const Complex<Extended>& v,
+                                     const Complex<Extended>& u, double length);
+
+/// Value, gradient (as a complex number), change of the gradient along dw, signed curvature for a gradient.
+/// \pre not a point
+[[nodiscard]] Extended value_at(const Form<Extended>& form, const Complex<Extended>& w);
+[[nodiscard]] Complex<Extended> gradient_at(const Form<Extended>& form, const Complex<Extended>& w);
+[[nodiscard]] Complex<Extended> hessian_times(const Form<Extended>& form, const Complex<Extended>& dw);
+[[nodiscard]] double curvature(const Form<Extended>& form, const Complex<Extended>& G);
+
+/// The point with the homogeneous coordinates v (any complex factor); none farther off than 1e9.
+[[nodiscard]] std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v);
+
+/// M is nearly ± m mᵀ for a real line m: where it meets the conic; if it misses it by rounding, the middle.
+[[nodiscard]] std::vector<Complex<Extended>> points_on_double_line(const Matrix3c<Extended>& M,
+                                                                   const Form<Extended>& conic);
+
+/// Hyperbolas have a second branch that is no part of the body: beyond the centre at x = ℓ/q.
+[[nodiscard]] inline bool on_branch(const PlacedCurve<double>& curve, const Vector2d& p) {
+  return curve.q >= 0 || curve.q * (p - curve.vertex_W).dot(curve.axis_W) < curve.semi_latus;
+}
+
+}  // namespace higherpair

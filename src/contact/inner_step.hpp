@@ -1,0 +1,99 @@
+#pragma once
+
+#include "higherpair/contact/tracker.hpp"
+#include "limit.hpp"
+
+#include <cmath>
+
+// One step of a track: predicted, solved, compared, accepted.
+
+namespace higherpair {
+
+inline constexpr double kMaxTurn = kPi / 18;           // of driver or normal in one inner step [rad]
+inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
+inline constexpr double kCosFarthestTurn = 0.866;
+inline constexpr double kFallsToCrossing = 1e-3;  // of its present value: the same
+inline constexpr double kAtCrossing =
+    1e-6;  // of the follower's lever: ∂gap/∂q that may be that of a crossing
+
+// What counts as one unit of a coordinate: a radian, or the size of the mechanism.
+[[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
+  return freedom.turns ? 1 : track.size;
+}
+
+// The rotation by a small or moderate angle; its direction need only be good enough for a prediction.
+[[nodiscard]] inline Rotation<double> predicted_turn(double angle) {
+  const double square = angle * angle;
+  if (square > 1e-3) {
+    return Rotation<double>::from_angle(angle);
+  }
+  const Rotation<double> turn{1 - square / 2 * (1 - square / 12), angle * (1 - square / 6)};
+  return turn.normalised();
+}
+
+// The angle from one unit vector to the next; the series is exact to rounding for small angles.
+[[nodiscard]] inline double angle_between(const Vector2d& from, const Vector2d& to) {
+  const double sine = cross(from, to);
+  const double cosine = from.dot(to);
+  const double square = sine * sine;
+  if (square > 1e-5 || cosine < 0) {
+    return std::atan2(sine, cosine);
+  }
+  return sine * (1 + square * (1 / 6.0 + square * (3 / 40.0 + square * 15 / 336.0)));
+}
+
+struct Step {
+  ContactResult result;
+  double change = 0;    // of q and φ, in units
+  double mismatch = 0;  // between prediction and solution, in units
+  bool solved = false;
+};
+
+[[nodiscard]] inline Step try_step(const ContactTrack& track, double h, int branch) {
+  const ContactPosition& from = track.at;
+  const double q = from.q + h * (from.dq + h / 2 * (from.d2q + h / 3 * track.d3q));
+  const Vector2d n = predicted_turn(h * (from.dphi + h / 2 * track.d2phi)) * from.n_W;
+  Step step{solve_contact(track.pair, from.u + h, q, n, branch)};
+  const ContactPosition& to = step.result.at;
+  if (step.result.status != ContactStatus::kOk) {
+    return step;
+  }
+  const double unit = unit_of(track.pair.motion2, track);
+  step.change = std::abs(to.q - from.q) / unit + std::abs(cross(from.n_W, to.n_W));
+  step.mismatch = std::abs(to.q - q) / unit;
+  const bool turned_far = to.n_W.dot(from.n_W) < kCosFarthestTurn ||
+                          (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestTurn);
+  step.solved = !turned_far;
+  return step;
+}
+
+[[nodiscard]] inline bool agrees(const Step& step, double share) {
+  return step.solved && step.mismatch <= share * step.change + 1e-9;
+}
+
+inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
+  const double h = at.u - track.at.u;
+  const bool smooth = h != 0 && branch == track.branch;
+  track.d3q = smooth ? (at.d2q - track.at.d2q) / h : 0;
+  track.d2phi = smooth ? (at.dphi - track.at.dphi) / h : 0;
+  track.phi += angle_between(track.at.n_W, at.n_W);
+  track.at = at;
+  track.branch = branch;
+}
+
+// d(∂gap/∂q)/du along the motion.
+[[nodiscard]] inline double gap_q_rate(const ContactTrack& track) {
+  const GapDerivatives d = gap_derivatives(track.pair, track.at);
+  return d.g_qq * track.at.dq + d.g_phiq * track.at.dphi + d.g_qu;
+}
+
+// Whether a ∂gap/∂q to come is small enough for a crossing: against the lever, or against what it is now.
+[[nodiscard]] inline bool vanishes(const ContactTrack& track, double gap_q) {
+  if (std::abs(gap_q) <= kFallsToCrossing * std::abs(track.at.gap_q)) {
+    return true;
+  }
+  const double lever2 = velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm();
+  return gap_q * gap_q <= kAtCrossing * kAtCrossing * lever2;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,279 @@
+#include "tangency.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace higherpair {
+namespace {
+
+// Points within this of both curves touch as far as doubles can tell, in units of the problem.
+constexpr double kTouching = 1e-13;
+// sine of the angle between the normals that rounding makes of a double root.
+constexpr double kAligned = 1e-5;
+// Farther apart than this, squared, two contacts are two without a closer look.
+constexpr double kClearlyApart = 1e-4;
+
+Coordinate advanced(const TangencyProblem& problem, const Coordinate& at, const Extended& step) {
+  if (!problem.motion.turns) {
+    return {Extended(at.re + step), Extended(0)};
+  }
+  // The rotation by 2 atan(step/2).
+  const Complex<Extended> half{Extended(1), Extended(step / 2)};
+  return at * (half * half) * inverse(Complex<Extended>{norm(half), Extended(0)});
+}
+
+// Newton's method for f1 = f2 = ∇f1 × ∇f2 = 0 in (w, q). Double roots gain nothing by it; the step is refused
+// if it leads away. \pre two conics
+void refine(const TangencyProblem& problem, Tangency& tangency) {
+  using Matrix = Eigen::Matrix<Extended, 3, 3>;
+  using Vector = Eigen::Matrix<Extended, 3, 1>;
+  const Form<Extended>& first = problem.first;
+  for (int i = 0; i < 8; ++i) {
+    const Form<Extended> second = moved(problem, tangency.at);
+    const Complex<Extended>& w = tangency.w;
+    const Complex<Extended> G1 = gradient_at(first, w);
+    const Complex<Extended> G2 = gradient_at(second, w);
+    // The material of body 2 passes w with this velocity.
+    const Complex<Extended> v =
+        problem.motion.turns ? Complex<Extended>{Extended(-w.im), w.re} : problem.motion.direction;
+    Complex<Extended> dG2_dq = -hessian_times(second, v);
+    if (problem.motion.turns) {
+      dG2_dq += Complex<Extended>{Extended(-G2.im), G2.re};
+    }
+    Matrix J;
+    for (int k = 0; k < 2; ++k) {
+      const Complex<Extended> dw{Extended(k == 0 ? 1 : 0), Extended(k)};
+      J(0, k) = dot(G1, dw);
+      J(1, k) = dot(G2, dw);
+      J(2, k) = cross(hessian_times(first, dw), G2) + cross(G1, hessian_times(second, dw));
+    }
+    J(0, 2) = 0;
+    J(1, 2) = -dot(G2, v);
+    J(2, 2) = cross(G1, dG2_dq);
+    const Vector r{value_at(first, w), value_at(second, w), cross(G1, G2)};
+    const Extended det = J.determinant();
+    if (det == 0) {
+      return;
+    }
+    const Vector step = J.inverse() * r;
+    const double length = to_double(Extended(abs(step(0)) + abs(step(1)) + abs(step(2))));
+    if (!(length < 1e-4) || length < 1e-60) {
+      return;
+    }
+    Tangency next = tangency;
+    next.w = w - Complex<Extended>{step(0), step(1)};
+    next.at = advanced(problem, tangency.at, Extended(-step(2)));
+    if (shape_at(problem, next).distance > shape_at(problem, tangency).distance) {
+      return;
+    }
+    tangency = next;
+  }
+}
+
+std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, const Form<Extended>& second,
+                                                const Coordinate& at) {
+  const Form<Extended>& first = problem.first;
+  if (first.kind == FormKind::kPoint) {
+    return {first.v[0]};
+  }
+  if (second.kind == FormKind::kPoint) {
+    return {second.v[0]};
+  }
+  std::vector<Complex<Extended>> points;
+  if (first.kind == FormKind::kLine || second.kind == FormKind::kLine) {
+    const bool line_first = first.kind == FormKind::kLine;
+    const Form<Extended>& conic = line_first ? second : first;
+    if (const auto pole = finite_point(conic.A * (line_first ? first.v : second.v))) {
+      points.push_back(*pole);
+    }
+    return points;
+  }
+  const DoubleMember member = double_member(problem, at);
+  if (member.coincident) {
+    return {complex_of(problem.first_W.vertex_W)};
+  }
+  const Matrix3c<Extended> adj = adjugate(member.M);
+  Extended rank2 = 0;
+  Extended rank1 = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      rank2 += sqrt(norm(adj[i][j]));
+      rank1 += norm(member.M[i][j]);
+    }
+  }
+  if (const auto kernel = finite_point(adj[2])) {
+    points.push_back(*kernel);
+  }
+  if (rank2 <= 1e-5 * rank1) {
+    const auto more = points_on_double_line(member.M, first);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
+bool touches(const TangencyProblem& problem, const Tangency& tangency) {
+  const ContactShape shape = shape_at(problem, tangency);
+  const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
+  return shape.distance <= kTouching * reach && shape.misalignment <= kAligned;
+}
+
+}  // namespace
+
+TangencyProblem make_problem(const ContactPair& pair, double u) {
+  const PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, u));
+  const OneFreedom& motion = pair.motion2;
+  TangencyProblem problem;
+  problem.origin_W = motion.p_WO;
+  problem.motion.turns = motion.turns;
+  problem.motion.direction = complex_of(motion.direction_W);
+  double size = (pair.curve2.vertex_B - motion.p_BO).norm();
+  size = std::max({size, (first.vertex_W - motion.p_WO).norm(), first.semi_latus, pair.curve2.semi_latus});
+  problem.length = size > 0 ? std::exp2(std::ceil(std::log2(size))) : 1;
+  const auto scaled = [&](const Complex<Extended>& v) { return Extended(1 / Extended(problem.length)) * v; };
+  const Complex<Extended> origin = complex_of(motion.p_WO);
+  problem.first = form_of(pair.curve1, scaled(complex_of(first.vertex_W) - origin), complex_of(first.axis_W),
+                          problem.length);
+  const Complex<Extended> turn =
+      motion.turns ? Complex<Extended>{Extended(1), Extended(0)}
+                   : Complex<Extended>{Extended(motion.R_WB.cos), Extended(motion.R_WB.sin)};
+  const Complex<Extended> v = complex_of(pair.curve2.vertex_B) - complex_of(motion.p_BO);
+  problem.second =
+      form_of(pair.curve2, scaled(turn * v), turn * complex_of(pair.curve2.axis_B), problem.length);
+  problem.first_W = first;
+  problem.second_at_0 = place(pair.curve2, pose_at(motion, 0));
+  for (PlacedCurve<double>* curve : {&problem.first_W, &problem.second_at_0}) {
+    curve->vertex_W = (curve->vertex_W - motion.p_WO) / problem.length;
+    curve->semi_latus /= problem.length;
+  }
+  return problem;
+}
+
+Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at) {
+  Form<Extended> form = problem.second;
+  if (problem.motion.turns) {
+    const std::array<Complex<Extended>, 3> D = {conj(at), at, Complex<Extended>{Extended(1), Extended(0)}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        form.S[i][j] = D[i] * D[j] * form.S[i][j];
+        form.A[i][j] = conj(D[i] * D[j]) * form.A[i][j];
+      }
+      form.v[i] = (form.kind == FormKind::kLine ? D[i] : conj(D[i])) * form.v[i];
+    }
+    return form;
+  }
+  const Extended& q = at.re;
+  const auto evaluate = [&](const MatrixPolynomial<Extended>& m) { return m[0] + q * (m[1] + q * m[2]); };
+  form.S = evaluate(moved_primal(form.S, problem.motion));
+  form.A = evaluate(moved_dual(form.A, problem.motion));
+  const Complex<Extended> d = q * problem.motion.direction;
+  if (form.kind == FormKind::kLine) {
+    form.v[2] = form.v[2] - form.v[0] * d - form.v[1] * conj(d);
+  } else {
+    form.v[0] += d;
+    form.v[1] += conj(d);
+  }
+  return form;
+}
+
+ContactShape shape_at(const TangencyProblem& problem, const Tangency& tangency) {
+  const Form<Extended> second = moved(problem, tangency.at);
+  ContactShape shape;
+  const auto look = [&](const Form<Extended>& form, Complex<Extended>& G, double& kappa) {
+    if (form.kind == FormKind::kPoint) {
+      const double off = to_double(Extended(sqrt(norm(tangency.w - form.v[0]))));
+      shape.distance = std::max(shape.distance, off);
+      return;
+    }
+    G = gradient_at(form, tangency.w);
+    kappa = curvature(form, G);
+    const Extended off = abs(value_at(form, tangency.w)) / sqrt(norm(G));
+    shape.distance = std::max(shape.distance, to_double(off));
+  };
+  look(problem.first, shape.G1, shape.kappa1);
+  look(second, shape.G2, shape.kappa2);
+  const Extended scale = norm(shape.G1) * norm(shape.G2);
+  if (scale > 0) {
+    shape.misalignment = to_double(Extended(abs(cross(shape.G1, shape.G2)) / sqrt(scale)));
+  }
+  return shape;
+}
+
+DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at) {
+  const Form<Extended> second = moved(problem, at);
+  const Form<Extended>& first = problem.first;
+  const Extended a = determinant(first);
+  const Extended b = product(first.A, second.S).re;
+  const Extended c = product(first.S, second.A).re;
+  const Extended d = determinant(second);
+  // The double root is a root of the derivative as well.
+  const Extended D = b * b - 3 * a * c;
+  const Extended root = D > 0 ? Extended(sqrt(D)) : Extended(0);
+  const auto value = [&](const Extended& l) { return Extended(abs(((a * l + b) * l + c) * l + d)); };
+  const Extended one = (-b + root) / (3 * a);
+  const Extended other = (-b - root) / (3 * a);
+  DoubleMember member;
+  member.lambda = value(one) < value(other) ? one : other;
+  const Matrix3c<Extended> scaled = member.lambda * first.S;
+  member.M = scaled + second.S;
+  Extended left = 0;
+  Extended whole = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      left += norm(member.M[i][j]);
+      whole += norm(scaled[i][j]) + norm(second.S[i][j]);
+    }
+  }
+  member.coincident = left <= kTouching * kTouching * whole;
+  return member;
+}
+
+std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordinate& at) {
+  const Form<Extended> second = moved(problem, at);
+  const bool conics = problem.first.kind == FormKind::kConic && second.kind == FormKind::kConic;
+  std::vector<Tangency> found;
+  for (const Complex<Extended>& w : candidate_points(problem, second, at)) {
+    Tangency tangency{at, w, true};
+    if (conics) {
+      refine(problem, tangency);
+    }
+    tangency.exact = shape_at(problem, tangency).distance <= 1e-18;
+    const bool new_one = std::none_of(found.begin(), found.end(), [&](const Tangency& other) {
+      return merged(problem, tangency, other).has_value();
+    });
+    if (new_one && touches(problem, tangency)) {
+      found.push_back(tangency);
+    }
+  }
+  return found;
+}
+
+bool has_finite_point(const TangencyProblem& problem, const Coordinate& at) {
+  const Form<Extended> second = moved(problem, at);
+  if (problem.first.kind == FormKind::kConic && second.kind == FormKind::kConic) {
+    const Matrix3c<Extended> adj = adjugate(double_member(problem, at).M);
+    return finite_point(adj[2]).has_value();
+  }
+  return !candidate_points(problem, second, at).empty();
+}
+
+std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
+  const double apart = to_double(norm(a.w - b.w) + norm(a.at - b.at));
+  if (!(apart < kClearlyApart)) {
+    return std::nullopt;
+  }
+  Tangency middle = a;
+  middle.w = Extended(0.5) * (a.w + b.w);
+  middle.at = a.at + b.at;
+  const Extended scale = problem.motion.turns ? Extended(sqrt(norm(middle.at))) : Extended(2);
+  middle.at = Extended(1 / scale) * middle.at;
+  // From the chord onto the curve.
+  for (int i = 0; i < 2 && problem.first.kind != FormKind::kPoint; ++i) {
+    const Complex<Extended> G = gradient_at(problem.first, middle.w);
+    middle.w = middle.w - Extended(value_at(problem.first, middle.w) / norm(G)) * G;
+  }
+  return touches(problem, middle) ? std::optional(middle) : std::nullopt;
+}
+
+}  // namespace higherpair

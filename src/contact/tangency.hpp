@@ -1,0 +1,68 @@
+#pragma once
+
+#include "extended_form.hpp"
+#include "higherpair/contact/contact_pair.hpp"
+#include "polynomial_roots.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// A pair of curves in extended numbers: the doubles of the pair taken as exact, lengths divided by a power
+/// of two near the size of the pair, the origin at the follower's pivot or at its q = 0.
+struct TangencyProblem {
+  Form<Extended> first;   ///< where the driver stands
+  Form<Extended> second;  ///< of the follower at q = 0
+  PencilMotion<Extended> motion;
+  double length = 1;                         ///< [m] that one unit of this problem is
+  Vector2d origin_W = Vector2d::Zero();      ///< [m]
+  PlacedCurve<double> first_W, second_at_0;  ///< the same curves, in units of this problem
+};
+
+[[nodiscard]] TangencyProblem make_problem(const ContactPair& pair, double u);
+
+/// Follower's coordinate: e^{iq} (turning) or q in units of the problem as the real part (sliding).
+using Coordinate = Complex<Extended>;
+
+/// Body 2 at a coordinate.
+[[nodiscard]] Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at);
+
+/// A position and point at which the two curves are tangent.
+struct Tangency {
+  Coordinate at;
+  Complex<Extended> w;  ///< the point
+  bool exact = true;    ///< false: a double root to within the rounding of doubles, which it may not survive
+};
+
+/// How well a point and position satisfy the conditions of contact, in units of the problem.
+struct ContactShape {
+  double distance = 0;       ///< of the point from the curves, the larger one
+  double misalignment = 0;   ///< |sine| of the angle between the normals
+  Complex<Extended> G1, G2;  ///< gradients, out of the bodies; 0 for a point
+  double kappa1 = 0, kappa2 = 0;
+};
+
+[[nodiscard]] ContactShape shape_at(const TangencyProblem& problem, const Tangency& tangency);
+
+/// λ₀ of the pencil's double root at a coordinate, and the degenerate conic λ₀ S1 + S2. \pre two conics
+struct DoubleMember {
+  Extended lambda;
+  Matrix3c<Extended> M;
+  bool coincident = false;  ///< M = 0: the two conics are the same
+};
+[[nodiscard]] DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at);
+
+/// The tangencies at a root of the contact polynomial whose nearest real coordinate is `at`: none where the
+/// contact is complex, at infinity or farther off than rounding explains.
+[[nodiscard]] std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordinate& at);
+
+/// Whether the point of contact at a root of the contact polynomial is nearer than 1e9 sizes.
+[[nodiscard]] bool has_finite_point(const TangencyProblem& problem, const Coordinate& at);
+
+/// The middle of two that the rounding of doubles cannot tell apart (everything between them touches as well
+/// as they do), or none.
+[[nodiscard]] std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a,
+                                             const Tangency& b);
+
+}  // namespace higherpair

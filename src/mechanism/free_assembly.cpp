@@ -1,0 +1,192 @@
+#include "free_assembly.hpp"
+
+#include "higherpair/contact/separation.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMaxSteps = 80;
+constexpr double kMaxStep = 0.3;   // of an angle [rad], or of the size
+constexpr double kClosed = 1e-10;  // largest closure error of the size
+constexpr double kRankTolerance = 1e-10;
+
+LinearConditions linear(const SizedMechanism& sized, const std::vector<ConstraintRow>& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  LinearConditions conditions{Eigen::MatrixXd::Zero(n, sized.columns()), Eigen::VectorXd(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ConstraintRow& row = rows[static_cast<std::size_t>(i)];
+    conditions.values(i) = row.value;
+    for (std::size_t k = 0; k < row.body.size(); ++k) {
+      if (row.body[k] == 0) {
+        continue;
+      }
+      const Eigen::Index column = 3 * (row.body[k] - 1);
+      conditions.J(i, column) += row.coefficient[k].x();
+      conditions.J(i, column + 1) += row.coefficient[k].y();
+      conditions.J(i, column + 2) += row.coefficient[k].z() / sized.size;
+    }
+  }
+  return conditions;
+}
+
+void append_driver_rows(const SizedMechanism& sized, const std::vector<double>& positions,
+                        const MechanismPosition& at, std::vector<ConstraintRow>& rows) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto joint = static_cast<std::size_t>(sized.mechanism.drivers[i].joint);
+    append_driver_row(sized.mechanism, sized.mechanism.joints[joint], positions[i], 0, 0, at.bodies,
+                      sized.size, rows);
+  }
+}
+
+// False where the curves have no common normal near the last one.
+bool place_contacts(const Mechanism& mechanism, MechanismPosition& at) {
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    const Contact& contact = mechanism.contacts[i];
+    ContactMotion& motion = at.contacts[i];
+    const auto pose = [&](const CurveRef& ref) { return at.bodies[static_cast<std::size_t>(ref.body)].X_WB; };
+    const auto normal =
+        find_common_normal(curve_of(mechanism, contact.first), pose(contact.first),
+                           curve_of(mechanism, contact.second), pose(contact.second), motion.at.n_W);
+    if (!normal) {
+      return false;
+    }
+    motion.at = *normal;
+    motion.phi = nearest_turn(angle_of(normal->n_W), motion.phi);
+  }
+  return true;
+}
+
+MechanismPosition posed(const SizedMechanism& sized) {
+  const Mechanism& mechanism = sized.mechanism;
+  MechanismPosition at{posed_bodies(mechanism), {}};
+  for (const Contact& contact : mechanism.contacts) {
+    const auto pose = [&](const CurveRef& ref) { return at.bodies[static_cast<std::size_t>(ref.body)].X_WB; };
+    const Separation here =
+        separation(curve_of(mechanism, contact.first), pose(contact.first),
+                   curve_of(mechanism, contact.second), pose(contact.second), 1e-6 * sized.size);
+    ContactMotion motion;
+    motion.at.n_W = here.n_W;
+    motion.phi = angle_of(here.n_W);
+    at.contacts.push_back(motion);
+  }
+  return at;
+}
+
+SizedMechanism sized_mechanism(const Mechanism& mechanism) {
+  const double size = size_of(mechanism);
+  return {mechanism, size > 0 ? size : 1};
+}
+
+// Where rolling begins there is nothing travelled yet.
+std::optional<MechanismPosition> begin_to_roll(const SizedMechanism& sized,
+                                               const std::vector<double>& drivers,
+                                               const MechanismPosition& near) {
+  auto position = assemble_from(sized, {false, drivers}, near);
+  if (!position) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < position->contacts.size(); ++i) {
+    const Contact& contact = sized.mechanism.contacts[i];
+    ContactMotion& motion = position->contacts[i];
+    if (contact.rolling) {
+      motion.arc_difference = arc_difference(sized.mechanism, contact, motion, position->bodies);
+    }
+  }
+  return position;
+}
+
+}  // namespace
+
+LinearConditions conditions_at(const SizedMechanism& sized, const Held& held,
+                               const MechanismPosition& position) {
+  const Mechanism& mechanism = sized.mechanism;
+  std::vector<ConstraintRow> rows;
+  for (const Joint& joint : mechanism.joints) {
+    append_rows(mechanism, joint, position.bodies, sized.size, rows);
+  }
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    append_rows(mechanism, mechanism.contacts[i], position.contacts[i], position.bodies, rows);
+    if (mechanism.contacts[i].rolling && !held.arcs) {
+      rows.pop_back();
+    }
+  }
+  append_driver_rows(sized, held.drivers, position, rows);
+  return linear(sized, rows);
+}
+
+Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition& position) {
+  std::vector<ConstraintRow> rows;
+  append_driver_rows(sized, std::vector<double>(sized.mechanism.drivers.size(), 0.0), position, rows);
+  return linear(sized, rows).J;
+}
+
+std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
+                                               MechanismPosition position) {
+  double last = INFINITY;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    if (!place_contacts(sized.mechanism, position)) {
+      return std::nullopt;
+    }
+    const LinearConditions conditions = conditions_at(sized, held, position);
+    if (conditions.values.size() == 0) {
+      return position;
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(kRankTolerance);
+    solver.compute(conditions.J);
+    Eigen::VectorXd step = solver.solve(-conditions.values);
+    if (!step.allFinite()) {
+      return std::nullopt;
+    }
+    const double length = step.size() == 0 ? 0 : step.cwiseAbs().maxCoeff() / sized.size;
+    if (length < 1e-14 || (length < 1e-9 && length >= last / 2)) {
+      const double error = conditions.values.cwiseAbs().maxCoeff();
+      return error <= kClosed * sized.size ? std::optional(std::move(position)) : std::nullopt;
+    }
+    last = length;
+    step *= std::min(1.0, kMaxStep / length);
+    add_step(sized, step, position);
+  }
+  return std::nullopt;
+}
+
+void add_step(const SizedMechanism& sized, const Eigen::VectorXd& step, MechanismPosition& position) {
+  for (std::size_t b = 1; b < position.bodies.size(); ++b) {
+    BodyMotion& body = position.bodies[b];
+    const auto column = static_cast<Eigen::Index>(3 * (b - 1));
+    body.X_WB.p_WB += step.segment<2>(column);
+    body.theta += step(column + 2) / sized.size;
+    body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
+  }
+}
+
+Eigen::VectorXd step_between(const SizedMechanism& sized, const MechanismPosition& from,
+                             const MechanismPosition& to) {
+  Eigen::VectorXd step(sized.columns());
+  for (std::size_t b = 1; b < from.bodies.size(); ++b) {
+    const auto column = static_cast<Eigen::Index>(3 * (b - 1));
+    step.segment<2>(column) = to.bodies[b].X_WB.p_WB - from.bodies[b].X_WB.p_WB;
+    step(column + 2) = sized.size * (to.bodies[b].theta - from.bodies[b].theta);
+  }
+  return step;
+}
+
+std::optional<MechanismPosition> assemble_near(const Mechanism& mechanism,
+                                               const MechanismPosition& position) {
+  return begin_to_roll(sized_mechanism(mechanism), {}, position);
+}
+
+std::optional<MechanismPosition> assemble_near_poses(const Mechanism& mechanism,
+                                                     const std::vector<double>& drivers) {
+  const SizedMechanism sized = sized_mechanism(mechanism);
+  return begin_to_roll(sized, drivers, posed(sized));
+}
+
+}  // namespace higherpair

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "higherpair/mechanism/mobility.hpp"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// A mechanism and what makes lengths of its angles.
+struct SizedMechanism {
+  const Mechanism& mechanism;
+  double size = 1;  ///< [m], > 0
+
+  [[nodiscard]] Eigen::Index columns() const {
+    return 3 * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1);
+  }
+};
+
+/// Conditions as a linear system in the rates (x, y, size·θ) of the moving bodies, body 1 first.
+struct LinearConditions {
+  Eigen::MatrixXd J;
+  Eigen::VectorXd values;
+};
+
+/// What is to hold: joints and contacts always.
+struct Held {
+  bool arcs = true;             ///< the difference of the arcs travelled, of contacts that roll
+  std::vector<double> drivers;  ///< coordinates of Mechanism::drivers; empty: free
+};
+
+/// The rows of the joints in their order, then those of the contacts, then those of the drivers if held.
+[[nodiscard]] LinearConditions conditions_at(const SizedMechanism& sized, const Held& held,
+                                             const MechanismPosition& position);
+
+/// The rows of all drivers.
+[[nodiscard]] Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition& position);
+
+/// Gauss-Newton from a position that is near one; the step of least norm where conditions leave freedom.
+[[nodiscard]] std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
+                                                             MechanismPosition position);
+
+/// The mechanism from a position that is assembled or nearly so; rolling contacts begin to roll there.
+[[nodiscard]] std::optional<MechanismPosition> assemble_near(const Mechanism& mechanism,
+                                                             const MechanismPosition& position);
+
+/// Moves the bodies by a step in (x, y, size·θ).
+void add_step(const SizedMechanism& sized, const Eigen::VectorXd& step, MechanismPosition& position);
+
+/// The step in (x, y, size·θ) from one position to another.
+[[nodiscard]] Eigen::VectorXd step_between(const SizedMechanism& sized, const MechanismPosition& from,
+                                           const MechanismPosition& to);
+
+}  // namespace higherpair

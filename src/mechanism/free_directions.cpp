@@ -1,0 +1,107 @@
+#include "free_directions.hpp"
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include <Eigen/SVD>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMove = 0.03;      // of an angle [rad], or of the size
+constexpr int kShorterMoves = 3;    // each a quarter of the one before, where none closes
+constexpr int kCombinations = 3;    // moves along several basis vectors at once
+constexpr double kLeadsAway = 0.1;  // of the step: what comes back closer than that has not moved
+
+std::vector<Eigen::VectorXd> directions_in(const Eigen::MatrixXd& basis) {
+  std::vector<Eigen::VectorXd> directions;
+  for (Eigen::Index i = 0; i < basis.cols(); ++i) {
+    directions.emplace_back(basis.col(i));
+  }
+  std::mt19937 random(2718281);
+  for (int k = 0; k < kCombinations; ++k) {
+    Eigen::VectorXd weights(basis.cols());
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      weights(i) = static_cast<double>(random()) / 2147483648.0 - 1;
+    }
+    directions.emplace_back(basis * weights.normalized());
+  }
+  return directions;
+}
+
+struct Move {
+  MechanismPosition to;
+  Eigen::VectorXd moved;  // in units of the step wanted
+};
+
+std::optional<Move> move_along(const SizedMechanism& sized, const MechanismPosition& start,
+                               const Eigen::VectorXd& direction) {
+  double step = kMove * sized.size / direction.cwiseAbs().maxCoeff();
+  for (int i = 0; i < kShorterMoves; ++i, step /= 4) {
+    MechanismPosition to = start;
+    add_step(sized, step * direction, to);
+    if (auto closed = assemble_from(sized, {}, std::move(to))) {
+      Eigen::VectorXd moved = step_between(sized, start, *closed) / step;
+      return Move{*std::move(closed), std::move(moved)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+NullSpaces null_spaces(const Eigen::MatrixXd& J, double floor) {
+  if (J.rows() == 0 || J.cols() == 0) {
+    return {0, Eigen::MatrixXd::Identity(J.cols(), J.cols()), Eigen::MatrixXd::Identity(J.rows(), J.rows())};
+  }
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::VectorXd& values = svd.singularValues();
+  int rank = 0;
+  while (rank < values.size() && values(rank) > floor * std::max(1.0, values(0))) {
+    ++rank;
+  }
+  return {rank, svd.matrixV().rightCols(J.cols() - rank), svd.matrixU().rightCols(J.rows() - rank)};
+}
+
+Moves explore(const SizedMechanism& sized, const MechanismPosition& start) {
+  Moves moves;
+  moves.here = null_spaces(conditions_at(sized, {}, start).J);
+  moves.best = start;
+  moves.at_best = moves.here;
+  const Eigen::MatrixXd& basis = moves.here.right;
+  if (basis.cols() == 0) {
+    moves.real = basis;
+    return moves;
+  }
+  const std::vector<Eigen::VectorXd> directions = directions_in(basis);
+  Eigen::MatrixXd reached = Eigen::MatrixXd::Zero(basis.cols(), static_cast<Eigen::Index>(directions.size()));
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const auto move = move_along(sized, start, directions[i]);
+    if (!move) {
+      continue;
+    }
+    const auto column = static_cast<Eigen::Index>(i);
+    reached.col(column) = basis.transpose() * move->moved;
+    if (reached.col(column).norm() < kLeadsAway) {
+      reached.col(column).setZero();
+      continue;
+    }
+    ++moves.positions;
+    NullSpaces there = null_spaces(conditions_at(sized, {}, move->to).J);
+    const bool first_off_start = moves.positions == 2 && there.rank >= moves.at_best.rank;
+    if (there.rank > moves.at_best.rank || first_off_start) {
+      moves.best = move->to;
+      moves.at_best = std::move(there);
+    }
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(reached, Eigen::ComputeThinU);
+  Eigen::Index real = 0;
+  while (real < svd.singularValues().size() && svd.singularValues()(real) > kLeadsAway) {
+    ++real;
+  }
+  moves.real = basis * svd.matrixU().leftCols(real);
+  return moves;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,254 @@
+#include "higherpair/mechanism/loops.hpp"
+
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/pins.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace higherpair {
+namespace {
+
+// A pin that a body carries.
+struct PinOnBody {
+  std::size_t pin = 0;
+  Vector2d p_B = Vector2d::Zero();
+};
+
+class PinGraph {
+public:
+  explicit PinGraph(const Mechanism& mechanism) : pins_(find_pins(mechanism)), on_(mechanism.bodies.size()) {
+    for (std::size_t i = 0; i < pins_.size(); ++i) {
+      for (const BodyPoint& end : pins_[i].ends) {
+        on_[static_cast<std::size_t>(end.body)].push_back({i, end.p_B});
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<PinOnBody>& on(int body) const {
+    return on_[static_cast<std::size_t>(body)];
+  }
+
+  [[nodiscard]] const std::vector<BodyPoint>& bodies_at(std::size_t pin) const { return pins_[pin].ends; }
+
+private:
+  std::vector<Pin> pins_;
+  std::vector<std::vector<PinOnBody>> on_;
+};
+
+// How far bodies are from ground, in joints; a driven body counts half a joint less, so as to be link 2.
+std::vector<double> depths(const Mechanism& mechanism) {
+  const auto far = static_cast<double>(mechanism.bodies.size());
+  std::vector<double> depth(mechanism.bodies.size(), far);
+  depth.front() = 0;
+  const auto reach = [&](int from, int to, double step) {
+    double& at = depth[static_cast<std::size_t>(to)];
+    const double by = depth[static_cast<std::size_t>(from)] + step;
+    const bool nearer = by < at;
+    at = std::min(at, by);
+    return nearer;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+      const Joint& joint = mechanism.joints[i];
+      const bool driven =
+          std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                      [&](const Driver& driver) { return driver.joint == static_cast<int>(i); });
+      const double step = driven ? 0.5 : 1;
+      changed = reach(joint.first.body, joint.second.body, step) || changed;
+      changed = reach(joint.second.body, joint.first.body, step) || changed;
+    }
+  }
+  return depth;
+}
+
+// A ring of bodies and the lengths between their two pins.
+struct Ring {
+  std::array<int, 4> body{};
+  std::array<double, 4> length{};
+};
+
+// A body on the way round, between two of its pins.
+struct Side {
+  int body = 0;
+  PinOnBody in;
+  PinOnBody out;
+};
+
+Ring ring_of(const std::vector<Side>& way) {
+  Ring ring;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ring.body[i] = way[i].body;
+    ring.length[i] = (way[i].out.p_B - way[i].in.p_B).norm();
+  }
+  return ring;
+}
+
+// Goes on from a body over each of its other pins. Rings begin at their lowest body and go round in the sense
+// in which the lower of its neighbours comes first.
+void go_round(const PinGraph& graph, int body, const PinOnBody& in, std::vector<Side>& way,
+              std::vector<Ring>& rings) {
+  const bool last = way.size() == 3;
+  for (const PinOnBody& out : graph.on(body)) {
+    const bool closes = !way.empty() && out.pin == way.front().in.pin;
+    const bool used =
+        std::any_of(way.begin(), way.end(), [&](const Side& side) { return side.out.pin == out.pin; });
+    if (out.pin == in.pin || used || closes != last) {
+      continue;
+    }
+    way.push_back({body, in, out});
+    if (last && way[1].body < body) {
+      rings.push_back(ring_of(way));
+    }
+    for (const BodyPoint& next : graph.bodies_at(out.pin)) {
+      const bool visited =
+          std::any_of(way.begin(), way.end(), [&](const Side& side) { return side.body == next.body; });
+      if (!last && !visited && next.body > way.front().body) {
+        go_round(graph, next.body, {out.pin, next.p_B}, way, rings);
+      }
+    }
+    way.pop_back();
+  }
+}
+
+std::vector<Ring> rings_from(const PinGraph& graph, int lowest) {
+  std::vector<Ring> rings;
+  std::vector<Side> way;
+  for (const PinOnBody& in : graph.on(lowest)) {
+    go_round(graph, lowest, in, way, rings);
+  }
+  return rings;
+}
+
+FourBarInMechanism as_four_bar(const Ring& ring, const std::vector<double>& depth) {
+  const auto depth_of = [&](std::size_t i) { return depth[static_cast<std::size_t>(ring.body[i % 4])]; };
+  std::size_t ground = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    ground = depth_of(i) < depth_of(ground) ? i : ground;
+  }
+  const std::size_t step = depth_of(ground + 3) < depth_of(ground + 1) ? 3 : 1;
+  const auto at = [&](std::size_t k) { return (ground + k * step) % 4; };
+  FourBarInMechanism found;
+  found.ground = ring.body[at(0)];
+  found.crank = ring.body[at(1)];
+  found.coupler = ring.body[at(2)];
+  found.rocker = ring.body[at(3)];
+  found.linkage = {ring.length[at(0)], ring.length[at(1)], ring.length[at(2)], ring.length[at(3)], 0};
+  return found;
+}
+
+// The line along which the point C of a body at a slide runs on the other one.
+struct GuideLine {
+  Vector2d p_G = Vector2d::Zero();
+  Vector2d along_G = Vector2d::UnitX();
+};
+
+GuideLine line_of(const CarriedBody& slider, const Vector2d& p_C) {
+  const OneFreedom& freedom = slider.freedom;
+  return {freedom.p_WO + freedom.R_WB * Vector2d(p_C - freedom.p_BO), freedom.direction_W};
+}
+
+SliderCrankInversion inversion_of(const SliderCrankInMechanism& found) {
+  return found.guide == 0     ? SliderCrankInversion::kGuide
+         : found.crank == 0   ? SliderCrankInversion::kCrank
+         : found.coupler == 0 ? SliderCrankInversion::kCoupler
+                              : SliderCrankInversion::kMoving;
+}
+
+// A crank from the guide to a pin of the coupler.
+void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_C, std::size_t pin_C,
+                const SliderCrankInMechanism& known, std::vector<SliderCrankInMechanism>& found) {
+  for (const PinOnBody& A : graph.on(known.coupler)) {
+    for (const BodyPoint& end : graph.bodies_at(A.pin)) {
+      const int crank = end.body;
+      if (A.pin == pin_C || crank == known.coupler || crank == known.guide || crank == known.slider) {
+        continue;
+      }
+      for (const PinOnBody& O : graph.on(known.guide)) {
+        for (const PinOnBody& on_crank : graph.on(crank)) {
+          const double r2 = (end.p_B - on_crank.p_B).norm();
+          const double r3 = (p_C - A.p_B).norm();
+          if (on_crank.pin != O.pin || O.pin == A.pin || O.pin == pin_C || r2 == 0 || r3 == 0) {
+            continue;
+          }
+          SliderCrankInMechanism loop = known;
+          loop.crank = crank;
+          loop.linkage = {r2, r3, cross(line.along_G, Vector2d(line.p_G - O.p_B)), 0};
+          loop.inversion = inversion_of(loop);
+          loop.along_G = line.along_G;
+          loop.coupler_AC = p_C - A.p_B;
+          found.push_back(loop);
+        }
+      }
+    }
+  }
+}
+
+void add_of_slide(const Mechanism& mechanism, const PinGraph& graph, const std::vector<double>& depth,
+                  int index, std::vector<SliderCrankInMechanism>& found) {
+  const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+  const auto depth_of = [&](int body) { return depth[static_cast<std::size_t>(body)]; };
+  SliderCrankInMechanism known;
+  known.joint = index;
+  const bool first_guides = depth_of(joint.first.body) <= depth_of(joint.second.body);
+  known.guide = first_guides ? joint.first.body : joint.second.body;
+  known.slider = first_guides ? joint.second.body : joint.first.body;
+  const CarriedBody carried = carried_body(mechanism, joint, known.slider);
+  for (const PinOnBody& C : graph.on(known.slider)) {
+    for (const BodyPoint& end : graph.bodies_at(C.pin)) {
+      if (end.body != known.slider && end.body != known.guide) {
+        known.coupler = end.body;
+        add_cranks(graph, line_of(carried, C.p_B), end.p_B, C.pin, known, found);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyMotion>& bodies) {
+  const auto turned = [&](int body, const Vector2d& v_B) {
+    return Vector2d(bodies[static_cast<std::size_t>(body)].X_WB.R_WB * v_B);
+  };
+  const bool ahead = turned(loop.guide, loop.along_G).dot(turned(loop.coupler, loop.coupler_AC)) > 0;
+  return ahead ? AssemblyMode::kPlus : AssemblyMode::kMinus;
+}
+
+std::vector<FourBarInMechanism> find_four_bars(const Mechanism& mechanism) {
+  const PinGraph graph(mechanism);
+  const std::vector<double> depth = depths(mechanism);
+  std::vector<FourBarInMechanism> found;
+  for (int body = 0; body < static_cast<int>(mechanism.bodies.size()); ++body) {
+    for (const Ring& ring : rings_from(graph, body)) {
+      if (std::all_of(ring.length.begin(), ring.length.end(), [](double r) { return r > 0; })) {
+        found.push_back(as_four_bar(ring, depth));
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<SliderCrankInMechanism> find_slider_cranks(const Mechanism& mechanism) {
+  const PinGraph graph(mechanism);
+  const std::vector<double> depth = depths(mechanism);
+  std::vector<SliderCrankInMechanism> found;
+  for (int i = 0; i < static_cast<int>(mechanism.joints.size()); ++i) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(i)];
+    if (joint.type == JointType::kPrismatic) {
+      add_of_slide(mechanism, graph, depth, i, found);
+    } else if (joint.type == JointType::kSlot) {
+      SliderCrankInMechanism known;
+      known.joint = i;
+      known.guide = joint.first.body;
+      known.coupler = joint.second.body;
+      add_cranks(graph, {point_of(mechanism, joint.first), joint.direction_A},
+                 point_of(mechanism, joint.second), static_cast<std::size_t>(-1), known, found);
+    }
+  }
+  return found;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,270 @@
+#include "higherpair/mechanism/mobility.hpp"
+
+#include "free_assembly.hpp"
+#include "free_directions.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+#include "redundancy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/QR>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMoves = 1e-6;       // of a unit vector of a null space: what is less does not move
+constexpr double kMovesShaky = 0.05;  // the same where directions are known from moves only
+
+// The motions that are left: orthonormal directions, and how sharply they are known.
+struct Freedom {
+  Eigen::MatrixXd directions;
+  double floor = kMoves;
+};
+
+int rank_of(const Eigen::MatrixXd& matrix, double floor) {
+  if (matrix.rows() == 0 || matrix.cols() == 0) {
+    return 0;
+  }
+  // Directions are unit vectors, and rows have coefficients of the order of 1.
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+  if (qr.maxPivot() <= floor) {
+    return 0;
+  }
+  qr.setThreshold(floor / qr.maxPivot());
+  return static_cast<int>(qr.rank());
+}
+
+Eigen::MatrixXd without_rows(const Eigen::MatrixXd& matrix, Eigen::Index begin, Eigen::Index count) {
+  Eigen::MatrixXd rest(matrix.rows() - count, matrix.cols());
+  rest << matrix.topRows(begin), matrix.bottomRows(matrix.rows() - begin - count);
+  return rest;
+}
+
+bool is_round_about(const Curve& curve, const Vector2d& p_B, double size) {
+  if (curve.kind == CurveKind::kCircle) {
+    return (center(curve) - p_B).norm() <= 1e-7 * size;
+  }
+  return curve.kind == CurveKind::kPoint && (curve.vertex_B - p_B).norm() <= 1e-7 * size;
+}
+
+// Whether turning a body about a point of it changes nothing: all that holds it is round about that point.
+bool is_idle_about(const SizedMechanism& sized, int body, const Vector2d& p_B) {
+  const Mechanism& mechanism = sized.mechanism;
+  bool touches = false;
+  for (const Joint& joint : mechanism.joints) {
+    for (const PointRef& ref : {joint.first, joint.second}) {
+      if (ref.body == body && (joint.type != JointType::kRevolute ||
+                               (point_of(mechanism, ref) - p_B).norm() > 1e-7 * sized.size)) {
+        return false;
+      }
+    }
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    for (const CurveRef& ref : {contact.first, contact.second}) {
+      if (ref.body != body) {
+        continue;
+      }
+      if (contact.rolling || !is_round_about(curve_of(mechanism, ref), p_B, sized.size)) {
+        return false;
+      }
+      touches = true;
+    }
+  }
+  return touches;
+}
+
+// The direction in which a body moves alone, if there is just one: x, y, size·θ.
+std::optional<Eigen::Vector3d> motion_alone(const Freedom& freedom, int body) {
+  const Eigen::Index row = 3 * (body - 1);
+  const NullSpaces others = null_spaces(without_rows(freedom.directions, row, 3), freedom.floor);
+  if (others.right.cols() != 1) {
+    return std::nullopt;
+  }
+  return Eigen::Vector3d(freedom.directions.middleRows(row, 3) * others.right);
+}
+
+std::vector<IdleFreedom> idle_freedoms(const SizedMechanism& sized, const Freedom& freedom,
+                                       const MechanismPosition& position, const MechanismPosition& start) {
+  std::vector<IdleFreedom> idle;
+  if (freedom.directions.cols() == 0) {
+    return idle;
+  }
+  for (int b = 1; b < static_cast<int>(sized.mechanism.bodies.size()); ++b) {
+    if (freedom.directions.middleRows(3 * (b - 1), 3).norm() < kMoves) {
+      continue;
+    }
+    const auto motion = motion_alone(freedom, b);
+    if (!motion || std::abs(motion->z()) < kMoves) {
+      continue;
+    }
+    // v + ω ẑ×r = 0 at the centre.
+    const Vector2d r_W = perp(Vector2d(motion->head<2>())) * (sized.size / motion->z());
+    const auto body = static_cast<std::size_t>(b);
+    const Vector2d p_B = position.bodies[body].X_WB.R_WB.inverse() * r_W;
+    if (is_idle_about(sized, b, p_B)) {
+      idle.push_back({b, start.bodies[body].X_WB * p_B});
+    }
+  }
+  return idle;
+}
+
+// Drivers in their order; one is useless if those before it fix its joint already.
+std::vector<int> useless_drivers(const Eigen::MatrixXd& rates, double floor) {
+  std::vector<int> useless;
+  Eigen::MatrixXd kept(0, rates.cols());
+  for (Eigen::Index i = 0; i < rates.rows(); ++i) {
+    Eigen::MatrixXd more(kept.rows() + 1, rates.cols());
+    more << kept, rates.row(i);
+    if (rank_of(more, floor) > rank_of(kept, floor)) {
+      kept = std::move(more);
+    } else {
+      useless.push_back(static_cast<int>(i));
+    }
+  }
+  return useless;
+}
+
+// Joints that could be driven: their coordinates still move.
+std::vector<int> moving_joints(const SizedMechanism& sized, const Freedom& freedom,
+                               const MechanismPosition& position) {
+  Mechanism probe = sized.mechanism;
+  probe.drivers.clear();
+  for (std::size_t i = 0; i < probe.joints.size(); ++i) {
+    if (probe.joints[i].type != JointType::kSlot) {
+      probe.drivers.push_back({"", static_cast<int>(i)});
+    }
+  }
+  const Eigen::MatrixXd rates = driver_rows({probe, sized.size}, position) * freedom.directions;
+  std::vector<int> joints;
+  for (Eigen::Index i = 0; i < rates.rows(); ++i) {
+    if (rates.row(i).norm() > freedom.floor) {
+      joints.push_back(probe.drivers[static_cast<std::size_t>(i)].joint);
+    }
+  }
+  return joints;
+}
+
+bool is_idle(const Mobility& mobility, int body) {
+  return std::any_of(mobility.idle.begin(), mobility.idle.end(),
+                     [&](const IdleFreedom& idle) { return idle.body == body; });
+}
+
+// What moves with all drivers held.
+void judge_drivers(const SizedMechanism& sized, const Freedom& all, const MechanismPosition& position,
+                   Mobility& mobility) {
+  const Eigen::MatrixXd rates = driver_rows(sized, position) * all.directions;
+  mobility.useless_drivers = useless_drivers(rates, all.floor);
+  const Freedom left{all.directions * null_spaces(rates, all.floor).right, all.floor};
+  mobility.idle = idle_freedoms(sized, left, position, mobility.start);
+  mobility.missing_drivers = static_cast<int>(left.directions.cols() - mobility.idle.size());
+  if (mobility.missing_drivers == 0) {
+    return;
+  }
+  for (int b = 1; b < static_cast<int>(sized.mechanism.bodies.size()); ++b) {
+    if (!is_idle(mobility, b) && left.directions.middleRows(3 * (b - 1), 3).norm() > left.floor) {
+      mobility.loose_bodies.push_back(b);
+    }
+  }
+  for (const int joint : moving_joints(sized, left, position)) {
+    const Joint& candidate = sized.mechanism.joints[static_cast<std::size_t>(joint)];
+    if (!is_idle(mobility, candidate.first.body) && !is_idle(mobility, candidate.second.body)) {
+      mobility.joints_to_drive.push_back(joint);
+    }
+  }
+}
+
+// Velocities at the start for given rates of the drivers; those of least norm, so that idle bodies rest.
+std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const MobilityQuestion& question,
+                                      const MechanismPosition& start) {
+  const LinearConditions conditions = conditions_at(sized, {}, start);
+  const Eigen::MatrixXd drivers = driver_rows(sized, start);
+  Eigen::MatrixXd J(conditions.J.rows() + drivers.rows(), conditions.J.cols());
+  J << conditions.J, drivers;
+  Eigen::VectorXd rates = Eigen::VectorXd::Zero(J.rows());
+  for (Eigen::Index i = 0; i < drivers.rows(); ++i) {
+    const auto driver = static_cast<std::size_t>(i);
+    const auto joint = static_cast<std::size_t>(sized.mechanism.drivers[driver].joint);
+    const bool turns = sized.mechanism.joints[joint].type == JointType::kRevolute;
+    rates(conditions.J.rows() + i) =
+        (question.velocities.empty() ? 1 : question.velocities[driver]) * (turns ? sized.size : 1);
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(kRankFloor);
+  solver.compute(J);
+  const Eigen::VectorXd solved = solver.solve(rates);
+  // A driver at its dead point moves nothing.
+  if (!((J * solved - rates).norm() <= 1e-6 * rates.norm())) {
+    return {};
+  }
+  std::vector<BodyMotion> bodies = start.bodies;
+  for (std::size_t b = 1; b < bodies.size(); ++b) {
+    const auto column = static_cast<Eigen::Index>(3 * (b - 1));
+    bodies[b].v_WB = solved.segment<2>(column);
+    bodies[b].omega = solved(column + 2) / sized.size;
+  }
+  return bodies;
+}
+
+void analyse_at(const SizedMechanism& sized, const MobilityQuestion& question, Mobility& mobility) {
+  Moves moves = explore(sized, mobility.start);
+  mobility.conditions = static_cast<int>(moves.here.left.rows());
+  mobility.rank = moves.at_best.rank;
+  mobility.positions = moves.positions;
+  mobility.start_freedom = static_cast<int>(moves.here.right.cols());
+  const auto null_space = moves.at_best.right.cols();
+  const bool shaky = moves.real.cols() < null_space;
+  Freedom freedom{moves.at_best.right, kMoves};
+  if (shaky) {
+    // Directions are needed where the rank was taken.
+    freedom = {moves.positions > 1 ? explore(sized, moves.best).real : moves.real, kMovesShaky};
+  }
+  mobility.freedom = static_cast<int>(freedom.directions.cols());
+  mobility.shaky = static_cast<int>(null_space) - mobility.freedom;
+  mobility.singular = mobility.start_freedom > mobility.freedom;
+  mobility.redundancies = find_redundancies(sized, moves.best, moves.at_best.left);
+  judge_drivers(sized, freedom, moves.best, mobility);
+  if (mobility.missing_drivers == 0) {
+    mobility.moving = moving_bodies(sized, question, mobility.start);
+  }
+}
+
+}  // namespace
+
+MobilityCount count_mobility(const Mechanism& mechanism) {
+  MobilityCount count;
+  count.bodies = static_cast<int>(mechanism.bodies.size());
+  for (const Joint& joint : mechanism.joints) {
+    ++(joint.type == JointType::kRevolute    ? count.revolutes
+       : joint.type == JointType::kPrismatic ? count.prismatics
+                                             : count.slots);
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    ++(contact.rolling ? count.rolling : count.slipping);
+  }
+  return count;
+}
+
+Mobility analyse_mobility(const Mechanism& mechanism, const MobilityQuestion& question) {
+  Mobility mobility;
+  mobility.count = count_mobility(mechanism);
+  mobility.drivers_held = question.start || !question.drivers.empty();
+  std::optional<MechanismPosition> start = question.start ? assemble_near(mechanism, *question.start)
+                                                          : assemble_near_poses(mechanism, question.drivers);
+  if (!start && mobility.drivers_held) {
+    mobility.drivers_held = false;
+    start = assemble_near_poses(mechanism, {});
+  }
+  if (!start) {
+    return mobility;
+  }
+  mobility.assembled = true;
+  mobility.start = *std::move(start);
+  const double size = size_of(mechanism);
+  analyse_at({mechanism, size > 0 ? size : 1}, question, mobility);
+  return mobility;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,201 @@
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/contact/conic_contacts.hpp"
+#include "higherpair/contact/separation.hpp"
+#include "higherpair/io/profile_reader.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+Profile shipped(const std::string& name) {
+  return read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml").value();
+}
+
+// Runs over a turn in so many equal steps and gathers the events of one type.
+std::vector<RunEvent> events_of(const Mechanism& mechanism, EventType type, int steps) {
+  auto run = start_run(mechanism, {0}).value();
+  std::vector<RunEvent> found;
+  for (int k = 0; k <= steps; ++k) {
+    move_to(run, {{2 * kPi * k / steps, 1, 0}});
+    std::copy_if(run.events.begin(), run.events.end(), std::back_inserter(found),
+                 [&](const RunEvent& event) { return event.type == type; });
+  }
+  return found;
+}
+
+TEST(StrokeEnds, OfAFlatFaceOnAnEccentricDiscAreAQuarterTurnFromTheCentre) {
+  // s = r + e sin θ, whatever the spacing of the rows.
+  for (const int steps : {3, 7, 361}) {
+    const auto events = events_of(shipped("flat_faced_translating").mechanism, EventType::kStrokeEnd, steps);
+    ASSERT_EQ(events.size(), 2U) << steps;
+    EXPECT_NEAR(events[0].driver, kPi / 2, 1e-14);
+    EXPECT_NEAR(events[1].driver, 3 * kPi / 2, 1e-14);
+    EXPECT_EQ(
+        shipped("flat_faced_translating").mechanism.joints[static_cast<std::size_t>(*events[0].joint)].name,
+        "slide");
+  }
+}
+
+// Both positions at which two contacts hold at once, by the list of all contacts.
+double smallest_distance_of_two_free_contacts(const Run& run, double u) {
+  const auto& tracked = std::get<TrackedPair>(run.plan.groups[1].kind);
+  const CurveContacts all = find_curve_contacts(tracked.pair, u);
+  double smallest = INFINITY;
+  for (std::size_t i = 0; i < all.contacts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool opposed = all.contacts[i].opposed && all.contacts[j].opposed;
+      const bool apart = (all.contacts[i].p_W - all.contacts[j].p_W).norm() > 1e-3;
+      if (opposed && apart) {
+        smallest =
+            std::min(smallest, std::abs(std::remainder(all.contacts[i].q - all.contacts[j].q, 2 * kPi)));
+      }
+    }
+  }
+  return smallest;
+}
+
+TEST(SecondContacts, BeginWhereTwoContactsHoldAtOnceWhateverTheSpacingOfRows) {
+  const Profile profile = shipped("oval_in_ring");
+  const auto run = start_run(profile.mechanism, {0}).value();
+  std::vector<double> first;
+  for (const int steps : {5, 36, 720}) {
+    const auto events = events_of(profile.mechanism, EventType::kSecondContact, steps);
+    ASSERT_EQ(events.size(), 2U) << steps;
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_LE(smallest_distance_of_two_free_contacts(run, events[i].driver), 1e-12);
+      first.resize(2, NAN);
+      EXPECT_TRUE(std::isnan(first[i]) || std::abs(first[i] - events[i].driver) <= 1e-12);
+      first[i] = events[i].driver;
+    }
+  }
+}
+
+TEST(SecondContacts, KeepTheBodiesApart) {
+  const Profile profile = shipped("oval_in_ring");
+  auto run = start_run(profile.mechanism, {0}).value();
+  const Contact& contact = profile.mechanism.contacts.front();
+  for (int k = 0; k <= 720; ++k) {
+    move_to(run, {{kPi * k / 360, 1, 0}});
+    ASSERT_EQ(run.row.status, RowStatus::kOk) << k;
+    const Separation here =
+        separation(curve_of(profile.mechanism, contact.first), run.row.bodies[1].X_WB,
+                   curve_of(profile.mechanism, contact.second), run.row.bodies[2].X_WB, 1e-12);
+    EXPECT_GE(here.gap, -1e-10) << k;
+  }
+  EXPECT_FALSE(run.row.arcs_hold[0]);
+}
+
+TEST(SecondContacts, ThatMayNotBeTakenAreOverlaps) {
+  Profile profile = shipped("oval_in_ring");
+  profile.mechanism.contacts.front().jump = false;
+  const auto overlaps = events_of(profile.mechanism, EventType::kOverlap, 360);
+  const auto jumps = events_of(shipped("oval_in_ring").mechanism, EventType::kSecondContact, 360);
+  ASSERT_EQ(overlaps.size(), 2U);
+  EXPECT_NEAR(overlaps[0].driver, jumps[0].driver, 1e-12);
+  auto run = start_run(profile.mechanism, {0}).value();
+  move_to(run, {{105 * kPi / 180, 1, 0}});
+  EXPECT_EQ(run.row.status, RowStatus::kOverlap);
+}
+
+// A parallelogram: crank 31, ground 70 [mm].
+std::string parallelogram(const std::string& driver) {
+  return R"(
+[bodies.ground]
+points.A = [0, 0]
+points.D = [70, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [31, 0]
+[bodies.coupler]
+pose = { x = 31 }
+points.B = [0, 0]
+points.C = [70, 0]
+[bodies.rocker]
+pose = { x = 70 }
+points.D = [0, 0]
+points.C = [31, 0]
+[joints.a]
+type = "revolute"
+between = ["ground.A", "crank.A"]
+[joints.b]
+type = "revolute"
+between = ["crank.B", "coupler.B"]
+[joints.c]
+type = "revolute"
+between = ["coupler.C", "rocker.C"]
+[joints.d]
+type = "revolute"
+between = ["ground.D", "rocker.D"]
+[driver]
+joint = "a"
+)" + driver;
+}
+
+TEST(DeadPoints, OfAParallelogramAreCrossedStraightOn) {
+  const auto profile = read_profile_text(parallelogram("start = 10"), "parallelogram").value();
+  auto run = start_run(profile.mechanism, {kPi / 18}).value();
+  std::vector<double> found;
+  for (const double degrees : {170.0, 180.0 - 1e-9, 180.0, 180.0 + 1e-6, 200.0, 359.0, 370.0}) {
+    SCOPED_TRACE(degrees);
+    move_to(run, {{degrees * kPi / 180, 1, 0}});
+    for (const RunEvent& event : run.events) {
+      if (event.type == EventType::kDeadPoint) {
+        found.push_back(event.driver);
+      }
+    }
+    const BodyMotion& rocker = run.row.bodies[3];
+    EXPECT_NEAR(rocker.theta, degrees * kPi / 180, 1e-14);
+    EXPECT_EQ(run.row.status, degrees == 180 ? RowStatus::kSingular : RowStatus::kOk);
+    if (run.row.status == RowStatus::kOk) {
+      // The cranks are always parallel; near the dead point the rates come from both sides of it.
+      EXPECT_NEAR(rocker.omega, 1, 1e-12);
+      EXPECT_NEAR(rocker.alpha, 0, 1e-8);
+    }
+  }
+  EXPECT_THAT(found, ::testing::ElementsAre(::testing::DoubleNear(kPi, 1e-10),
+                                            ::testing::DoubleNear(2 * kPi, 1e-10)));
+}
+
+TEST(DeadPoints, CanBeStartedAtOnTheBranchOfTheSlowerMotion) {
+  const auto profile = read_profile_text(parallelogram("start = 0"), "parallelogram").value();
+  auto run = start_run(profile.mechanism, {0}).value();
+  move_to(run, {{0, 1, 0}});
+  EXPECT_EQ(run.row.status, RowStatus::kSingular);
+  move_to(run, {{kPi / 3, 1, 0}});
+  EXPECT_EQ(run.row.status, RowStatus::kOk);
+  EXPECT_NEAR(run.row.bodies[3].theta, kPi / 3, 1e-13);
+}
+
+TEST(LimitPositions, OfAFourBarAreWhereCouplerAndRockerAreInLine) {
+  // Ground 80, crank 60, coupler 30, rocker 40: 70 = 30 + 40 from the crank's end to the rocker's pivot.
+  auto profile = read_profile_text(parallelogram("start = 30"), "four-bar").value();
+  Mechanism& mechanism = profile.mechanism;
+  mechanism.bodies[0].points[1].p_B = {0.080, 0};
+  mechanism.bodies[1].points[1].p_B = {0.060, 0};
+  mechanism.bodies[2].points[1].p_B = {0.030, 0};
+  mechanism.bodies[3].points[1].p_B = {0.040, 0};
+  auto run = start_run(mechanism, {kPi / 6}).value();
+  move_to(run, {{kPi / 2, 1, 0}});
+  EXPECT_EQ(run.row.status, RowStatus::kNotAssemblable);
+  ASSERT_EQ(run.events.size(), 1U);
+  EXPECT_EQ(run.events[0].type, EventType::kLimitPosition);
+  const double limit = std::acos((80.0 * 80 + 60 * 60 - 70 * 70) / (2.0 * 80 * 60));
+  EXPECT_NEAR(run.events[0].driver, limit, 1e-14);
+  // It comes back on the branch that it has left.
+  move_to(run, {{kPi / 4, 1, 0}});
+  EXPECT_EQ(run.row.status, RowStatus::kOk);
+  const double back = run.row.bodies[3].theta;
+  auto fresh = start_run(mechanism, {kPi / 6}).value();
+  move_to(fresh, {{kPi / 4, 1, 0}});
+  EXPECT_NEAR(fresh.row.bodies[3].theta, back, 1e-14);
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,79 @@
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+// Standard output of the program.
+std::string output_of(const std::string& arguments) {
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + arguments;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
+    text += static_cast<char>(c);
+  }
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return text;
+}
+
+std::string profile(const std::string& name) {
+  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
+}
+
+TEST(Branches, ListsEveryContactInTheUnitsOfTheProfile) {
+  // Centre (8, 0), radius 20: the flat face, normal along the slide, stands at ±20 whatever the cam does.
+  const auto json = nlohmann::json::parse(output_of(profile("flat_faced_translating.toml") + " --json -"));
+  EXPECT_EQ(json.at("driver"), 0.0);
+  ASSERT_EQ(json.at("assemblies").size(), 1U);
+  EXPECT_EQ(json.at("assemblies").at(0).at("position").size(), 2U);
+  ASSERT_EQ(json.at("contacts").size(), 2U);
+  const nlohmann::json& upper = json.at("contacts").at(1);
+  EXPECT_EQ(upper.at("contact"), "touch");
+  EXPECT_NEAR(upper.at("position").get<double>(), 20, 1e-14);
+  EXPECT_NEAR(upper.at("x").get<double>(), 8, 1e-14);
+  EXPECT_NEAR(upper.at("y").get<double>(), 20, 1e-14);
+  EXPECT_NEAR(upper.at("normal").get<double>(), 90, 1e-13);
+  EXPECT_TRUE(upper.at("opposed").get<bool>());
+  EXPECT_TRUE(upper.at("free").get<bool>());
+  EXPECT_FALSE(json.at("contacts").at(0).at("free").get<bool>());
+}
+
+TEST(Branches, OfADriverPositionThatIsOverriddenAreThoseThere) {
+  const auto json = nlohmann::json::parse(
+      output_of(profile("flat_faced_translating.toml") + " --set driver.start=90 --json -"));
+  EXPECT_EQ(json.at("driver"), 90.0);
+  EXPECT_NEAR(json.at("contacts").at(1).at("position").get<double>(), 28, 1e-13);
+}
+
+TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
+  // Disc of radius 30 about (10, 0), the edge above the origin: at ±sqrt(30² - 10²).
+  const auto json =
+      nlohmann::json::parse(output_of(profile("knife_edge.toml") + " --certify --quiet --json -"));
+  ASSERT_EQ(json.at("contacts").size(), 2U);
+  const nlohmann::json& interval = json.at("contacts").at(1).at("certified");
+  EXPECT_LE(interval.at(0).get<double>(), std::sqrt(800.0));
+  EXPECT_GE(interval.at(1).get<double>(), std::sqrt(800.0));
+  EXPECT_LE(interval.at(1).get<double>() - interval.at(0).get<double>(), 1e-11);
+}
+
+TEST(Branches, SayWhatIsCertified) {
+  EXPECT_THAT(output_of(profile("disc_in_ring.toml") + " --certify"),
+              ::testing::HasSubstr("certified: exactly these contacts exist"));
+}
+
+TEST(Branches, AreTextWithUnitsWhereNoFileIsAskedFor) {
+  const std::string text = output_of(profile("knife_edge.toml"));
+  EXPECT_THAT(text, ::testing::HasSubstr("slide [mm]"));
+  EXPECT_THAT(text, ::testing::HasSubstr("28.2842712475"));
+}
+
+TEST(Branches, AsCsvHaveAHeadWithUnits) {
+  const std::string text = output_of(profile("knife_edge.toml") + " --csv -");
+  EXPECT_THAT(text, ::testing::StartsWith(
+                        "contact,position[mm],x[mm],y[mm],normal[deg],opposed,free\ntouch,-28.2842712474"));
+}
+
+}  // namespace

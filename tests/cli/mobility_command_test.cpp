@@ -1,0 +1,179 @@
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// Drawn in ground coordinates, with all angles 0.
+const char* const kFourBar = R"(
+[bodies.ground]
+points.O2 = [0, 0]
+points.O4 = [3, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [0, 1]
+[bodies.coupler]
+points.A = [0, 1]
+points.B = [3, 2]
+[bodies.rocker]
+points.B = [3, 2]
+points.O = [3, 0]
+[joints]
+crank_pivot = { type = "revolute", between = ["ground.O2", "crank.O"] }
+crank_pin = { type = "revolute", between = ["crank.A", "coupler.A"] }
+rocker_pin = { type = "revolute", between = ["coupler.B", "rocker.B"] }
+rocker_pivot = { type = "revolute", between = ["ground.O4", "rocker.O"] }
+)";
+
+const char* const kSliderCrank = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [0, 30]
+[bodies.rod]
+points.A = [0, 30]
+points.C = [72, 0]
+[bodies.piston]
+points.C = [72, 0]
+[joints]
+main = { type = "revolute", between = ["ground.O", "crank.O"] }
+big_end = { type = "revolute", between = ["crank.A", "rod.A"] }
+small_end = { type = "revolute", between = ["rod.C", "piston.C"] }
+cylinder = { type = "prismatic", between = ["ground.O", "piston.C"], direction = [1, 0] }
+[driver]
+joint = "main"
+)";
+
+class MobilityCommand : public ::testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("higherpair-mobility-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Outcome run(const std::string& profile, const std::string& options = "") const {
+    std::ofstream(folder_ / "profile.toml") << profile;
+    const std::string command = std::string(HIGHERPAIR_PROGRAM) + " mobility " +
+                                (folder_ / "profile.toml").string() + " " + options + " >" +
+                                (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(MobilityCommand, PrintsCountRankPlanAndLoops) {
+  const Outcome outcome = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("3 (4 - 4 - 1) + 4 = 1"), HasSubstr("have rank 8"),
+                                 HasSubstr("1 needed, 1 given"), HasSubstr("1. crank: driven at crank_pivot"),
+                                 HasSubstr("2. coupler, rocker: dyad RRR"), HasSubstr("Instant centres")));
+}
+
+TEST_F(MobilityCommand, GivesTheInstantCentresOfAFourBar) {
+  const Outcome outcome = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n", "--json -");
+  ASSERT_EQ(outcome.code, 0);
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  // Crank and rocker stand upright: the coupler translates, and line AB meets the ground line at x = -3.
+  int found = 0;
+  for (const nlohmann::json& center : json.at("instant_centers")) {
+    if (center.at("bodies") == nlohmann::json({"ground", "coupler"})) {
+      ++found;
+      EXPECT_EQ(center.at("kind"), "at_infinity");
+      EXPECT_NEAR(std::abs(center.at("y").get<double>()), 1, 1e-12);
+    } else if (center.at("bodies") == nlohmann::json({"crank", "rocker"})) {
+      ++found;
+      EXPECT_NEAR(center.at("x").get<double>(), -3, 1e-9);
+      EXPECT_NEAR(center.at("y").get<double>(), 0, 1e-9);
+    }
+  }
+  EXPECT_EQ(found, 2);
+  const nlohmann::json& loop = json.at("four_bars").at(0);
+  // s + l = 1 + sqrt(10) < 2 + 3, the crank is shortest.
+  EXPECT_EQ(loop.at("grashof"), "crank-rocker");
+  EXPECT_NEAR(loop.at("margin").get<double>(), 4 - std::sqrt(10.0), 1e-12);
+  EXPECT_EQ(loop.at("limits").at("crank").size(), 0U);
+  EXPECT_EQ(loop.at("limits").at("rocker").size(), 4U);
+  EXPECT_EQ(json.at("rank").at("rank"), 8);
+}
+
+TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
+  const Outcome outcome = run(kSliderCrank, "--json -");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json loop = nlohmann::json::parse(outcome.out).at("slider_cranks").at(0);
+  EXPECT_NEAR(loop.at("stroke").at("length").get<double>(), 60, 1e-12);
+  EXPECT_NEAR(loop.at("stroke").at("time_ratio").get<double>(), 1, 1e-12);
+  EXPECT_NEAR(loop.at("stroke").at("outer").at("slider").get<double>(), 108, 1e-12);
+  // At 90°: l - l sqrt(1 - q²) - r q/2 with q = r/l = 30/78, in units of r.
+  const double q = 30.0 / 78;
+  EXPECT_NEAR(loop.at("harmonic").at("position").get<double>(), (1 - std::sqrt(1 - q * q)) / q - q / 2,
+              1e-12);
+}
+
+TEST_F(MobilityCommand, ExplainsAMissingDriverAndExitsWithThree) {
+  const Outcome outcome = run(std::string(kFourBar) + "[drivers]\n");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.out, HasSubstr("3 (4 - 4 - 1) + 4 = 1"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("1 driver needed, 0 given"), HasSubstr("add 1 driver"),
+                                 HasSubstr("crank_pivot, crank_pin, rocker_pin, rocker_pivot")));
+}
+
+TEST_F(MobilityCommand, NamesTheDriverThatIsTooManyAndExitsWithThree) {
+  const std::string drivers = "[drivers.a]\njoint = \"crank_pivot\"\n[drivers.b]\njoint = \"rocker_pivot\"\n";
+  const Outcome outcome = run(std::string(kFourBar) + drivers);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("remove drivers.b (of rocker_pivot)"));
+  EXPECT_THAT(run(std::string(kFourBar) + drivers, "--quiet").err, IsEmpty());
+}
+
+TEST_F(MobilityCommand, CountsWhatCannotBeAssembled) {
+  const Outcome outcome = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n",
+                              "--set bodies.ground.points.O4.0=300 --json -");
+  EXPECT_EQ(outcome.code, 3);
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("count").at("mobility"), 1);
+  EXPECT_TRUE(json.at("rank").is_null());
+}
+
+TEST_F(MobilityCommand, RefusesATableAndWrongFiles) {
+  const std::string profile = std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n";
+  const Outcome table = run(profile, "--csv -");
+  EXPECT_EQ(table.code, 2);
+  EXPECT_THAT(table.err, HasSubstr("--json"));
+  EXPECT_EQ(run("[bodies.crank]\nmass = -1\n").code, 2);
+  EXPECT_EQ(run(profile, "--json /dev/full").code, 1);
+}
+
+}  // namespace

@@ -1,0 +1,245 @@
+#include "higherpair/contact/certify.hpp"
+
+#include "contact/oracle_case.hpp"
+#include "contact/random_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::OracleCase;
+
+class CertifyOracle : public ::testing::TestWithParam<OracleCase> {};
+
+TEST_P(CertifyOracle, AgreesWithTheListAndHoldsEachContactInAnInterval) {
+  const OracleCase& reference = GetParam();
+  const double u = reference.data.at("th1_start_deg").get<double>() * kPi / 180;
+  const CurveContacts list = find_curve_contacts(reference.pair, u);
+  const Certificate certificate = certify_contacts(reference.pair, u, list);
+  EXPECT_EQ(certificate.status, CertificateStatus::kCertified);
+  ASSERT_EQ(certificate.intervals.size(), list.contacts.size());
+  for (std::size_t i = 0; i < list.contacts.size(); ++i) {
+    ASSERT_TRUE(certificate.intervals[i].has_value());
+    const auto [low, high] = *certificate.intervals[i];
+    EXPECT_LE(low, list.contacts[i].q);
+    EXPECT_GE(high, list.contacts[i].q);
+    EXPECT_LE(high - low, 1e-10 * (1 + std::abs(low)));
+  }
+}
+
+TEST_P(CertifyOracle, HoldsTheAnswerForTheDecimalsOfTheFileInAnInterval) {
+  // The reference is solved with the decimals as they are written; the pair holds the doubles next to them.
+  const OracleCase& reference = GetParam();
+  const nlohmann::json& start_deg = reference.data.at("th1_start_deg");
+  const double u = start_deg.get<double>() * kPi / 180;
+  const CurveContacts list = find_curve_contacts(reference.pair, u);
+  const Certificate certificate = certify_contacts(reference.pair, u, list);
+  for (const nlohmann::json& row : reference.data.at("rows")) {
+    if (row.at("th1_deg") != start_deg) {
+      continue;
+    }
+    const double q =
+        row.at("q2").is_string() ? std::stod(row.at("q2").get<std::string>()) : row.at("q2").get<double>();
+    const auto held = std::count_if(certificate.intervals.begin(), certificate.intervals.end(),
+                                    [&](const auto& each) { return (*each)[0] <= q && q <= (*each)[1]; });
+    EXPECT_EQ(held, 1) << q;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Conics, CertifyOracle, ::testing::ValuesIn(testing::oracle_cases()),
+                         [](const auto& test) { return test.param.id; });
+
+class CertifyRandom : public ::testing::TestWithParam<int> {};
+
+TEST_P(CertifyRandom, AgreesWithTheList) {
+  const testing::RandomPair random = testing::random_pair(static_cast<unsigned>(GetParam()));
+  SCOPED_TRACE(random.text);
+  const CurveContacts list = find_curve_contacts(random.pair, random.u);
+  const Certificate certificate = certify_contacts(random.pair, random.u, list);
+  EXPECT_EQ(certificate.status, CertificateStatus::kCertified);
+  for (std::size_t i = 0; i < list.contacts.size(); ++i) {
+    ASSERT_TRUE(certificate.intervals[i].has_value());
+    EXPECT_LE((*certificate.intervals[i])[0], list.contacts[i].q);
+    EXPECT_GE((*certificate.intervals[i])[1], list.contacts[i].q);
+  }
+}
+
+TEST_P(CertifyRandom, AgreesWithTheListAtAnyScale) {
+  const testing::RandomPair random = testing::random_pair(static_cast<unsigned>(GetParam()));
+  SCOPED_TRACE(random.text);
+  for (const double scale : {1e-6, 1e6}) {
+    const ContactPair pair = testing::scaled(random.pair, scale);
+    const CurveContacts list = find_curve_contacts(pair, random.u);
+    EXPECT_EQ(certify_contacts(pair, random.u, list).status, CertificateStatus::kCertified);
+  }
+}
+
+TEST_P(CertifyRandom, DoesNotPassAListWithAMistake) {
+  const testing::RandomPair random = testing::random_pair(static_cast<unsigned>(GetParam()));
+  SCOPED_TRACE(random.text);
+  const CurveContacts list = find_curve_contacts(random.pair, random.u);
+  const auto status = [&](const CurveContacts& changed) {
+    return certify_contacts(random.pair, random.u, changed).status;
+  };
+  if (list.contacts.empty()) {
+    CurveContacts invented = list;
+    invented.contacts.emplace_back();
+    EXPECT_EQ(status(invented), CertificateStatus::kDisagreement);
+    return;
+  }
+  CurveContacts missing = list;
+  missing.contacts.erase(missing.contacts.begin());
+  EXPECT_EQ(status(missing), CertificateStatus::kDisagreement);
+  CurveContacts twice = list;
+  twice.contacts.push_back(list.contacts.back());
+  EXPECT_EQ(status(twice), CertificateStatus::kDisagreement);
+  CurveContacts moved = list;
+  moved.contacts.front().q += 1e-7 * (1 + std::abs(moved.contacts.front().q));
+  EXPECT_EQ(status(moved), CertificateStatus::kDisagreement);
+  CurveContacts turned = list;
+  turned.contacts.front().opposed = !turned.contacts.front().opposed;
+  EXPECT_EQ(status(turned), CertificateStatus::kDisagreement);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, CertifyRandom, ::testing::Range(0, 72));
+
+TEST(Certify, AgreesWithTheListOnPairsOfWholeNumbers) {
+  std::array<int, 4> seen = {};
+  for (unsigned number = 0; number < 720; ++number) {
+    const testing::RandomPair random = testing::grid_pair(number);
+    SCOPED_TRACE(random.text);
+    const CurveContacts list = find_curve_contacts(random.pair, random.u);
+    const Certificate certificate = certify_contacts(random.pair, random.u, list);
+    ++seen.at(static_cast<std::size_t>(certificate.status));
+    EXPECT_NE(certificate.status, CertificateStatus::kDisagreement);
+    EXPECT_EQ(certificate.status == CertificateStatus::kNotDecided, list.status != ContactsStatus::kComplete);
+    for (std::size_t i = 0; i < list.contacts.size(); ++i) {
+      const CurveContact& contact = list.contacts[i];
+      const bool fragile = contact.at_limit || contact.conforming || contact.coincident;
+      EXPECT_EQ(certificate.intervals[i].has_value(), !fragile);
+    }
+  }
+  // Of every answer there are some.
+  EXPECT_GT(seen[0], 300);
+  EXPECT_GT(seen[1], 10);
+  EXPECT_GT(seen[2], 5);
+}
+
+// The list and the certificate of a pair with the driver at 0.
+struct Both {
+  CurveContacts list;
+  Certificate certificate;
+};
+
+Both both(const ContactPair& pair) {
+  Both result;
+  result.list = find_curve_contacts(pair, 0);
+  result.certificate = certify_contacts(pair, 0, result.list);
+  return result;
+}
+
+TEST(Certify, SaysAtALimitWhereADoubleRootDependsOnRounding) {
+  for (int i = 0; i < 12; ++i) {
+    ContactPair pair;
+    pair.curve1 = make_circle({0, 0}, 0.7).value();
+    pair.curve2 = make_circle({1.9, 0}, 0.4).value();
+    pair.motion2.p_WO = 3.0 * unit_vector(0.1 + i * 0.52);
+    const Both result = both(pair);
+    EXPECT_EQ(result.certificate.status, CertificateStatus::kAtLimit);
+    ASSERT_EQ(result.certificate.intervals.size(), 1U);
+    EXPECT_FALSE(result.certificate.intervals[0].has_value());
+  }
+}
+
+TEST(Certify, DecidesHalfATurnByAnotherChart) {
+  // A point on a circle about the pivot crosses the ellipse x²/4 + y² = 1 at q = π exactly, and once more.
+  ContactPair pair;
+  pair.curve1 = make_ellipse({0, 0}, {2, 1}, 0).value();
+  pair.curve2 = make_point({2.5, 0}).value();
+  pair.motion2.p_WO = {2.5, 1};
+  const Both result = both(pair);
+  EXPECT_EQ(result.certificate.status, CertificateStatus::kCertified);
+  ASSERT_EQ(result.list.contacts.size(), 2U);
+  const auto& [low, high] = result.certificate.intervals[1].value();
+  EXPECT_LE(low, kPi);
+  EXPECT_GE(high, kPi);
+  EXPECT_LE(high - low, 1e-13);
+}
+
+TEST(Certify, CountsTwoContactsAtOnePosition) {
+  // The disc's numbers and the parabola's are exact in binary: a double root that is no limit.
+  ContactPair pair;
+  pair.curve1 = make_parabola({0, 0}, 0.25, kPi / 2, Side::kOutside).value();
+  pair.curve1.axis_B = {0, 1};
+  pair.curve2 = make_circle({0, 0}, 1.25).value();
+  pair.motion2.turns = false;
+  pair.motion2.direction_W = {0, 1};
+  const Both result = both(pair);
+  EXPECT_EQ(result.certificate.status, CertificateStatus::kCertified);
+  const auto count = std::count_if(result.list.contacts.begin(), result.list.contacts.end(),
+                                   [](const CurveContact& c) { return c.free; });
+  EXPECT_EQ(count, 2);
+}
+
+TEST(Certify, KeepsConformingAndCoincidentContactsApart) {
+  ContactPair pair;
+  pair.curve1 = make_parabola({0, 0}, 0.35, kPi / 2, Side::kOutside).value();
+  pair.curve2 = make_circle({0, 0}, 0.7).value();
+  pair.motion2.turns = false;
+  pair.motion2.direction_W = {0, 1};
+  EXPECT_EQ(both(pair).certificate.status, CertificateStatus::kAtLimit);
+  pair.curve1 = make_circle({0, 0}, 0.7, Side::kOutside).value();
+  EXPECT_EQ(both(pair).certificate.status, CertificateStatus::kAtLimit);
+}
+
+TEST(Certify, CountsOnlyTheBranchOfAHyperbolaThatExists) {
+  ContactPair pair;
+  pair.curve1 = make_hyperbola({0, 0}, {1, 1}, 0).value();
+  pair.curve2 = make_circle({0, 0}, 0.25).value();
+  pair.motion2.turns = false;
+  const Both result = both(pair);
+  EXPECT_EQ(result.list.contacts.size(), 2U);
+  EXPECT_EQ(result.certificate.status, CertificateStatus::kCertified);
+}
+
+TEST(Certify, HoldsWithALeverAMillionTimesTheBodies) {
+  ContactPair pair;
+  pair.curve1 = make_circle({0, 0}, 0.731).value();
+  pair.curve2 = make_circle({1e6, 0}, 0.447).value();
+  pair.motion2.p_WO = {1e6 + 0.6, 0};
+  const Both result = both(pair);
+  EXPECT_EQ(result.list.contacts.size(), 2U);
+  EXPECT_EQ(result.certificate.status, CertificateStatus::kCertified);
+}
+
+TEST(Certify, DoesNotDecideWhereThereIsNoList) {
+  ContactPair pair;
+  pair.curve1 = make_line({0, 0}, {0, 1}).value();
+  pair.curve2 = pair.curve1;
+  EXPECT_EQ(both(pair).certificate.status, CertificateStatus::kNotDecided);
+}
+
+TEST(Certify, DecidesAtQuarterTurnsOfTheDriverExactly) {
+  // At 90 degrees the ellipse stands upright and the disc above it touches its end, a limit for no follower
+  // that slides upwards: the position is 2 + 0.25.
+  ContactPair pair;
+  pair.curve1 = make_ellipse({0, 0}, {2, 1}, 0).value();
+  pair.curve2 = make_circle({0, 0}, 0.25).value();
+  pair.motion2.turns = false;
+  pair.motion2.direction_W = {0, 1};
+  const CurveContacts list = find_curve_contacts(pair, kPi / 2);
+  const Certificate certificate = certify_contacts(pair, kPi / 2, list);
+  EXPECT_EQ(certificate.status, CertificateStatus::kCertified);
+  const auto& [low, high] = certificate.intervals.back().value();
+  EXPECT_LE(low, 2.25);
+  EXPECT_GE(high, 2.25);
+  EXPECT_LE(high - low, 1e-13);
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,229 @@
+#pragma once
+
+#include "higherpair/contact/contact_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// The laws that a contact has to obey, written down again in extended precision from the equation of the
+// curves y² = 2 ℓ x - q x² and from rigid motion alone: nothing here is code that finds or moves contacts.
+
+namespace higherpair::testing {
+
+using Real = long double;
+using Vec = Vector2<Real>;
+
+inline Vec wide(const Vector2d& v) {
+  return {v.x(), v.y()};
+}
+
+struct Standing {
+  Curve curve;
+  OneFreedom freedom;
+  Rotation<Real> R;
+  Vec origin;
+
+  Standing(const Curve& c, const OneFreedom& f, double q) : curve(c), freedom(f) {
+    R = Rotation<Real>::from_angle(f.turns ? Real(q) : Real(f.theta));
+    const Vec joint = wide(f.p_WO) + (f.turns ? Vec(0, 0) : Vec(Real(q) * wide(f.direction_W)));
+    origin = joint - R * wide(f.p_BO);
+  }
+
+  [[nodiscard]] Vec vertex() const { return R * wide(curve.vertex_B) + origin; }
+  [[nodiscard]] Vec axis() const { return R * wide(curve.axis_B); }
+  [[nodiscard]] double side() const { return curve.side == Side::kInside ? 1 : -1; }
+
+  // x, y of the curve's own frame.
+  [[nodiscard]] Vec local(const Vec& p) const {
+    const Vec d = p - vertex();
+    return {d.dot(axis()), cross(axis(), d)};
+  }
+
+  struct Shape {
+    Real distance = 0;  // to first order; > 0 out of the body
+    Vec n{0, 0};        // outward; zero for a point
+    Real kappa = 0;
+    bool on_branch = true;
+    Real arm = 1;  // rounding of p, in shares of this length, is that of n and κ
+  };
+
+  [[nodiscard]] Shape shape_at(const Vec& p) const {
+    const Vec l = local(p);
+    if (curve.kind == CurveKind::kPoint) return {l.norm(), {0, 0}, 0, true, 1};
+    if (curve.kind == CurveKind::kLine) return {-l.x(), -axis(), 0, true, 1};
+    const Real q = curve.q;
+    const Vec grad(q * l.x() - curve.semi_latus, l.y());
+    const Real length = grad.norm();
+    const Real f = (l.y() * l.y() + q * l.x() * l.x()) / 2 - curve.semi_latus * l.x();
+    const Vec n = (grad.x() * axis() + grad.y() * perp(axis())) / length;
+    // (f_xx f_y² + f_yy f_x²)/|∇f|³; its numerator is q f + ℓ², and f = 0 would cancel far out on a
+    // hyperbola.
+    const Real kappa = Real(curve.semi_latus) * Real(curve.semi_latus) / (length * length * length);
+    return {side() * f / length, side() * n, side() * kappa, q >= 0 || q * l.x() < curve.semi_latus, length};
+  }
+
+  [[nodiscard]] Vec velocity(const Vec& p) const {
+    return freedom.turns ? perp(Vec(p - wide(freedom.p_WO))) : wide(freedom.direction_W);
+  }
+  [[nodiscard]] Vec acceleration(const Vec& p) const {
+    return freedom.turns ? Vec(wide(freedom.p_WO) - p) : Vec(0, 0);
+  }
+  [[nodiscard]] Real omega() const { return freedom.turns ? 1 : 0; }
+};
+
+/// A length that the numbers of a contact carry.
+inline double length_scale(const ContactPair& pair, const ContactPosition& at) {
+  const Vector2d p = (at.p1_W + at.p2_W) / 2;
+  return (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() + pair.motion1.p_BO.norm() +
+         pair.motion2.p_BO.norm() + pair.curve1.vertex_B.norm() + pair.curve2.vertex_B.norm() + p.norm() +
+         (pair.motion1.turns ? 0 : std::abs(at.u)) + (pair.motion2.turns ? 0 : std::abs(at.q));
+}
+
+/// The laws of the equivalent link, held in position, velocity and acceleration; each entry is a law that is
+/// broken by more than rounding.
+class ContactLaws {
+public:
+  ContactLaws(const ContactPair& pair, const ContactPosition& at)
+      : at_(at),
+        one_(pair.curve1, pair.motion1, at.u),
+        two_(pair.curve2, pair.motion2, at.q),
+        n_(wide(at.n_W)),
+        p_((wide(at.p1_W) + wide(at.p2_W)) / 2),
+        length_(length_scale(pair, at)) {
+    position();
+    if (flat1() || flat2()) {
+      slot();
+    } else {
+      link();
+    }
+  }
+
+  std::vector<std::string> broken;
+
+private:
+  [[nodiscard]] bool flat1() const { return one_.curve.kind == CurveKind::kLine; }
+  [[nodiscard]] bool flat2() const { return two_.curve.kind == CurveKind::kLine; }
+
+  void expect_small(Real value, Real tolerance, const char* law) {
+    if (!(std::abs(value) <= tolerance)) {
+      broken.push_back(std::string(law) + ": " + std::to_string(double(value / tolerance)) + " tolerances");
+    }
+  }
+
+  static Real radius(const Standing& body, const Standing::Shape& shape) {
+    return body.curve.kind == CurveKind::kPoint ? 0 : 1 / shape.kappa;
+  }
+
+  void position() {
+    // What one rounding of the normal moves along a nearly flat curve is not seen across it.
+    const double tiny = 1e-13 * length_;
+    const auto s1 = one_.shape_at(wide(at_.p1_W));
+    const auto s2 = two_.shape_at(wide(at_.p2_W));
+    expect_small((at_.p2_W - at_.p1_W).norm(), 1e-12 * length_, "closure");
+    expect_small(s1.distance, tiny, "point 1 on curve 1");
+    expect_small(s2.distance, tiny, "point 2 on curve 2");
+    if (!s1.on_branch || !s2.on_branch) broken.emplace_back("branch of a hyperbola");
+    const Real slack1 = 1e-12L + 1e-13L * length_ * std::abs(s1.kappa);
+    const Real slack2 = 1e-12L + 1e-13L * length_ * std::abs(s2.kappa);
+    if (one_.curve.kind != CurveKind::kPoint) expect_small((s1.n - n_).norm(), slack1, "normal of 1");
+    if (two_.curve.kind != CurveKind::kPoint) expect_small((s2.n + n_).norm(), slack2, "normal of 2");
+    expect_small(n_.norm() - 1, 1e-14L, "unit normal");
+    rho1_ = flat1() ? 0 : radius(one_, s1);
+    rho2_ = flat2() ? 0 : radius(two_, s2);
+    if (!flat1())
+      expect_small(rho1_ - at_.rho1, (1e-10L + 1e-14L * length_ / s1.arm) * std::abs(rho1_), "radius 1");
+    if (!flat2())
+      expect_small(rho2_ - at_.rho2, (1e-10L + 1e-14L * length_ / s2.arm) * std::abs(rho2_), "radius 2");
+    const bool curved = one_.curve.kind != CurveKind::kPoint && two_.curve.kind != CurveKind::kPoint;
+    conforming_ = curved ? (s1.kappa + s2.kappa) / (std::abs(s1.kappa) + std::abs(s2.kappa)) : 1;
+  }
+
+  // n·(v2(c2) - v1(c1)) = 0 and n·(a2(c2) - a1(c1)) + |v2(c2) - v1(c1)|²/(ρ1 + ρ2) = 0.
+  void link() {
+    const Vec c1 = p_ - rho1_ * n_;
+    const Vec c2 = p_ + rho2_ * n_;
+    const Vec v1 = one_.velocity(c1);
+    const Vec v2 = Real(at_.dq) * two_.velocity(c2);
+    const Real relative = (v2 - v1).squaredNorm() / (rho1_ + rho2_);
+    const Vec a1 = one_.acceleration(c1);
+    const Vec a2 = Real(at_.d2q) * two_.velocity(c2) + Real(at_.dq * at_.dq) * two_.acceleration(c2);
+    const Real speed = one_.velocity(p_).norm() + std::abs(at_.dq) * two_.velocity(p_).norm();
+    expect_small(n_.dot(v2 - v1), 1e-12L * speed + 1e-15L * (v1.norm() + v2.norm()), "velocity of the link");
+    const Real terms = std::abs(relative) + std::abs(n_.dot(a1)) + std::abs(n_.dot(a2));
+    // Where n·v2 nearly vanishes, its rounding is magnified; a centre is as good as the normal times its
+    // radius.
+    const Real lever = std::abs(at_.d2q) * two_.velocity(p_).norm() + a1.norm() + a2.norm() +
+                       (std::abs(rho1_) + std::abs(rho2_)) * (one_.omega() + at_.dq * at_.dq * two_.omega());
+    expect_small(n_.dot(a2 - a1) + relative, 1e-11L * terms + 3e-14L * lever, "acceleration of the link");
+  }
+
+  // The centre of the curved body moves along the face as a pin in a slot.
+  void slot() {
+    const bool second = flat2();
+    const Standing& face = second ? two_ : one_;
+    const Standing& pin = second ? one_ : two_;
+    const Vec c = second ? Vec(p_ - rho1_ * n_) : Vec(p_ + rho2_ * n_);
+    const Real face_rate = second ? at_.dq : 1;
+    const Real pin_rate = second ? 1 : at_.dq;
+    const Real face_second = second ? at_.d2q : 0;
+    const Real pin_second = second ? 0 : at_.d2q;
+    const Vec v_pin = pin_rate * pin.velocity(c);
+    const Vec v_face = face_rate * face.velocity(c);
+    const Real omega = face.omega() * face_rate;
+    const Vec a_pin = pin_second * pin.velocity(c) + pin_rate * pin_rate * pin.acceleration(c);
+    const Vec a_face = face_second * face.velocity(c) + face_rate * face_rate * face.acceleration(c);
+    const Real coriolis = 2 * omega * n_.dot(perp(Vec(v_pin - v_face)));
+    expect_small(n_.dot(v_pin - v_face), 1e-12L * (v_pin.norm() + v_face.norm()), "velocity in the slot");
+    const Real terms = std::abs(n_.dot(a_pin)) + std::abs(n_.dot(a_face)) + std::abs(coriolis);
+    expect_small(n_.dot(a_pin - a_face) - coriolis, 1e-11L * terms + 1e-12L * (a_pin.norm() + a_face.norm()),
+                 "acceleration in the slot");
+  }
+
+  ContactPosition at_;
+  Standing one_;
+  Standing two_;
+  Vec n_;
+  Vec p_;
+  double length_;
+  Real rho1_ = 0;
+  Real rho2_ = 0;
+
+public:
+  Real conforming_ = 1;  ///< (κ1 + κ2)/(|κ1| + |κ2|): > 0 where the bodies do not cut each other at p
+};
+
+/// The deepest that a sampled boundary point of either body lies within the other [m]; <= 0 for disjoint
+/// bodies.
+inline double deepest_overlap(const ContactPair& pair, const ContactPosition& at, double size) {
+  const Standing one(pair.curve1, pair.motion1, at.u);
+  const Standing two(pair.curve2, pair.motion2, at.q);
+  Real depth = -1;
+  const auto sample = [&](const Standing& a, const Standing& b) {
+    constexpr int kSamples = 600;
+    for (int i = 1; i < kSamples; ++i) {
+      const Real slope = std::tan(Real(kPi) * (Real(i) / kSamples - Real(0.5)));
+      Vec l(0, 0);
+      if (a.curve.kind == CurveKind::kLine) {
+        l = Vec(0, slope * Real(size));
+      } else if (a.curve.kind != CurveKind::kPoint) {
+        // The second point of the curve on a line of this slope through the vertex.
+        const Real x = 2 * Real(a.curve.semi_latus) / (slope * slope + Real(a.curve.q));
+        if (!(x > 0)) continue;
+        l = Vec(x, slope * x);
+      }
+      const Vec p = a.vertex() + l.x() * a.axis() + l.y() * perp(a.axis());
+      const auto shape = b.shape_at(p);
+      if (b.curve.kind == CurveKind::kPoint) continue;
+      const bool convex_side = (shape.distance * Real(b.side()) < 0) && shape.on_branch;
+      const bool inside = b.curve.side == Side::kInside ? convex_side : !convex_side;
+      if (inside) depth = std::max(depth, shape.on_branch ? -shape.distance : Real(0));
+    }
+  };
+  sample(one, two);
+  sample(two, one);
+  return double(depth);
+}
+
+}  // namespace higherpair::testing

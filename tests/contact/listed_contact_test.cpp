@@ -1,0 +1,54 @@
+#include "higherpair/contact/conic_contacts.hpp"
+#include "higherpair/contact/finder.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+// Two parabolas, back to back: neither is bounded, the follower turns.
+ContactPair parabolas() {
+  ContactPair pair;
+  pair.curve1 = make_parabola({0.4, 0}, 0.3, kPi).value();
+  pair.curve2 = make_parabola({-0.9, 0.2}, 0.2, 0.1).value();
+  pair.motion2.p_WO = {2.1, 0.3};
+  return pair;
+}
+
+TEST(ListedContact, OfTwoParabolasIsTheFirstInTheSenseOfTheMotion) {
+  const ContactPair pair = parabolas();
+  const CurveContacts list = find_curve_contacts(pair, 0);
+  for (const int direction : {1, -1}) {
+    const FindResult found = find_contact(pair, 0, 0, direction, false);
+    ASSERT_EQ(found.status, FindStatus::kFound);
+    EXPECT_EQ(found.branch, -direction);
+    EXPECT_GT(direction * found.at.q, 0);
+    EXPECT_LE((found.at.p1_W - found.at.p2_W).norm(), 1e-14 * (1 + found.at.p1_W.norm()));
+    for (const CurveContact& each : list.contacts) {
+      const bool before = direction * each.q > 0 && direction * each.q < direction * found.at.q - 1e-9;
+      EXPECT_FALSE(each.free && before) << each.q;
+    }
+  }
+}
+
+TEST(ListedContact, OfTwoParabolasNearestToAPoseIsTheNearerOfTheTwo) {
+  const ContactPair pair = parabolas();
+  const double up = find_contact(pair, 0, 0, 1, false).at.q;
+  const double down = find_contact(pair, 0, 0, -1, false).at.q;
+  EXPECT_NEAR(find_nearest_contact(pair, 0, up - 1e-3).at.q, up, 1e-12);
+  EXPECT_NEAR(find_nearest_contact(pair, 0, down + 1e-3).at.q, down, 1e-12);
+  // From within the overlap as well, and a turn away.
+  EXPECT_NEAR(find_nearest_contact(pair, 0, up + 1e-3).at.q, up, 1e-12);
+  EXPECT_NEAR(find_nearest_contact(pair, 0, up - 1e-3 + 2 * kPi).at.q, up + 2 * kPi, 1e-12);
+}
+
+TEST(ListedContact, IsRefusedFromAnOverlapWhereTheFollowerIsToMoveToTheFirstTouch) {
+  const ContactPair pair = parabolas();
+  const double up = find_contact(pair, 0, 0, 1, false).at.q;
+  EXPECT_EQ(find_contact(pair, 0, up + 1e-3, 1, false).status, FindStatus::kOverlapAtStart);
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,157 @@
+#include "random_pairs.hpp"
+
+#include "contact_laws.hpp"
+#include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/tracker.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::ContactLaws;
+using testing::RandomCase;
+using testing::RandomPairs;
+
+struct Counts {
+  int pairs = 0;
+  int found = 0;
+  int rows = 0;
+  int flagged = 0;
+  int compared = 0;  // with central differences
+};
+
+std::string describe(const RandomCase& one) {
+  const auto kind = [](const Curve& c) {
+    return std::to_string(static_cast<int>(c.kind)) + (c.side == Side::kOutside ? "out" : "in");
+  };
+  return kind(one.pair.curve1) + (one.pair.motion1.turns ? " turns, " : " slides, ") + kind(one.pair.curve2) +
+         (one.pair.motion2.turns ? " turns" : " slides") + ", size " + std::to_string(one.size);
+}
+
+double step_of(const RandomCase& one) {
+  return (one.pair.motion1.turns ? 1.0 : one.size) * kPi / 90;
+}
+
+// What a central difference of half-width h over the track gives, with its own error by halving h.
+struct Difference {
+  double value = INFINITY;
+  double error = INFINITY;
+};
+
+template <class Of>
+Difference difference(const ContactTrack& track, double h, const Of& of) {
+  double slopes[2];
+  for (int i = 0; i < 2; ++i, h /= 2) {
+    ContactTrack ahead = track;
+    ContactTrack behind = track;
+    if (follow_to(ahead, track.at.u + h).status != TrackStatus::kOk ||
+        follow_to(behind, track.at.u - h).status != TrackStatus::kOk) {
+      return {};
+    }
+    slopes[i] = (of(ahead.at) - of(behind.at)) / (ahead.at.u - behind.at.u);
+  }
+  return {(4 * slopes[1] - slopes[0]) / 3, std::abs(slopes[1] - slopes[0])};
+}
+
+void expect_rates_are_differences(const RandomCase& one, const ContactTrack& track, Counts& counts) {
+  const double h = 0.03 * step_of(one);
+  const auto dq = difference(track, h, [](const ContactPosition& at) { return at.q; });
+  const auto d2q = difference(track, h, [](const ContactPosition& at) { return at.dq; });
+  if (!(dq.error < 1e-2 * std::abs(dq.value)) || !(d2q.error < 1e-2 * std::abs(d2q.value))) {
+    return;  // near a limit: the difference says nothing
+  }
+  ++counts.compared;
+  const double q_unit = one.pair.motion2.turns ? 1 : one.size;
+  const double u_unit = one.pair.motion1.turns ? 1 : one.size;
+  const double rounding = 1e-10 * q_unit / u_unit * (1 + std::abs(track.at.q) / q_unit);
+  EXPECT_LE(std::abs(track.at.dq - dq.value), 0.2 * dq.error + rounding + 1e-9 * std::abs(dq.value));
+  EXPECT_LE(std::abs(track.at.d2q - d2q.value), 0.2 * d2q.error + 1e-9 * std::abs(d2q.value) +
+                                                    1e-9 * std::abs(dq.value) / u_unit + rounding / u_unit);
+}
+
+void expect_lawful(const RandomCase& one, const ContactPosition& at) {
+  const ContactLaws laws(one.pair, at);
+  EXPECT_TRUE(laws.broken.empty()) << std::accumulate(
+      laws.broken.begin(), laws.broken.end(), std::string(),
+      [](const auto& a, const auto& b) { return a + b + "\n"; });
+  EXPECT_TRUE(std::isfinite(at.q) && std::isfinite(at.dq) && std::isfinite(at.d2q) &&
+              std::isfinite(at.dphi) && std::isfinite(at.sliding));
+}
+
+void run_one(const RandomCase& one, Counts& counts) {
+  ++counts.pairs;
+  const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
+  if (found.status != FindStatus::kFound) {
+    return;
+  }
+  ++counts.found;
+  expect_lawful(one, found.at);
+  EXPECT_GT(ContactLaws(one.pair, found.at).conforming_, -1e-6L);
+  EXPECT_LE(testing::deepest_overlap(one.pair, found.at, one.size), 1e-7 * one.size);
+  ContactTrack track = start_track(one.pair, found.at, found.branch);
+  for (int k = 1; k <= 60; ++k) {
+    ++counts.rows;
+    if (follow_to(track, one.u + k * step_of(one)).status != TrackStatus::kOk) {
+      ++counts.flagged;
+      continue;
+    }
+    SCOPED_TRACE("row " + std::to_string(k));
+    expect_lawful(one, track.at);
+    EXPECT_GE(track.branch * track.at.gap_q, 0);
+    if (k % 10 == 0) {
+      expect_rates_are_differences(one, track, counts);
+    }
+  }
+}
+
+class RandomSeeds : public ::testing::TestWithParam<int> {};
+
+TEST_P(RandomSeeds, GiveContactsThatObeyTheLawsOrAreFlagged) {
+  RandomPairs random(static_cast<unsigned>(GetParam()));
+  Counts counts;
+  for (int i = 0; i < 400; ++i) {
+    const RandomCase one = random.next();
+    SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
+    run_one(one, counts);
+  }
+  RecordProperty("pairs", counts.pairs);
+  RecordProperty("found", counts.found);
+  RecordProperty("rows", counts.rows);
+  RecordProperty("flagged", counts.flagged);
+  RecordProperty("compared", counts.compared);
+  EXPECT_GT(counts.found, counts.pairs / 3);
+  EXPECT_LT(counts.flagged, counts.rows / 2);
+  EXPECT_GT(counts.compared, counts.found);
+}
+
+// However few the rows: the same contact, or lost in both.
+TEST_P(RandomSeeds, GiveTheSameInOneLeapAsInManyRows) {
+  RandomPairs random(static_cast<unsigned>(GetParam()) + 1000);
+  for (int i = 0; i < 400; ++i) {
+    const RandomCase one = random.next();
+    SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
+    const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
+    if (found.status != FindStatus::kFound) continue;
+    ContactTrack rows = start_track(one.pair, found.at, found.branch);
+    ContactTrack leap = rows;
+    bool held = true;
+    for (int k = 1; k <= 40 && held; ++k) {
+      held = follow_to(rows, one.u + k * step_of(one) / 2).status == TrackStatus::kOk;
+    }
+    const bool leapt = follow_to(leap, one.u + 20 * step_of(one)).status == TrackStatus::kOk;
+    EXPECT_EQ(held, leapt);
+    if (held && leapt) {
+      const double unit = one.pair.motion2.turns ? 1 : one.size;
+      EXPECT_LE(std::abs(rows.at.q - leap.at.q), 1e-9 * (unit + std::abs(rows.at.q)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKinds, RandomSeeds, ::testing::Range(1, 13));
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,128 @@
+#include "higherpair/mechanism/loops.hpp"
+
+#include "drawn_mechanism.hpp"
+#include "higherpair/mechanism/pins.hpp"
+#include "higherpair/mechanism/plan_text.hpp"
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(FourBars, AreFoundWithTheirLengths) {
+  const auto found = find_four_bars(drawn_four_bar(0.071, 0.023, 0.059, 0.047).mechanism);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].ground, 0);
+  EXPECT_EQ(found[0].crank, 1);
+  EXPECT_EQ(found[0].coupler, 2);
+  EXPECT_EQ(found[0].rocker, 3);
+  // Rounding of the drawing.
+  EXPECT_NEAR(found[0].linkage.r1, 0.071, 1e-16);
+  EXPECT_NEAR(found[0].linkage.r2, 0.023, 1e-16);
+  EXPECT_NEAR(found[0].linkage.r3, 0.059, 1e-15);
+  EXPECT_NEAR(found[0].linkage.r4, 0.047, 1e-15);
+}
+
+TEST(FourBars, AreSeenFromTheDriver) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.mechanism.drivers.front().joint = 2;
+  const auto found = find_four_bars(drawn.mechanism);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].crank, 3);
+  EXPECT_NEAR(found[0].linkage.r2, 0.047, 1e-15);
+}
+
+TEST(FourBars, AreFoundAlsoOnAMovingBody) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  const int arm = drawn.body("arm");
+  drawn.pin(2, arm, {0.05, 0.11});
+  drawn.dyad("upper", 3, {0.08, 0.03}, arm, {0.07, 0.12}, {0.11, 0.09});
+  const auto found = find_four_bars(drawn.mechanism);
+  // crank, coupler, rocker, ground; coupler and rocker with the upper three would be a ring of five.
+  ASSERT_EQ(found.size(), 1U);
+  drawn.pin(2, 5, {0.03, 0.08});
+  const auto more = find_four_bars(drawn.mechanism);
+  ASSERT_EQ(more.size(), 2U);
+  EXPECT_THAT((std::vector<int>{more[1].ground, more[1].coupler}), testing::Each(testing::Ne(0)));
+}
+
+TEST(FourBars, AreFoundThroughAPinOfThreeBodiesWhicheverJointsHoldIt) {
+  // Coupler and rocker both on a third link, not on each other.
+  DrawnMechanism drawn;
+  const Vector2d C(0.05, 0.06);
+  const int crank = drawn.crank("crank", Vector2d::Zero());
+  const int rocker = drawn.crank("rocker", {0.08, 0.01});
+  const int coupler = drawn.body("coupler");
+  const int rod = drawn.body("rod");
+  drawn.pin(crank, coupler, {0.01, 0.02});
+  drawn.pin(coupler, rod, C);
+  drawn.pin(rocker, rod, C);
+  EXPECT_EQ(find_four_bars(drawn.mechanism).size(), 1U);
+  const auto pins = find_pins(drawn.mechanism);
+  ASSERT_EQ(pins.size(), 4U);
+  EXPECT_EQ(pins[3].ends.size(), 3U);
+  EXPECT_THAT(pins[3].joints, ElementsAre(3, 4));
+}
+
+TEST(SliderCranks, AreFoundWithTheSignOfTheOffset) {
+  for (const bool guide_first : {true, false}) {
+    DrawnMechanism drawn;
+    const Vector2d C(0.09, 0.013);
+    const int crank = drawn.crank("crank", Vector2d::Zero());
+    const int rod = drawn.body("rod");
+    const int slider = drawn.body("slider");
+    drawn.pin(crank, rod, {0.018, 0.024});
+    drawn.pin(rod, slider, C);
+    guide_first ? drawn.slide(0, slider, C, {1, 0}) : drawn.slide(slider, 0, C, {-1, 0});
+    const auto found = find_slider_cranks(drawn.mechanism);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].guide, 0);
+    EXPECT_EQ(found[0].crank, crank);
+    EXPECT_EQ(found[0].slider, slider);
+    EXPECT_EQ(found[0].inversion, SliderCrankInversion::kGuide);
+    EXPECT_NEAR(found[0].linkage.r2, 0.03, 1e-16);
+    // The line lies left of the direction of sliding.
+    EXPECT_NEAR(found[0].linkage.r4, 0.013, 1e-16);
+  }
+}
+
+TEST(SliderCranks, AreFoundWithASlotAndInverted) {
+  DrawnMechanism drawn;
+  const int crank = drawn.crank("crank", {0, 0.05});
+  const int arm = drawn.crank("arm", Vector2d::Zero());
+  const int block = drawn.body("block");
+  drawn.pin(crank, block, {0.021, 0.07});
+  drawn.slide(arm, block, {0.021, 0.07}, {0.021, 0.07});
+  const auto found = find_slider_cranks(drawn.mechanism);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].guide, arm);
+  EXPECT_EQ(found[0].coupler, crank);
+  EXPECT_EQ(found[0].inversion, SliderCrankInversion::kCrank);
+  // The line goes through its pivot.
+  EXPECT_NEAR(found[0].linkage.r4, 0, 1e-17);
+
+  DrawnMechanism slotted;
+  const int wheel = slotted.crank("wheel", Vector2d::Zero());
+  const int rod = slotted.body("rod");
+  slotted.pin(wheel, rod, {0.01, 0.02});
+  slotted.slot(0, rod, {0.08, 0}, {1, 0});
+  ASSERT_EQ(find_slider_cranks(slotted.mechanism).size(), 1U);
+  EXPECT_EQ(find_slider_cranks(slotted.mechanism)[0].slider, -1);
+  EXPECT_THAT(find_four_bars(slotted.mechanism), IsEmpty());
+}
+
+TEST(PlanText, NamesBodiesAndWhatPlacesThem) {
+  const DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  const auto plan = make_plan(drawn.mechanism);
+  ASSERT_TRUE(plan) << plan.error();
+  ASSERT_EQ(plan->groups.size(), 2U);
+  EXPECT_EQ(describe(drawn.mechanism, plan->groups[0]), "crank: driven at pin0");
+  EXPECT_THAT(describe(drawn.mechanism, plan->groups[1]), HasSubstr("dyad_a, dyad_b: dyad RRR"));
+}
+
+}  // namespace
+}  // namespace higherpair

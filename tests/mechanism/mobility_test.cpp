@@ -1,0 +1,295 @@
+#include "higherpair/mechanism/mobility.hpp"
+
+#include "drawn_mechanism.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(Mobility, OfAFourBarIsOneByCountAndRank) {
+  const DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(formula_text(mobility.count), "M = 3 (n - j - 1) + sum f = 3 (4 - 4 - 1) + 4 = 1");
+  EXPECT_EQ(rank_text(mobility), "8 conditions on 9 coordinates have rank 8: freedom 9 - 8 = 1");
+  EXPECT_EQ(mobility.freedom, 1);
+  EXPECT_GE(mobility.positions, 3);
+  EXPECT_TRUE(mobility.drivers_fit());
+  EXPECT_THAT(explanations(drawn.mechanism, mobility), IsEmpty());
+}
+
+TEST(Mobility, IsTheSameForMechanismsOfEverySize) {
+  for (const double scale : {1e-6, 1e-3, 1.0, 1e6}) {
+    DrawnMechanism drawn = drawn_four_bar(0.071 * scale, 0.023 * scale, 0.059 * scale, 0.047 * scale);
+    const Mobility mobility = analyse_mobility(drawn.mechanism);
+    EXPECT_TRUE(mobility.assembled) << scale;
+    EXPECT_EQ(mobility.freedom, 1) << scale;
+    EXPECT_FALSE(mobility.singular) << scale;
+  }
+}
+
+TEST(Mobility, AtAChangePointIsLargerAtTheStartOnly) {
+  // A parallelogram folded flat: crank and rocker along the ground.
+  DrawnMechanism drawn;
+  const int crank = drawn.crank("crank", Vector2d::Zero());
+  drawn.drive(0);
+  drawn.dyad("dyad", crank, {0.031, 0}, 0, {0.083, 0}, {0.114, 0});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.start_freedom, 2);
+  EXPECT_EQ(mobility.freedom, 1);
+  EXPECT_EQ(mobility.shaky, 0);
+  EXPECT_TRUE(mobility.singular);
+  EXPECT_TRUE(mobility.drivers_fit());
+  EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("change point")));
+}
+
+TEST(Mobility, OfADriverAtItsDeadPointIsThatOfTheMechanism) {
+  // Crank driven where coupler and rocker are stretched: the crank stands, the rest may move.
+  DrawnMechanism drawn;
+  const Vector2d A(0.04, 0.03);
+  const Vector2d O4(0.1, -0.02);
+  const int crank = drawn.crank("crank", Vector2d::Zero());
+  drawn.drive(0);
+  drawn.dyad("dyad", crank, A, 0, O4, 0.6 * A + 0.4 * O4);
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.freedom, 1);
+  EXPECT_FALSE(mobility.singular);
+  EXPECT_TRUE(mobility.drivers_fit());
+}
+
+TEST(Mobility, OfAStructureIsNone) {
+  DrawnMechanism drawn;
+  drawn.dyad("truss", 0, {0, 0}, 0, {0.07, 0.01}, {0.03, 0.05});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.count.mobility(), 0);
+  EXPECT_EQ(mobility.freedom, 0);
+  EXPECT_FALSE(mobility.singular);
+  EXPECT_THAT(explanations(drawn.mechanism, mobility), ElementsAre(HasSubstr("statically determinate")));
+}
+
+TEST(Mobility, OfAStructureWithAMemberTooManySaysThatItIsIndeterminate) {
+  DrawnMechanism drawn;
+  const int link = drawn.dyad("truss", 0, {0, 0}, 0, {0.07, 0.01}, {0.03, 0.05});
+  const int third = drawn.crank("third", {0.041, -0.013});
+  drawn.pin(link, third, {0.03, 0.05});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.count.mobility(), -1);
+  EXPECT_EQ(mobility.freedom, 0);
+  EXPECT_EQ(mobility.conditions - mobility.rank, 1);
+  ASSERT_EQ(mobility.redundancies.size(), 1U);
+  EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kMember);
+  EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("statically indeterminate")));
+}
+
+TEST(Mobility, OfTwoLinksInLineBetweenFixedPinsIsAShakyNone) {
+  DrawnMechanism drawn;
+  drawn.dyad("bars", 0, {0, 0}, 0, {0.07, 0}, {0.03, 0});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.start_freedom, 1);
+  EXPECT_EQ(mobility.shaky, 1);
+  EXPECT_EQ(mobility.freedom, 0);
+  EXPECT_TRUE(mobility.singular);
+  EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("shaky")));
+}
+
+TEST(Mobility, OfAShakyPartOnAMovingBodyIsThatOfTheBody) {
+  DrawnMechanism drawn;
+  const int crank = drawn.crank("crank", Vector2d::Zero());
+  drawn.drive(0);
+  drawn.dyad("bars", crank, {0.02, 0.03}, crank, {0.08, 0.05}, {0.05, 0.04});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.start_freedom, 2);
+  EXPECT_EQ(mobility.freedom, 1);
+  EXPECT_EQ(mobility.shaky, 1);
+  EXPECT_TRUE(mobility.drivers_fit());
+}
+
+DrawnMechanism cam_with_roller() {
+  DrawnMechanism drawn;
+  const Vector2d M(0.06, 0.04);
+  const Vector2d eccentric(0.01, 0.005);
+  const int cam = drawn.crank("cam", Vector2d::Zero());
+  drawn.drive(0);
+  const int lever = drawn.crank("lever", {0.09, -0.01});
+  const int roller = drawn.body("roller");
+  drawn.pin(lever, roller, M);
+  const double distance = (M - eccentric).norm();
+  drawn.touch(cam, *make_circle(eccentric, 0.7 * distance), roller, *make_circle(M, 0.3 * distance));
+  return drawn;
+}
+
+TEST(Mobility, NamesTheRollerThatSpinsIdly) {
+  const DrawnMechanism drawn = cam_with_roller();
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.count.mobility(), 2);
+  EXPECT_EQ(mobility.freedom, 2);
+  EXPECT_EQ(mobility.useful(), 1);
+  ASSERT_EQ(mobility.idle.size(), 1U);
+  EXPECT_EQ(mobility.idle.front().body, 3);
+  // Closed positions are good to 1e-10 of the size.
+  EXPECT_NEAR((mobility.idle.front().p_W - Vector2d(0.06, 0.04)).norm(), 0, 1e-9);
+  EXPECT_TRUE(mobility.drivers_fit());
+  EXPECT_THAT(idle_texts(drawn.mechanism, mobility), ElementsAre(HasSubstr("roller turns freely")));
+}
+
+TEST(Mobility, DoesNotTakeARollerOffItsCentreForIdle) {
+  DrawnMechanism drawn = cam_with_roller();
+  drawn.mechanism.bodies[3].curves.front().curve.vertex_B += Vector2d(0.002, 0);
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.freedom, 2);
+  EXPECT_THAT(mobility.idle, IsEmpty());
+  EXPECT_EQ(mobility.missing_drivers, 1);
+}
+
+TEST(Mobility, CountsAPinOfThreeBodiesTwice) {
+  // A five-bar whose two links and a rocker meet in one pin.
+  DrawnMechanism drawn;
+  const int crank = drawn.crank("crank", Vector2d::Zero());
+  drawn.drive(0);
+  const Vector2d C(0.06, 0.05);
+  const int link = drawn.dyad("dyad", crank, {0.01, 0.03}, 0, {0.09, 0}, C);
+  const int slider = drawn.body("slider");
+  const int rod = drawn.body("rod");
+  drawn.pin(link, rod, C);
+  drawn.pin(rod, slider, {0.13, 0.02});
+  drawn.slide(0, slider, {0.13, 0.02}, {1, 0.2});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.count.revolutes, 6);
+  EXPECT_EQ(mobility.count.mobility(), 1);
+  EXPECT_EQ(mobility.freedom, 1);
+}
+
+TEST(Mobility, FindsTheJointThatHoldsAPinOnceMore) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.mechanism.joints.push_back(drawn.mechanism.joints.back());
+  drawn.mechanism.joints.back().name = "again";
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.count.mobility(), -1);
+  EXPECT_EQ(mobility.freedom, 1);
+  ASSERT_EQ(mobility.redundancies.size(), 1U);
+  EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kSamePin);
+  EXPECT_EQ(mobility.redundancies.front().conditions, 2);
+}
+
+TEST(Mobility, OfALoopOfSlidesAloneIsOneMoreThanTheCount) {
+  DrawnMechanism drawn;
+  const int wedge = drawn.body("wedge");
+  const int plunger = drawn.body("plunger");
+  const int driven = drawn.slide(0, wedge, {0, 0}, {1, 0});
+  drawn.slide(wedge, plunger, {0.05, 0.02}, {1, 0.3});
+  drawn.slide(0, plunger, {0.05, 0.06}, {0, 1});
+  drawn.drive(driven);
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.count.mobility(), 0);
+  EXPECT_EQ(mobility.freedom, 1);
+  ASSERT_EQ(mobility.redundancies.size(), 1U);
+  EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kSlidesAlone);
+}
+
+TEST(Mobility, OfEllipsesThatRollAboutTheirFociIsOne) {
+  // Two equal ellipses, axes a = 50, b = 40 mm, pivots at foci 2a apart.
+  const double a = 0.05;
+  const double b = 0.04;
+  const double c = 0.03;
+  for (const bool foci : {true, false}) {
+    SCOPED_TRACE(foci ? "about their foci" : "about their centres");
+    DrawnMechanism drawn;
+    const Vector2d O2(2 * a, 0);
+    const int one = drawn.crank("one", Vector2d::Zero());
+    const int two = drawn.crank("two", O2);
+    const Vector2d shift(foci ? c : 0, 0);
+    drawn.touch(one, *make_ellipse(-shift, {a, b}, 0), two, *make_ellipse(O2 - shift, {a, b}, 0), true);
+    const Mobility mobility = analyse_mobility(drawn.mechanism);
+    EXPECT_TRUE(mobility.assembled);
+    EXPECT_EQ(mobility.count.mobility(), 0);
+    // About their centres they touch on the line of pivots in the drawing only.
+    EXPECT_EQ(mobility.freedom, foci ? 1 : 0);
+    EXPECT_EQ(mobility.start_freedom, 1);
+  }
+}
+
+TEST(DriverObjection, SaysWhatToAddToAFiveBarWithOneDriver) {
+  DrawnMechanism drawn;
+  const int crank = drawn.crank("crank", Vector2d::Zero());
+  const int second = drawn.crank("second", {0.09, 0.01});
+  drawn.drive(0);
+  drawn.dyad("dyad", crank, {0.01, 0.04}, second, {0.1, 0.05}, {0.05, 0.09});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.freedom, 2);
+  EXPECT_EQ(mobility.missing_drivers, 1);
+  EXPECT_THAT(mobility.loose_bodies, ElementsAre(2, 3, 4));
+  EXPECT_THAT(mobility.joints_to_drive, ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(driver_objection(drawn.mechanism, mobility).value_or(""),
+              AllOf(HasSubstr("2 freedoms by rank"), HasSubstr("2 drivers needed, 1 given"),
+                    HasSubstr("add 1 driver"), HasSubstr("pin1, pin2, pin3, pin4")));
+  drawn.drive(1, "other");
+  EXPECT_EQ(driver_objection(drawn.mechanism, std::vector<double>{0, 0}), std::nullopt);
+}
+
+TEST(DriverObjection, NamesTheDriverThatIsTooMany) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.drive(2, "rocker");
+  EXPECT_THAT(driver_objection(drawn.mechanism, analyse_mobility(drawn.mechanism)).value_or(""),
+              AllOf(HasSubstr("1 driver needed, 2 given"), HasSubstr("remove drivers.rocker (of pin2)")));
+}
+
+TEST(DriverObjection, SaysThatAStructureCannotBeDriven) {
+  DrawnMechanism drawn;
+  drawn.dyad("truss", 0, {0, 0}, 0, {0.07, 0.01}, {0.03, 0.05});
+  drawn.drive(0);
+  EXPECT_THAT(driver_objection(drawn.mechanism, std::vector<double>{0}).value_or(""),
+              AllOf(HasSubstr("0 drivers needed, 1 given"), HasSubstr("nothing can move")));
+}
+
+TEST(SurplusObjection, IsThereForADriverTooManyAndNotForAMemberThatFits) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.drive(2, "rocker");
+  const auto plan = make_plan(drawn.mechanism);
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->surplus, 1);
+  EXPECT_THAT(surplus_objection(drawn.mechanism, *plan, {0, 0}).value_or(""), HasSubstr("2 given"));
+  drawn.mechanism.drivers.pop_back();
+  drawn.mechanism.joints.push_back(drawn.mechanism.joints.back());
+  const auto fitting = make_plan(drawn.mechanism);
+  ASSERT_TRUE(fitting) << fitting.error();
+  EXPECT_EQ(fitting->surplus, 2);
+  EXPECT_EQ(surplus_objection(drawn.mechanism, *fitting, {0}), std::nullopt);
+}
+
+TEST(Plan, RefusesLooseBodiesInTheSameWords) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  drawn.mechanism.drivers.clear();
+  const auto plan = make_plan(drawn.mechanism);
+  ASSERT_FALSE(plan);
+  EXPECT_THAT(plan.error(), AllOf(HasSubstr("1 driver needed, 0 given"), HasSubstr("crank, dyad_a, dyad_b")));
+}
+
+TEST(Mobility, IsCountedOnlyWhereTheMechanismDoesNotClose) {
+  DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  // The ground pin of the rocker far away.
+  drawn.mechanism.bodies.front().points.back().p_B = {1.5, 0};
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_FALSE(mobility.assembled);
+  EXPECT_EQ(mobility.count.mobility(), 1);
+}
+
+TEST(Mobility, HoldsTheDriversAtTheStartWhereItCan) {
+  const DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
+  const Mobility turned = analyse_mobility(drawn.mechanism, {{0.4}, {}, std::nullopt});
+  EXPECT_TRUE(turned.drivers_held);
+  EXPECT_NEAR(turned.start.bodies[1].theta, 0.4, 1e-9);
+  ASSERT_FALSE(turned.moving.empty());
+  EXPECT_NEAR(turned.moving[1].omega, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace higherpair

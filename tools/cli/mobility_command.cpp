@@ -1,0 +1,107 @@
+#include "mobility_command.hpp"
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/profile_reader.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+#include "mobility_report.hpp"
+#include "output_file.hpp"
+#include "run_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+int report(const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    fmt::print(stderr, "{}\n", to_string(diagnostic));
+  }
+  return kExitInput;
+}
+
+MobilityQuestion question_of(const DriverSchedule& schedule) {
+  MobilityQuestion question;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const DriverState state = schedule.state(0, i);
+    question.drivers.push_back(state.si.position);
+    question.velocities.push_back(state.si.velocity);
+  }
+  return question;
+}
+
+int write(const MobilityOptions& options, const MobilityFindings& findings) {
+  OutputFile file(options.json.value_or("-"));
+  file.write(options.json ? mobility_json(findings).dump(2) + "\n" : mobility_text(findings));
+  file.commit();
+  if (!file.good()) {
+    fmt::print(stderr, "higherpair: {}\n", file.error());
+    return kExitMachine;
+  }
+  return kExitOk;
+}
+
+// Why the mechanism cannot be run, by the rank first.
+std::optional<std::string> refusal(const MobilityFindings& findings,
+                                   const tl::expected<Run, StartFailure>& run) {
+  if (auto objection = driver_objection(findings.profile.mechanism, findings.mobility)) {
+    return objection;
+  }
+  return run ? std::nullopt : std::optional(run.error().reason);
+}
+
+}  // namespace
+
+CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
+  CLI::App* command = app.add_subcommand("mobility",
+                                         "degree of freedom by count and by rank, idle freedoms, order of "
+                                         "solution, Grashof class of every four-bar");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("--json", options.json, "write the findings as JSON to this file (-: standard output)");
+  command->add_option("--csv", options.csv, "refused: the findings are no table");
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--quiet", options.quiet, "no messages about drivers on standard error");
+  return command;
+}
+
+int mobility_command(const MobilityOptions& options) {
+  if (options.csv) {
+    fmt::print(
+        stderr,
+        "higherpair: mobility writes no table, so there is nothing for --csv; leave it out for readable "
+        "text, or use --json FILE\n");
+    return kExitInput;
+  }
+  const auto profile = read_profile_file(options.profile, options.overrides);
+  if (!profile) {
+    return report(profile.error());
+  }
+  const auto schedule = DriverSchedule::analyze(*profile, std::nullopt);
+  if (!schedule) {
+    return report(schedule.error());
+  }
+  MobilityQuestion question = question_of(*schedule);
+  const auto run = start_run(profile->mechanism, question.drivers, options.tolerance);
+  if (run) {
+    question.start = MechanismPosition{run->state.bodies, run->state.contacts};
+  }
+  MobilityFindings findings{*profile, analyse_mobility(profile->mechanism, question), std::nullopt};
+  if (auto plan = make_plan(profile->mechanism)) {
+    findings.plan = *std::move(plan);
+  }
+  if (const int code = write(options, findings); code != kExitOk) {
+    return code;
+  }
+  const auto reason = refusal(findings, run);
+  if (reason && !options.quiet) {
+    fmt::print(stderr, "{}: {}\n", options.profile, *reason);
+  }
+  return reason ? kExitMechanism : kExitOk;
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,314 @@
+#include "higherpair/linkage/four_bar_limits.hpp"
+#include "higherpair/linkage/grashof.hpp"
+#include "higherpair/linkage/instant_centers.hpp"
+#include "higherpair/linkage/piston.hpp"
+#include "higherpair/linkage/slider_crank_stroke.hpp"
+#include "higherpair/mechanism/loops.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+#include "higherpair/mechanism/pins.hpp"
+#include "higherpair/mechanism/plan_text.hpp"
+#include "mobility_report.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace higherpair::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* cause_of(const Redundancy& set) {
+  switch (set.cause) {
+    case RedundancyCause::kSamePin:
+      return "same_pin";
+    case RedundancyCause::kParallelCranks:
+      return "parallel_cranks";
+    case RedundancyCause::kRollingOnPivots:
+      return "rolling_on_pivots";
+    case RedundancyCause::kSlidingOnPivots:
+      return "sliding_on_pivots";
+    case RedundancyCause::kSlidesAlone:
+      return "slides_alone";
+    case RedundancyCause::kMember:
+      break;
+  }
+  return "member";
+}
+
+const char* inversion_of(const SliderCrankInMechanism& loop) {
+  switch (loop.inversion) {
+    case SliderCrankInversion::kGuide:
+      return "guide fixed";
+    case SliderCrankInversion::kCrank:
+      return "crank fixed (turning guide)";
+    case SliderCrankInversion::kCoupler:
+      return "coupler fixed (rocking guide)";
+    case SliderCrankInversion::kMoving:
+      break;
+  }
+  return "on moving bodies";
+}
+
+class Writer {
+public:
+  explicit Writer(const MobilityFindings& findings)
+      : findings_(findings),
+        mechanism_(findings.profile.mechanism),
+        length_(from_si(dimension::kLength, findings.profile.units)),
+        angle_(from_si(dimension::kAngle, findings.profile.units)) {}
+
+  [[nodiscard]] Json all() const {
+    const Mobility& mobility = findings_.mobility;
+    const bool known = mobility.assembled;
+    Json json;
+    json["format"] = 1;
+    json["title"] = mechanism_.title;
+    json["mobility"] = known ? Json(mobility.freedom) : Json();
+    json["useful"] = known ? Json(mobility.useful()) : Json();
+    json["count"] = count();
+    json["rank"] = known ? rank() : Json();
+    json["idle"] = idle();
+    json["redundant"] = redundant();
+    const bool structure = known && mobility.freedom == 0;
+    json["structure"] =
+        structure ? Json(mobility.rank < mobility.conditions ? "indeterminate" : "determinate") : Json();
+    json["explanations"] = explanations(mechanism_, mobility);
+    json["drivers"] = known ? drivers() : Json();
+    json["plan"] = plan();
+    json["four_bars"] = Json::array();
+    for (const FourBarInMechanism& loop : find_four_bars(mechanism_)) {
+      json["four_bars"].push_back(four_bar(loop));
+    }
+    json["slider_cranks"] = Json::array();
+    for (const SliderCrankInMechanism& loop : find_slider_cranks(mechanism_)) {
+      json["slider_cranks"].push_back(slider_crank(loop));
+    }
+    json["instant_centers"] = centers();
+    return json;
+  }
+
+private:
+  [[nodiscard]] const std::string& body(int index) const {
+    return mechanism_.bodies[static_cast<std::size_t>(index)].name;
+  }
+  [[nodiscard]] const std::string& joint(int index) const {
+    return mechanism_.joints[static_cast<std::size_t>(index)].name;
+  }
+  [[nodiscard]] Json bodies(const std::vector<int>& indices) const {
+    Json names = Json::array();
+    for (const int index : indices) {
+      names.push_back(body(index));
+    }
+    return names;
+  }
+  [[nodiscard]] Json joints(const std::vector<int>& indices) const {
+    Json names = Json::array();
+    for (const int index : indices) {
+      names.push_back(joint(index));
+    }
+    return names;
+  }
+
+  [[nodiscard]] Json count() const {
+    const MobilityCount& count = findings_.mobility.count;
+    Json json = {
+        {"bodies", count.bodies},         {"joints", count.joints()},      {"revolute", count.revolutes},
+        {"prismatic", count.prismatics},  {"slot", count.slots},           {"slipping", count.slipping},
+        {"rolling", count.rolling},       {"sum_f", count.freedoms()},     {"mobility", count.mobility()},
+        {"formula", formula_text(count)}, {"multiple_pins", Json::array()}};
+    for (const Pin& pin : find_pins(mechanism_)) {
+      if (pin.ends.size() > 2) {
+        Json names = Json::array();
+        for (const BodyPoint& end : pin.ends) {
+          names.push_back(body(end.body));
+        }
+        json["multiple_pins"].push_back({{"bodies", names}, {"joints", joints(pin.joints)}});
+      }
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json rank() const {
+    const Mobility& mobility = findings_.mobility;
+    return {{"conditions", mobility.conditions},
+            {"coordinates", 3 * (mobility.count.bodies - 1)},
+            {"rank", mobility.rank},
+            {"positions", mobility.positions},
+            {"freedom", mobility.freedom},
+            {"at_start", mobility.start_freedom},
+            {"shaky", mobility.shaky},
+            {"singular", mobility.singular}};
+  }
+
+  [[nodiscard]] Json idle() const {
+    Json json = Json::array();
+    const auto texts = idle_texts(mechanism_, findings_.mobility);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const IdleFreedom& idle = findings_.mobility.idle[i];
+      json.push_back({{"body", body(idle.body)},
+                      {"x", length_.apply(idle.p_W.x())},
+                      {"y", length_.apply(idle.p_W.y())},
+                      {"text", texts[i]}});
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json redundant() const {
+    Json json = Json::array();
+    for (const Redundancy& set : findings_.mobility.redundancies) {
+      Json contacts = Json::array();
+      for (const int contact : set.contacts) {
+        contacts.push_back(mechanism_.contacts[static_cast<std::size_t>(contact)].name);
+      }
+      json.push_back({{"conditions", set.conditions},
+                      {"cause", cause_of(set)},
+                      {"joints", joints(set.joints)},
+                      {"contacts", contacts},
+                      {"bodies", bodies(set.bodies)}});
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json drivers() const {
+    const Mobility& mobility = findings_.mobility;
+    std::vector<int> useless;
+    for (const int driver : mobility.useless_drivers) {
+      useless.push_back(mechanism_.drivers[static_cast<std::size_t>(driver)].joint);
+    }
+    const auto objection = driver_objection(mechanism_, mobility);
+    return {{"given", mechanism_.drivers.size()},
+            {"needed", mobility.useful()},
+            {"missing", mobility.missing_drivers},
+            {"useless", joints(useless)},
+            {"joints_to_drive", joints(mobility.joints_to_drive)},
+            {"loose_bodies", bodies(mobility.loose_bodies)},
+            {"objection", objection ? Json(*objection) : Json()}};
+  }
+
+  [[nodiscard]] Json plan() const {
+    Json json = Json::array();
+    if (findings_.plan) {
+      for (const Group& group : findings_.plan->groups) {
+        json.push_back({{"bodies", bodies(group.bodies)}, {"text", describe(mechanism_, group)}});
+      }
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json limits(const FourBar& linkage, FourBarLink link) const {
+    Json json = Json::array();
+    for (const FourBarLimit& limit : four_bar_limits(linkage, link)) {
+      json.push_back({{"crank", angle_.apply(limit.theta2)},
+                      {"coupler", angle_.apply(limit.theta3)},
+                      {"rocker", angle_.apply(limit.theta4)},
+                      {"change_point", limit.change_point}});
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json four_bar(const FourBarInMechanism& loop) const {
+    const FourBar& linkage = loop.linkage;
+    Json json = {{"ground", body(loop.ground)},
+                 {"crank", body(loop.crank)},
+                 {"coupler", body(loop.coupler)},
+                 {"rocker", body(loop.rocker)},
+                 {"lengths",
+                  {length_.apply(linkage.r1), length_.apply(linkage.r2), length_.apply(linkage.r3),
+                   length_.apply(linkage.r4)}},
+                 {"grashof", name_of(classify_grashof(linkage))},
+                 {"margin", length_.apply(grashof_margin(linkage))}};
+    Json full_turn;
+    Json positions;
+    constexpr std::array<std::pair<const char*, FourBarLink>, 3> kLinks = {
+        {{"crank", FourBarLink::kCrank},
+         {"coupler", FourBarLink::kCoupler},
+         {"rocker", FourBarLink::kRocker}}};
+    for (const auto& [name, link] : kLinks) {
+      full_turn[name] = turns_fully(linkage, link);
+      positions[name] = limits(linkage, link);
+    }
+    json["full_turn"] = full_turn;
+    json["limits"] = positions;
+    json["transmission"] = Json();
+    if (const auto range = transmission_range(linkage)) {
+      json["transmission"] = {{"smallest", angle_.apply(range->smallest)},
+                              {"at_smallest", angle_.apply(range->at_smallest)},
+                              {"largest", angle_.apply(range->largest)},
+                              {"at_largest", angle_.apply(range->at_largest)}};
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json dead_centre(const DeadCentre& at) const {
+    return {{"crank", angle_.apply(at.theta2)}, {"slider", length_.apply(at.r1)}};
+  }
+
+  [[nodiscard]] Json slider_crank(const SliderCrankInMechanism& loop) const {
+    const SliderCrank& linkage = loop.linkage;
+    Json json = {{"guide", body(loop.guide)},
+                 {"crank", body(loop.crank)},
+                 {"coupler", body(loop.coupler)},
+                 {"slider", loop.slider < 0 ? Json() : Json(body(loop.slider))},
+                 {"joint", joint(loop.joint)},
+                 {"inversion", inversion_of(loop)},
+                 {"r2", length_.apply(linkage.r2)},
+                 {"r3", length_.apply(linkage.r3)},
+                 {"offset", length_.apply(linkage.r4)},
+                 {"stroke", nullptr},
+                 {"harmonic", nullptr}};
+    const auto mode =
+        findings_.mobility.assembled ? mode_of(loop, findings_.mobility.start.bodies) : AssemblyMode::kPlus;
+    if (const auto stroke = slider_crank_stroke(linkage, mode)) {
+      json["stroke"] = {{"length", length_.apply(stroke->length)},
+                        {"time_ratio", stroke->time_ratio},
+                        {"turn_in", angle_.apply(stroke->turn_in)},
+                        {"outer", dead_centre(stroke->outer)},
+                        {"inner", dead_centre(stroke->inner)}};
+    }
+    const bool central = std::abs(linkage.r4) <= 1e-12 * (linkage.r2 + linkage.r3);
+    if (central && linkage.r2 < linkage.r3) {
+      const HarmonicError error = harmonic_error(linkage.r2 / linkage.r3);
+      json["harmonic"] = {
+          {"position", error.x.error}, {"velocity", error.v.error}, {"acceleration", error.a.error}};
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json centers() const {
+    Json json = Json::array();
+    for (const InstantCenter& center : instant_centers(findings_.mobility.moving)) {
+      Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
+      switch (center.kind) {
+        case InstantCenterKind::kUndefined:
+          one["kind"] = "undefined";
+          break;
+        case InstantCenterKind::kPoint:
+          one["kind"] = "point";
+          one["x"] = length_.apply(center.p_W.x());
+          one["y"] = length_.apply(center.p_W.y());
+          break;
+        case InstantCenterKind::kAtInfinity:
+          one["kind"] = "at_infinity";
+          one["x"] = center.u_W.x();
+          one["y"] = center.u_W.y();
+          break;
+      }
+      json.push_back(one);
+    }
+    return json;
+  }
+
+  const MobilityFindings& findings_;
+  const Mechanism& mechanism_;
+  Scaling length_;
+  Scaling angle_;
+};
+
+}  // namespace
+
+nlohmann::ordered_json mobility_json(const MobilityFindings& findings) {
+  return Writer(findings).all();
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "higherpair/io/profile.hpp"
+#include "higherpair/mechanism/mobility.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace higherpair::cli {
+
+/// What `mobility` has found out, for its two writers.
+struct MobilityFindings {
+  const Profile& profile;
+  Mobility mobility;
+  std::optional<Plan> plan;  ///< none where the drivers do not place all bodies
+};
+
+/// The findings as JSON, lengths and angles in the profile's units. Keys:
+/// - `format` 1, `title`; `mobility` (by rank) and `useful` (without idle freedoms), null if not assembled
+/// - `count`: `bodies`, `joints`, `revolute`, `prismatic`, `slot`, `slipping`, `rolling`, `sum_f`,
+/// `mobility`,
+///   `formula`, `multiple_pins` [{`bodies`, `joints`}]
+/// - `rank` (null if not assembled): `conditions`, `coordinates`, `rank`, `positions`, `freedom`, `at_start`,
+///   `shaky`, `singular`
+/// - `idle` [{`body`, `x`, `y`, `text`}]
+/// - `redundant` [{`conditions`, `cause`, `joints`, `contacts`, `bodies`}] with `cause` one of `same_pin`,
+///   `parallel_cranks`, `rolling_on_pivots`, `sliding_on_pivots`, `slides_alone`, `member`
+/// - `structure`: `determinate`, `indeterminate` or null; `explanations` [sentences]
+/// - `drivers`: `given`, `needed`, `missing`, `useless` [joints], `joints_to_drive`, `loose_bodies`,
+///   `objection` (null if they fit)
+/// - `plan` [{`bodies`, `text`}]
+/// - `four_bars` [{`ground`, `crank`, `coupler`, `rocker`, `lengths` [r1 … r4], `grashof`, `margin`
+///   (p + q - s - l), `full_turn`, `limits`, `transmission`}]: `full_turn` {`crank`, `coupler`, `rocker`};
+///   `limits` the same with lists of {`crank`, `coupler`, `rocker`, `change_point`}: positions in which that
+///   link stands still, its dead points as a driver; `transmission` {`smallest`, `at_smallest`, `largest`,
+///   `at_largest`}; all angles from the line of the ground pivots
+/// - `slider_cranks` [{`guide`, `crank`, `coupler`, `slider` (null: a slot), `joint`, `inversion`, `r2`,
+/// `r3`,
+///   `offset`, `stroke`, `harmonic`}]: `stroke` null or {`length`, `time_ratio`, `turn_in`, `outer`, `inner`
+///   {`crank`, `slider`}}, crank angles from the line of sliding; `harmonic` null (with an offset) or the
+///   largest errors {`position`, `velocity`, `acceleration`} in units of r, rω, rω²
+/// - `instant_centers` [{`bodies` [two], `kind` `point` | `at_infinity` | `undefined`, `x`, `y` (for
+/// `at_infinity`
+///   the unit direction)}], empty where the drivers do not set all velocities
+[[nodiscard]] nlohmann::ordered_json mobility_json(const MobilityFindings& findings);
+
+/// The same as readable text.
+[[nodiscard]] std::string mobility_text(const MobilityFindings& findings);
+
+}  // namespace higherpair::cli
