@@ -3,7 +3,9 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
+#include <string>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
@@ -24,26 +26,51 @@ struct Condition {
   std::vector<int> variables;
 };
 
+// Indices in the order of the names: the order of the description must not matter, not even for rounding.
+template <class T>
+std::vector<int> by_name(const std::vector<T>& items) {
+  std::vector<int> order(items.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto name = [&](int index) -> const std::string& {
+    return items[static_cast<std::size_t>(index)].name;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return name(a) < name(b); });
+  return order;
+}
+
+struct Order {
+  explicit Order(const Mechanism& mechanism)
+      : bodies(by_name(mechanism.bodies)),
+        joints(by_name(mechanism.joints)),
+        contacts(by_name(mechanism.contacts)),
+        drivers(by_name(mechanism.drivers)) {}
+
+  std::vector<int> bodies, joints, contacts, drivers;
+};
+
 class Conditions {
 public:
-  explicit Conditions(const Mechanism& mechanism)
+  Conditions(const Mechanism& mechanism, const Order& order)
       : mechanism_(mechanism), reference_(mechanism.bodies.size()) {
-    for (const Joint& joint : mechanism.joints) {
+    for (const int index : order.joints) {
+      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
       if (joint.type == JointType::kRevolute) {
         choose_reference(joint.first);
         choose_reference(joint.second);
       }
     }
-    for (const Driver& driver : mechanism.drivers) {
+    for (const int index : order.drivers) {
+      const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
       add_driver(mechanism.joints[static_cast<std::size_t>(driver.joint)]);
     }
-    for (const Joint& joint : mechanism.joints) {
-      add_joint(joint);
+    for (const int index : order.joints) {
+      add_joint(mechanism.joints[static_cast<std::size_t>(index)]);
     }
-    for (const Contact& contact : mechanism.contacts) {
-      add_contact(contact);
+    for (const int index : order.contacts) {
+      add_contact(mechanism.contacts[static_cast<std::size_t>(index)]);
     }
-    for (const Contact& contact : mechanism.contacts) {
+    for (const int index : order.contacts) {
+      const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
       if (contact.rolling) {
         add_slip(contact);
       }
@@ -244,7 +271,8 @@ std::vector<LooseBody> loose_bodies(const std::vector<int>& matched, std::size_t
 }  // namespace
 
 Structure analyse_structure(const Mechanism& mechanism) {
-  const Conditions conditions(mechanism);
+  const Order order(mechanism);
+  const Conditions conditions(mechanism, order);
   const std::size_t bodies = mechanism.bodies.size();
   const std::vector<int> matched = Matching(conditions.all(), 3 * bodies).partners();
   const std::vector<int> component = components(conditions.all(), matched, bodies);
@@ -253,8 +281,11 @@ Structure analyse_structure(const Mechanism& mechanism) {
   structure.loose = loose_bodies(matched, bodies);
   structure.surplus = static_cast<int>(std::count(matched.begin(), matched.end(), kUnmatched));
   std::vector<BodySet> by_component(bodies);
-  for (std::size_t body = 1; body < bodies; ++body) {
-    by_component[static_cast<std::size_t>(component[body])].bodies.push_back(static_cast<int>(body));
+  for (const int body : order.bodies) {
+    if (body != 0) {
+      const int number = component[static_cast<std::size_t>(body)];
+      by_component[static_cast<std::size_t>(number)].bodies.push_back(body);
+    }
   }
   // A condition belongs to the last placed of its bodies; ground counts as placed before all.
   const auto set_of = [&](int first, int second) -> BodySet& {
@@ -262,17 +293,18 @@ Structure analyse_structure(const Mechanism& mechanism) {
     const int b = second == 0 ? -1 : component[static_cast<std::size_t>(second)];
     return by_component[static_cast<std::size_t>(std::max({a, b, 0}))];
   };
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    set_of(joint.first.body, joint.second.body).joints.push_back(static_cast<int>(i));
+  for (const int i : order.joints) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(i)];
+    set_of(joint.first.body, joint.second.body).joints.push_back(i);
   }
-  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
-    const Contact& contact = mechanism.contacts[i];
-    set_of(contact.first.body, contact.second.body).contacts.push_back(static_cast<int>(i));
+  for (const int i : order.contacts) {
+    const Contact& contact = mechanism.contacts[static_cast<std::size_t>(i)];
+    set_of(contact.first.body, contact.second.body).contacts.push_back(i);
   }
-  for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
-    set_of(joint.first.body, joint.second.body).drivers.push_back(static_cast<int>(i));
+  for (const int i : order.drivers) {
+    const Driver& driver = mechanism.drivers[static_cast<std::size_t>(i)];
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+    set_of(joint.first.body, joint.second.body).drivers.push_back(i);
   }
   for (BodySet& set : by_component) {
     if (!set.bodies.empty()) {

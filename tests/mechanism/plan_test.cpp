@@ -1,0 +1,154 @@
+// Which groups the plan makes of known mechanisms.
+#include "higherpair/mechanism/plan.hpp"
+
+#include "analysis/mechanism_builder.hpp"
+#include "higherpair/io/profile_reader.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using higherpair::testing::Builder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+using Settings = std::vector<std::string>;
+
+std::string name_of(const GroupKind& kind) {
+  static const std::vector<std::string> names = {"driven",  "RRR",      "RRP",  "RPR",    "slides",
+                                                 "tracked", "touching", "idle", "coupled"};
+  return names[kind.index()];
+}
+
+// "kind: bodies" in the order of solution.
+std::vector<std::string> groups_of(const Mechanism& mechanism) {
+  std::vector<std::string> texts;
+  const auto plan = make_plan(mechanism);
+  if (!plan) return {plan.error()};
+  for (const Group& group : plan->groups) {
+    std::vector<std::string> names;
+    for (const int body : group.bodies)
+      names.push_back(mechanism.bodies[static_cast<std::size_t>(body)].name);
+    std::sort(names.begin(), names.end());
+    std::string text = name_of(group.kind) + ":";
+    for (const std::string& name : names) text += " " + name;
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+Mechanism shipped(const std::string& name, const Settings& settings = {}) {
+  auto profile =
+      read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml", settings);
+  if (!profile) {
+    for (const Diagnostic& diagnostic : profile.error()) ADD_FAILURE() << to_string(diagnostic);
+    return {};
+  }
+  return profile->mechanism;
+}
+
+TEST(Plan, SolvesAFourBarAsADriverAndADyad) {
+  EXPECT_THAT(groups_of(shipped("four_bar")), ElementsAre("driven: crank", "RRR: coupler rocker"));
+}
+
+TEST(Plan, FollowsTheDriverFromTheOtherSide) {
+  EXPECT_THAT(groups_of(shipped("four_bar", {"driver.joint=rocker_pivot"})),
+              ElementsAre("driven: rocker", "RRR: coupler crank"));
+}
+
+TEST(Plan, CouplesAllBodiesOfALoopWhoseInnerJointIsDriven) {
+  EXPECT_THAT(groups_of(shipped("double_rocker")), ElementsAre("coupled: coupler left_arm right_arm"));
+}
+
+TEST(Plan, KnowsTheGroupsOfSlidersAndSlots) {
+  EXPECT_THAT(groups_of(shipped("slider_crank")), ElementsAre("driven: crank", "RRP: piston rod"));
+  EXPECT_THAT(groups_of(shipped("slider_crank", {"driver={joint = \"slide\"}"})),
+              ElementsAre("driven: piston", "RRR: crank rod"));
+  EXPECT_THAT(groups_of(shipped("scotch_yoke")), ElementsAre("driven: crank", "slides: yoke"));
+  EXPECT_THAT(groups_of(shipped("scotch_yoke", {"driver={joint = \"slide\"}"})),
+              ElementsAre("driven: yoke", "RRP: crank"));
+  EXPECT_THAT(groups_of(shipped("quick_return")), ElementsAre("driven: crank", "RPR: lever"));
+  EXPECT_THAT(groups_of(shipped("quick_return", {"joints.slot.between=[\"crank.O\", \"lever.T\"]"})),
+              ElementsAre("driven: crank", "RRP: lever"));
+}
+
+TEST(Plan, TakesTheGroupsOfASixBarOneAfterTheOther) {
+  EXPECT_THAT(groups_of(shipped("sixbar_slider")),
+              ElementsAre("driven: link2", "RRR: link3 link4", "RRP: link5 slider"));
+  EXPECT_THAT(groups_of(shipped("watt_sixbar")),
+              ElementsAre("driven: link2", "RRR: link3 link4", "RRR: link5 link6"));
+  EXPECT_THAT(groups_of(shipped("toggle_press")),
+              ElementsAre("driven: crank", "RRR: rod upper", "RRP: lower ram"));
+  // Driven at the other end the Watt chain is dyads too; driven at its first loop's end it is the same list.
+  EXPECT_THAT(groups_of(shipped("watt_sixbar", {"driver.joint=F"})),
+              ElementsAre("driven: link6", "RRR: link4 link5", "RRR: link2 link3"));
+}
+
+TEST(Plan, TracksAContactOnADriverAndPlacesOneOnAnotherBody) {
+  EXPECT_THAT(groups_of(shipped("cam_chain")),
+              ElementsAre("driven: cam", "tracked: arm", "touching: second_arm"));
+}
+
+TEST(Plan, NamesTheRollerWhoseTurningIsIdle) {
+  const Mechanism mechanism = shipped("roller_body");
+  const auto plan = make_plan(mechanism);
+  ASSERT_TRUE(plan) << plan.error();
+  ASSERT_EQ(plan->idle_bodies.size(), 1U);
+  EXPECT_EQ(mechanism.bodies[static_cast<std::size_t>(plan->idle_bodies[0])].name, "roller");
+  EXPECT_THAT(groups_of(mechanism), ElementsAre("driven: cam", "coupled: arm roller"));
+  const auto rolling = make_plan(shipped("roller_body", {"contacts.touch.rolling=true"}));
+  ASSERT_TRUE(rolling) << rolling.error();
+  EXPECT_TRUE(rolling->idle_bodies.empty());
+}
+
+TEST(Plan, TakesSeveralDrivers) {
+  EXPECT_THAT(groups_of(shipped("five_bar")),
+              UnorderedElementsAre("driven: left_crank", "driven: right_crank", "RRR: left_link right_link"));
+}
+
+TEST(Plan, CountsConditionsInSurplus) {
+  EXPECT_EQ(make_plan(shipped("four_bar"))->surplus, 0);
+  Builder b;
+  const int crank = b.body("crank", {0, 0}, 0.4), coupler = b.body("coupler", {0.3, 0.2}, 0),
+            second = b.body("second", {1, 0}, 0.4), third = b.body("third", {0.4, 0.7}, 0.4);
+  b.drive(b.revolute(0, crank, {0, 0}));
+  b.revolute(crank, coupler, {0.3, 0.2});
+  for (const auto& [body, x, y] : {std::tuple(second, 1.0, 0.0), std::tuple(third, 0.4, 0.7)}) {
+    b.revolute(0, body, {x, y});
+    b.revolute(body, coupler, {x + 0.3, y + 0.2});
+  }
+  const auto plan = make_plan(b.mechanism);
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_EQ(plan->surplus, 1);
+}
+
+TEST(Plan, MeasuresTheLargestDistanceOfJointPointsAndCurveCenters) {
+  Builder b;
+  const int crank = b.body("crank", {0, 0}, 0.3), far = b.body("far", {0.1, 0.2}, 0);
+  b.drive(b.revolute(0, crank, {0, 0}));
+  b.revolute(crank, far, {3, 0});
+  b.contact(b.circle(far, {3, 4}, 0.5), b.circle(0, {3, 5}, 0.5));
+  const auto plan = make_plan(b.mechanism);
+  ASSERT_TRUE(plan) << plan.error();
+  EXPECT_NEAR(plan->size, std::hypot(3, 5), 1e-15 * 6);
+}
+
+TEST(Plan, SaysWhatIsLoose) {
+  Builder b;
+  const int crank = b.body("crank", {0, 0}, 0.3), rod = b.body("rod", {0.1, 0.2}, 0);
+  b.drive(b.revolute(0, crank, {0, 0}));
+  b.revolute(crank, rod, {0.3, 0});
+  const auto plan = make_plan(b.mechanism);
+  ASSERT_FALSE(plan);
+  EXPECT_THAT(plan.error(), HasSubstr("mobility 2"));
+  EXPECT_THAT(plan.error(), HasSubstr("drivers 1"));
+  EXPECT_THAT(plan.error(), HasSubstr("not placed: rod (its turning)"));
+}
+
+}  // namespace
+}  // namespace higherpair
