@@ -36,15 +36,24 @@ int run(int argc, char** argv) {
   RunOptions analyze;
   RunOptions step;
   step.timed = true;
+  RunOptions forces;
+  forces.forces = true;
   const CLI::App* analyze_command =
       add_run_command(app, "analyze", "motion at every driver position of the profile", analyze);
-  add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  const CLI::App* step_command =
+      add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  add_run_command(app, "forces",
+                  "motion at every driver position, with the reactions of joints and contacts and the effort "
+                  "of the drivers; there is no friction but what rolling needs",
+                  forces);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? higherpair::cli::kExitOk : higherpair::cli::kExitInput;
   }
-  return higherpair::cli::run_command(analyze_command->parsed() ? analyze : step);
+  return higherpair::cli::run_command(analyze_command->parsed() ? analyze
+                                      : step_command->parsed()  ? step
+                                                                : forces);
 }
 
 }  // namespace
