@@ -98,7 +98,7 @@ void InverseDynamics::read_efforts(const Run& run) {
 }
 
 double InverseDynamics::power(const std::vector<BodyMotion>& bodies) const {
-  double sum = 0;
+  double sum = statics_.holding_power(bodies);
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const BodyMotion& body = bodies[i];
     sum += wrenches_[i].dot(Eigen::Vector3d(body.v_WB.x(), body.v_WB.y(), body.omega));

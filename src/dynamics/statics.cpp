@@ -73,6 +73,9 @@ void Statics::set_layout(const Run& run) {
     block.bodies = group.bodies;
     append_rows_of(run, g);
     block.row_count = rows_.size() - block.first_row;
+    for (std::size_t i = 1; i <= held_[g].size(); ++i) {
+      held_rows_.push_back(rows_.size() - i);
+    }
     redundant_ = redundant_ || block.row_count != 3 * group.bodies.size();
     if (group.bodies.size() == 2) {
       block.factors.emplace<Factors<Matrix6d>>(Matrix6d::Identity());
@@ -153,6 +156,15 @@ bool Statics::balance(std::vector<Wrench>& wrenches) {
     std::visit([&](const auto& factors) { solve(block, factors, wrenches); }, block.factors);
   }
   return std::all_of(multipliers_.begin(), multipliers_.end(), [](double x) { return std::isfinite(x); });
+}
+
+double Statics::holding_power(const std::vector<BodyMotion>& bodies) const {
+  double sum = 0;
+  for (const std::size_t i : held_rows_) {
+    const double omega = bodies[static_cast<std::size_t>(rows_[i].body[1])].omega;
+    sum += multipliers_[i] * rows_[i].coefficient[1].z() * omega;
+  }
+  return sum;
 }
 
 void Statics::factorise_all() {

@@ -49,7 +49,8 @@ struct Preload {
 
 /// Inverse dynamics of a running analysis: Newton's and Euler's equations of every moving body with gravity,
 /// inertia, loads, springs and dampers, solved for what joints, contacts and drivers must do. Contacts slip
-/// without friction. Bodies without mass have no inertia.
+/// without friction. Bodies without mass have no inertia. Idle bodies (Plan::idle_bodies, as a roller) do not
+/// spin up: a moment about their pin, which nothing resists, is left out.
 class InverseDynamics {
 public:
   explicit InverseDynamics(const Run& run);

@@ -47,6 +47,10 @@ public:
   [[nodiscard]] std::size_t contact_row(std::size_t contact) const { return contact_rows_[contact]; }
   [[nodiscard]] std::size_t driver_row(std::size_t driver) const { return driver_rows_[driver]; }
 
+  /// What the holding of idle bodies does to them, as a power for these motions [W]; 0 where they do not
+  /// turn.
+  [[nodiscard]] double holding_power(const std::vector<BodyMotion>& bodies) const;
+
   /// The size that angular conditions are multiplied by [m].
   [[nodiscard]] double size() const { return size_; }
 
@@ -75,6 +79,7 @@ private:
   double size_ = 1;
   bool redundant_ = false;
   std::vector<std::vector<int>> held_;  // idle bodies of each group
+  std::vector<std::size_t> held_rows_;
   std::vector<ConstraintRow> rows_;
   std::vector<std::array<int, 2>> columns_;  // of each row and body: where the body is in its block, or -1
   std::vector<double> multipliers_;
