@@ -1,10 +1,12 @@
 // A row of a running analysis takes no memory from the heap once the first has been made.
 #include "analysis/counting_allocator.hpp"
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/dynamics/contact_watch.hpp"
 #include "higherpair/io/motion_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,28 @@ TEST_P(RowAllocation, MovingTheMechanismMakesNone) {
     ASSERT_EQ(run.row.status, RowStatus::kOk);
   }
   EXPECT_EQ(made, 0U);
+}
+
+TEST(ForceAllocation, BalancingDyadsAndPairsMakesNone) {
+  for (const auto& [name, start] :
+       {std::pair("watt_sixbar_forces", 135 * kPi / 180), std::pair("cam_with_return_spring", 0.0)}) {
+    const Profile profile =
+        read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml").value();
+    higherpair::Run run = start_run(profile.mechanism, {start}).value();
+    InverseDynamics dynamics(run);
+    ContactWatch watch(run);
+    std::size_t made = 0;
+    for (int k = 0; k < kRows; ++k) {
+      const std::vector<DriverMotion> drivers{{start + 2 * kPi * k / kRows, 1, 0.5}};
+      move_to(run, drivers);
+      const std::size_t before = allocation_count();
+      const Reactions& reactions = dynamics.solve(run);
+      (void)watch.look(run, drivers, dynamics, reactions);
+      made += k == 0 ? 0 : allocation_count() - before;
+      ASSERT_TRUE(reactions.defined);
+    }
+    EXPECT_EQ(made, 0U) << name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, RowAllocation,

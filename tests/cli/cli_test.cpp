@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -120,6 +121,50 @@ TEST_F(Program, WritesTheSameRowsToFilesAsToStandardOutput) {
   EXPECT_EQ(read_file(table), direct.out);
   EXPECT_EQ(std::count(direct.out.begin(), direct.out.end(), '\n'), 202);
   EXPECT_THAT(direct.out, HasSubstr("time[s],driver[deg],driver.velocity[deg/s]"));
+}
+
+TEST_F(Program, WritesReactionsBelowTheSpeedOfLiftOff) {
+  const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml"));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("guide.m[N*mm],touch.force[N],touch.friction[N],driver.effort[N*mm],"
+                                     "driver.effort_check[N*mm],status,residual[mm]\n"));
+}
+
+TEST_F(Program, SaysWhereAContactOpensAndWhatWouldKeepItClosed) {
+  const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
+                              " --set 'driver.velocity=\"800 rpm\"' --json -");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("contact_open at driver = 56.951882894546"));
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json.at("events").size(), 1U);
+  const nlohmann::json& event = json.at("events").at(0);
+  // N = 10.943 N - (m e w^2 - k e) sin(theta), see the profile.
+  const double w = 800 * 2 * 3.14159265358979323846 / 60;
+  const double angle = std::asin(10.943 / (0.003 * w * w - 8)) * 180 / 3.14159265358979323846;
+  EXPECT_NEAR(event.at("driver").get<double>(), angle, 1e-11);
+  EXPECT_EQ(event.at("type"), "contact_open");
+  EXPECT_EQ(event.at("item"), "touch");
+  EXPECT_THAT(event.at("cause").get<std::string>(), HasSubstr("springs.return pushes by 2.11216 N more"));
+  const auto status = json.at("rows").at(0).size() - 2;
+  EXPECT_EQ(json.at("rows").at(56).at(status), "ok");
+  EXPECT_EQ(json.at("rows").at(57).at(status), "contact_open");
+}
+
+TEST_F(Program, CountsOpenRowsInTheSummaryOfForces) {
+  const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
+                              " --set 'driver.velocity=\"800 rpm\"' --summary --quiet");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_EQ(outcome.err, "");
+  // 57 ... 123 degrees.
+  EXPECT_THAT(outcome.out, HasSubstr("67 contact_open"));
+}
+
+TEST_F(Program, RunsTheForcesOfEveryShippedProfile) {
+  for (const auto& entry : fs::directory_iterator(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles")) {
+    const Outcome outcome = run("forces " + entry.path().string());
+    EXPECT_EQ(outcome.code, entry.path().stem() == "lock_up" ? 4 : 0) << entry.path() << outcome.err;
+  }
 }
 
 }  // namespace

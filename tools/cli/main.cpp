@@ -55,9 +55,16 @@ int run(int argc, char** argv) {
   RunOptions analyze;
   RunOptions step;
   step.timed = true;
+  RunOptions forces;
+  forces.forces = true;
   const CLI::App* analyze_command =
       add_run_command(app, "analyze", "motion at every driver position of the profile", analyze);
-  add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  const CLI::App* step_command =
+      add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
+  add_run_command(app, "forces",
+                  "motion at every driver position, with the reactions of joints and contacts and the effort "
+                  "of the drivers; there is no friction but what rolling needs",
+                  forces);
   BranchesOptions branches;
   const CLI::App* branches_command = add_branches_command(app, branches);
   higherpair::cli::MobilityOptions mobility;
@@ -73,7 +80,9 @@ int run(int argc, char** argv) {
   if (mobility_command->parsed()) {
     return higherpair::cli::mobility_command(mobility);
   }
-  return higherpair::cli::run_command(analyze_command->parsed() ? analyze : step);
+  return higherpair::cli::run_command(analyze_command->parsed() ? analyze
+                                      : step_command->parsed()  ? step
+                                                                : forces);
 }
 
 }  // namespace

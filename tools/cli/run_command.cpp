@@ -1,5 +1,6 @@
 #include "run_command.hpp"
 
+#include "force_rows.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "row_writer.hpp"
 
@@ -45,7 +46,8 @@ bool failed(const std::vector<RowWriter>& writers) {
   return false;
 }
 
-// Smallest and largest value of every column, and how many rows have which status.
+// Smallest and largest value of every column, and how many rows have which status (the column of that
+// number).
 struct Summary {
   struct Range {
     double low = INFINITY;
@@ -54,7 +56,7 @@ struct Summary {
   std::vector<Range> ranges;
   std::map<std::string, std::int64_t> statuses;
 
-  void add(const std::vector<Cell>& cells, RowStatus status) {
+  void add(const std::vector<Cell>& cells, std::size_t status) {
     ranges.resize(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (const auto* number = std::get_if<double>(&cells[i])) {
@@ -62,7 +64,7 @@ struct Summary {
         ranges[i].high = std::max(ranges[i].high, *number);
       }
     }
-    ++statuses[std::string(name_of(status))];
+    ++statuses[std::string(std::get<std::string_view>(cells[status]))];
   }
 
   void print(const std::string& title, const std::vector<Column>& columns) const {
@@ -211,6 +213,15 @@ int run_command(const RunOptions& options) {
   if (!table) {
     return report_input({about(options.profile, table.error())});
   }
+  std::optional<ForceRows> forces;
+  if (options.forces) {
+    auto force_table = ForceTable::make(*profile, table->columns());
+    if (!force_table) {
+      return report({about(options.profile, force_table.error())});
+    }
+    forces.emplace(*profile, *run, *std::move(force_table));
+  }
+  const std::vector<Column>& columns = forces ? forces->columns() : table->columns();
 
   std::signal(SIGINT, on_interrupt);
   std::vector<RowWriter> writers = open_outputs(options);
@@ -218,7 +229,7 @@ int run_command(const RunOptions& options) {
     return kExitMachine;
   }
   for (RowWriter& writer : writers) {
-    writer.begin(profile->mechanism.title, table->columns());
+    writer.begin(profile->mechanism.title, columns);
   }
   Summary summary;
   std::vector<Event> events;
@@ -236,17 +247,22 @@ int run_command(const RunOptions& options) {
       events.push_back(printed(event, *profile));
     }
     all_ok = all_ok && run->row.status == RowStatus::kOk;
-    const auto& cells = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
+    const auto& motion = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
+    const auto& cells = forces ? forces->row(*run, motions, motion, events) : motion;
     for (RowWriter& writer : writers) {
       writer.row(cells);
     }
     if (options.summary) {
-      summary.add(cells, run->row.status);
+      summary.add(cells, columns.size() - 2);
     }
     if (k % 4096 == 0 && failed(writers)) {
       return kExitMachine;
     }
     progress.at(k, schedule->size());
+  }
+  if (forces) {
+    forces->finish(events);
+    all_ok = all_ok && !forces->opened();
   }
   for (RowWriter& writer : writers) {
     writer.end(events);
@@ -255,7 +271,7 @@ int run_command(const RunOptions& options) {
     return kExitMachine;
   }
   if (options.summary) {
-    summary.print(profile->mechanism.title, table->columns());
+    summary.print(profile->mechanism.title, columns);
   }
   if (!options.quiet) {
     for (const Event& event : events) {

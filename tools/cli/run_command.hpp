@@ -18,7 +18,8 @@ inline constexpr int kExitInterrupted = 130;
 
 struct RunOptions {
   std::string profile;
-  bool timed = false;  ///< step instead of analyze
+  bool timed = false;   ///< step instead of analyze
+  bool forces = false;  ///< forces instead of analyze
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::vector<std::string> overrides;
@@ -31,7 +32,7 @@ struct RunOptions {
 /// Prints what is wrong with the input on standard error; returns the exit code.
 [[nodiscard]] int report_input(const Diagnostics& diagnostics);
 
-/// Runs `analyze` or `step`; returns the exit code.
+/// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);
 
 }  // namespace higherpair::cli

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "higherpair/dynamics/statics.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// What a joint does to its second body; empty what the balance leaves indeterminate. Springs, dampers and
+/// the driving effort on the joint are not part of it.
+struct JointReaction {
+  std::optional<double> fx;      ///< in ground [N]
+  std::optional<double> fy;      ///< [N]
+  std::optional<double> moment;  ///< prismatic joints only: about the second point [N m]
+};
+
+/// What a contact does to its second body.
+struct ContactReaction {
+  std::optional<double> force;     ///< along n, the outward normal of the first body [N]: > 0 pressing
+  std::optional<double> friction;  ///< along t = n turned +90° [N]: what keeps a rolling contact from
+                                   ///< slipping; 0 where it slips
+  bool pulls = false;              ///< force < 0, by more than rounding: the contact opens
+};
+
+/// What drives a joint: on its second body, positive in the sense of the joint's coordinate
+/// [N m on a revolute joint, else N].
+struct DriverEffort {
+  std::optional<double> effort;    ///< from the balance of the bodies
+  std::optional<double> by_power;  ///< from virtual power: -Σ wrench·velocity for a unit rate of this driver
+};
+
+struct Reactions {
+  bool defined = false;                   ///< false: the row has no rates, or no balance; all else is empty
+  std::vector<JointReaction> joints;      ///< of Mechanism::joints
+  std::vector<ContactReaction> contacts;  ///< of Mechanism::contacts
+  std::vector<DriverEffort> drivers;      ///< of Mechanism::drivers
+
+  /// Whether one of the contacts pulls.
+  [[nodiscard]] bool opens() const;
+};
+
+/// A constant addition to what keeps a contact closed: to the tension of a spring, or as an effort on a
+/// joint.
+struct Preload {
+  enum class On { kSpring, kJoint } on = On::kSpring;
+  int index = 0;  ///< of Mechanism::springs or Mechanism::joints
+};
+
+/// Inverse dynamics of a running analysis: Newton's and Euler's equations of every moving body with gravity,
+/// inertia, loads, springs and dampers, solved for what joints, contacts and drivers must do. Contacts slip
+/// without friction. Bodies without mass have no inertia. Idle bodies (Plan::idle_bodies, as a roller) do not
+/// spin up: a moment about their pin, which nothing resists, is left out.
+class InverseDynamics {
+public:
+  explicit InverseDynamics(const Run& run);
+
+  /// The reactions where run.row stands; valid until the next call. `run` must be the one of the constructor,
+  /// or a copy. With one driver and no surplus of conditions nothing is allocated.
+  const Reactions& solve(const Run& run);
+
+  /// The force in a contact for a preload of 1 N (1 N m on a revolute joint) alone, where the last solve
+  /// stood; none if that was not defined, or the force is indeterminate.
+  [[nodiscard]] std::optional<double> force_per_preload(const Run& run, std::size_t contact,
+                                                        const Preload& preload);
+
+private:
+  void read_joints(const Run& run);
+  void read_contacts(const Run& run);
+  void read_efforts(const Run& run);
+  void add_virtual_power(const Run& run);
+  [[nodiscard]] std::optional<double> determined(std::size_t row, double factor) const;
+  [[nodiscard]] double power(const std::vector<BodyMotion>& bodies) const;
+
+  Statics statics_;
+  std::vector<Wrench> wrenches_;  ///< gravity, loads, springs and inertia of each body
+  std::vector<Wrench> left_;      ///< the same, used up by the balance
+  Reactions reactions_;
+  State unit_;  ///< the row with a unit rate of one of several drivers
+  std::vector<DriverMotion> unit_motions_;
+};
+
+}  // namespace higherpair

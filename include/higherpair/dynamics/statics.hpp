@@ -1,0 +1,95 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/dynamics/applied_loads.hpp"
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace higherpair {
+
+/// The static balance of a mechanism where a row of its run stands: the multipliers λ of all conditions of
+/// joints, contacts and drivers (ConstraintRow) for which, on every moving body,
+///     Σ λ·coefficient + W = 0
+/// with W what else acts on it. Group by group in the reverse order of the plan: the conditions of a group
+/// hold its own bodies, and what they take goes on to the bodies of earlier groups.
+///
+/// A body whose turning nothing sets (Plan::idle_bodies) keeps its angle in the motion; here an additional
+/// condition holds it, whose multiplier is 0 where no moment acts about its pin.
+///
+/// Conditions more than coordinates make the balance statically indeterminate. Then all bodies are solved at
+/// once, by the pseudoinverse of the transposed Jacobian, and those multipliers are marked that every
+/// solution shares.
+class Statics {
+public:
+  explicit Statics(const Run& run);
+
+  /// Takes the conditions of run.row, whose bodies all have rates. `run` must be the one of the constructor,
+  /// or a copy. Does not allocate where no conditions are in surplus.
+  void stand(const Run& run);
+
+  /// Solves for the multipliers. `wrenches` (of Mechanism::bodies) is used up. False where there is no
+  /// balance: the conditions are dependent here, to rounding.
+  [[nodiscard]] bool balance(std::vector<Wrench>& wrenches);
+
+  [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
+
+  /// Of the i-th condition: itself, its multiplier [N], and whether the balance determines that.
+  [[nodiscard]] const ConstraintRow& row(std::size_t i) const { return rows_[i]; }
+  [[nodiscard]] double multiplier(std::size_t i) const { return multipliers_[i]; }
+  [[nodiscard]] bool is_determined(std::size_t i) const { return determined_[i]; }
+
+  /// Where the conditions of a joint, contact or driver begin.
+  [[nodiscard]] std::size_t joint_row(std::size_t joint) const { return joint_rows_[joint]; }
+  [[nodiscard]] std::size_t contact_row(std::size_t contact) const { return contact_rows_[contact]; }
+  [[nodiscard]] std::size_t driver_row(std::size_t driver) const { return driver_rows_[driver]; }
+
+  /// What the holding of idle bodies does to them, as a power for these motions [W]; 0 where they do not
+  /// turn.
+  [[nodiscard]] double holding_power(const std::vector<BodyMotion>& bodies) const;
+
+  /// The size that angular conditions are multiplied by [m].
+  [[nodiscard]] double size() const { return size_; }
+
+private:
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  template <class Matrix>
+  using Factors = Eigen::PartialPivLU<Matrix>;
+
+  // The conditions and bodies of a group; a square system of equations, transposed.
+  struct Block {
+    std::size_t first_row = 0;
+    std::size_t row_count = 0;
+    std::vector<int> bodies;
+    std::variant<Factors<Eigen::Matrix3d>, Factors<Matrix6d>, Factors<Eigen::MatrixXd>> factors;
+  };
+
+  void append_rows_of(const Run& run, std::size_t g);
+  void set_layout(const Run& run);
+  template <class Matrix>
+  void factorise(const Block& block, Factors<Matrix>& factors) const;
+  template <class Matrix>
+  void solve(const Block& block, const Factors<Matrix>& factors, std::vector<Wrench>& wrenches);
+  void factorise_all();
+  [[nodiscard]] bool solve_all(const std::vector<Wrench>& wrenches);
+
+  double size_ = 1;
+  bool redundant_ = false;
+  std::vector<std::vector<int>> held_;  // idle bodies of each group
+  std::vector<std::size_t> held_rows_;
+  std::vector<ConstraintRow> rows_;
+  std::vector<std::array<int, 2>> columns_;  // of each row and body: where the body is in its block, or -1
+  std::vector<double> multipliers_;
+  std::vector<bool> determined_;
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> joint_rows_;
+  std::vector<std::size_t> contact_rows_;
+  std::vector<std::size_t> driver_rows_;
+  Eigen::MatrixXd jacobian_;       // of all bodies, where redundant
+  Eigen::MatrixXd pseudoinverse_;  // its pseudoinverse
+};
+
+}  // namespace higherpair

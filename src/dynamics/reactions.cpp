@@ -1,0 +1,143 @@
+#include "higherpair/dynamics/reactions.hpp"
+
+#include "../analysis/group_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kRounding = 1e-11;  // of the largest multiplier: smaller pulling forces are rounding
+
+void clear(std::vector<Wrench>& wrenches) {
+  std::fill(wrenches.begin(), wrenches.end(), Wrench(Wrench::Zero()));
+}
+
+}  // namespace
+
+bool Reactions::opens() const {
+  return std::any_of(contacts.begin(), contacts.end(), [](const ContactReaction& c) { return c.pulls; });
+}
+
+InverseDynamics::InverseDynamics(const Run& run)
+    : statics_(run), wrenches_(run.mechanism.bodies.size()), left_(wrenches_) {
+  reactions_.joints.resize(run.mechanism.joints.size());
+  reactions_.contacts.resize(run.mechanism.contacts.size());
+  reactions_.drivers.resize(run.mechanism.drivers.size());
+  unit_motions_.resize(run.mechanism.drivers.size());
+}
+
+const Reactions& InverseDynamics::solve(const Run& run) {
+  const MotionRow& row = run.row;
+  reactions_.defined = row.status != RowStatus::kNotAssemblable &&
+                       std::find(row.has_rates.begin(), row.has_rates.end(), false) == row.has_rates.end();
+  if (reactions_.defined) {
+    clear(wrenches_);
+    add_applied(run.mechanism, row.bodies, wrenches_);
+    add_inertia(run.mechanism, row.bodies, wrenches_);
+    left_ = wrenches_;
+    statics_.stand(run);
+    reactions_.defined = statics_.balance(left_);
+  }
+  if (!reactions_.defined) {
+    std::fill(reactions_.joints.begin(), reactions_.joints.end(), JointReaction());
+    std::fill(reactions_.contacts.begin(), reactions_.contacts.end(), ContactReaction());
+    std::fill(reactions_.drivers.begin(), reactions_.drivers.end(), DriverEffort());
+    return reactions_;
+  }
+  read_joints(run);
+  read_contacts(run);
+  read_efforts(run);
+  add_virtual_power(run);
+  return reactions_;
+}
+
+std::optional<double> InverseDynamics::determined(std::size_t row, double factor) const {
+  // A component that the condition does not have is 0 whatever the multiplier.
+  if (factor == 0) {
+    return 0.0;
+  }
+  return statics_.is_determined(row) ? std::optional(factor * statics_.multiplier(row)) : std::nullopt;
+}
+
+void InverseDynamics::read_joints(const Run& run) {
+  for (std::size_t i = 0; i < reactions_.joints.size(); ++i) {
+    const std::size_t first = statics_.joint_row(i);
+    const JointType type = run.mechanism.joints[i].type;
+    const Eigen::Vector3d& along = statics_.row(first).coefficient[1];
+    JointReaction& reaction = reactions_.joints[i];
+    reaction.fx = determined(first, along.x());
+    reaction.fy = type == JointType::kRevolute ? determined(first + 1, 1) : determined(first, along.y());
+    if (type == JointType::kPrismatic) {
+      reaction.moment = determined(first + 1, statics_.size());
+    }
+  }
+}
+
+void InverseDynamics::read_contacts(const Run& run) {
+  double largest = 0;
+  for (std::size_t i = 0; i < statics_.row_count(); ++i) {
+    largest = std::max(largest, std::abs(statics_.multiplier(i)));
+  }
+  for (std::size_t i = 0; i < reactions_.contacts.size(); ++i) {
+    const std::size_t first = statics_.contact_row(i);
+    ContactReaction& reaction = reactions_.contacts[i];
+    reaction.force = determined(first, 1);
+    reaction.friction = run.mechanism.contacts[i].rolling ? determined(first + 1, 1) : 0.0;
+    reaction.pulls = reaction.force && *reaction.force < -kRounding * largest;
+  }
+}
+
+void InverseDynamics::read_efforts(const Run& run) {
+  for (std::size_t i = 0; i < reactions_.drivers.size(); ++i) {
+    const auto joint = static_cast<std::size_t>(run.mechanism.drivers[i].joint);
+    const bool turns = run.mechanism.joints[joint].type == JointType::kRevolute;
+    reactions_.drivers[i].effort = determined(statics_.driver_row(i), turns ? statics_.size() : 1);
+  }
+}
+
+double InverseDynamics::power(const std::vector<BodyMotion>& bodies) const {
+  double sum = statics_.holding_power(bodies);
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const BodyMotion& body = bodies[i];
+    sum += wrenches_[i].dot(Eigen::Vector3d(body.v_WB.x(), body.v_WB.y(), body.omega));
+  }
+  return sum;
+}
+
+// With one driver the run itself holds the velocities for a unit rate. Several need a motion for each.
+void InverseDynamics::add_virtual_power(const Run& run) {
+  if (reactions_.drivers.size() == 1) {
+    reactions_.drivers.front().by_power = -power(run.state.bodies);
+    return;
+  }
+  for (std::size_t i = 0; i < reactions_.drivers.size(); ++i) {
+    unit_ = run.state;
+    for (std::size_t k = 0; k < unit_motions_.size(); ++k) {
+      unit_motions_[k] = {run.drivers[k], k == i ? 1.0 : 0.0, 0};
+    }
+    for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+      set_group_rates({run.mechanism, run.plan}, g, unit_motions_, unit_);
+    }
+    reactions_.drivers[i].by_power = -power(unit_.bodies);
+  }
+}
+
+std::optional<double> InverseDynamics::force_per_preload(const Run& run, std::size_t contact,
+                                                         const Preload& preload) {
+  if (!reactions_.defined) {
+    return std::nullopt;
+  }
+  clear(left_);
+  const auto index = static_cast<std::size_t>(preload.index);
+  if (preload.on == Preload::On::kSpring) {
+    add_tension(run.mechanism, run.mechanism.springs[index], 1, run.row.bodies, left_);
+  } else {
+    add_joint_effort(run.mechanism, run.mechanism.joints[index], 1, run.row.bodies, left_);
+  }
+  const std::size_t row = statics_.contact_row(contact);
+  return statics_.balance(left_) ? determined(row, 1) : std::nullopt;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,208 @@
+#include "higherpair/dynamics/statics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+
+namespace higherpair {
+namespace {
+
+constexpr double kRankTolerance = 1e-10;  // of the largest pivot: smaller ones count as 0
+constexpr double kDetermined = 1e-9;      // share of a multiplier that other solutions may differ by
+constexpr double kBalanced = 1e-8;        // what may be left of the wrenches, of the largest
+
+// The conditions are those of run.row; drivers' values are not needed, only coefficients.
+template <class Items, class F>
+void for_each_index(const Items& items, std::vector<std::size_t>& first_rows,
+                    const std::vector<ConstraintRow>& rows, F append) {
+  for (const int index : items) {
+    first_rows[static_cast<std::size_t>(index)] = rows.size();
+    append(static_cast<std::size_t>(index));
+  }
+}
+
+Eigen::Vector3d scaled(const Eigen::Vector3d& wrench, double size) {
+  return {wrench.x(), wrench.y(), wrench.z() / size};
+}
+
+}  // namespace
+
+Statics::Statics(const Run& run) : size_(run.plan.size > 0 ? run.plan.size : 1) {
+  joint_rows_.resize(run.mechanism.joints.size());
+  contact_rows_.resize(run.mechanism.contacts.size());
+  driver_rows_.resize(run.mechanism.drivers.size());
+  for (const Group& group : run.plan.groups) {
+    std::vector<int> held;
+    for (const int body : run.plan.idle_bodies) {
+      if (std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end()) {
+        held.push_back(body);
+      }
+    }
+    held_.push_back(held);
+  }
+  set_layout(run);
+}
+
+void Statics::append_rows_of(const Run& run, std::size_t g) {
+  const Mechanism& mechanism = run.mechanism;
+  const Group& group = run.plan.groups[g];
+  const std::vector<BodyMotion>& bodies = run.row.bodies;
+  for_each_index(group.joints, joint_rows_, rows_,
+                 [&](std::size_t i) { append_rows(mechanism, mechanism.joints[i], bodies, size_, rows_); });
+  for_each_index(group.contacts, contact_rows_, rows_, [&](std::size_t i) {
+    append_rows(mechanism, mechanism.contacts[i], run.row.contacts[i], bodies, rows_);
+  });
+  for_each_index(group.drivers, driver_rows_, rows_, [&](std::size_t i) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
+    append_driver_row(mechanism, joint, 0, 0, 0, bodies, size_, rows_);
+  });
+  for (const int body : held_[g]) {
+    ConstraintRow hold;
+    hold.body = {0, body};
+    hold.coefficient[1].z() = size_;
+    rows_.push_back(hold);
+  }
+}
+
+void Statics::set_layout(const Run& run) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const Group& group = run.plan.groups[g];
+    Block block;
+    block.first_row = rows_.size();
+    block.bodies = group.bodies;
+    append_rows_of(run, g);
+    block.row_count = rows_.size() - block.first_row;
+    for (std::size_t i = 1; i <= held_[g].size(); ++i) {
+      held_rows_.push_back(rows_.size() - i);
+    }
+    redundant_ = redundant_ || block.row_count != 3 * group.bodies.size();
+    if (group.bodies.size() == 2) {
+      block.factors.emplace<Factors<Matrix6d>>(Matrix6d::Identity());
+    } else if (group.bodies.size() > 2) {
+      block.factors.emplace<Factors<Eigen::MatrixXd>>();
+    }
+    for (std::size_t i = block.first_row; i < rows_.size(); ++i) {
+      std::array<int, 2> columns{-1, -1};
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto found = std::find(group.bodies.begin(), group.bodies.end(), rows_[i].body[k]);
+        if (found != group.bodies.end()) {
+          columns[k] = static_cast<int>(3 * (found - group.bodies.begin()));
+        }
+      }
+      columns_.push_back(columns);
+    }
+    blocks_.push_back(std::move(block));
+  }
+  multipliers_.resize(rows_.size());
+  determined_.assign(rows_.size(), true);
+}
+
+void Statics::stand(const Run& run) {
+  rows_.clear();
+  for (std::size_t g = 0; g < blocks_.size(); ++g) {
+    append_rows_of(run, g);
+  }
+  if (redundant_) {
+    factorise_all();
+    return;
+  }
+  for (Block& block : blocks_) {
+    std::visit([&](auto& factors) { factorise(block, factors); }, block.factors);
+  }
+}
+
+template <class Matrix>
+void Statics::factorise(const Block& block, Factors<Matrix>& factors) const {
+  const auto n = static_cast<Eigen::Index>(block.row_count);
+  Matrix A = Matrix::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t at = block.first_row + static_cast<std::size_t>(i);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (columns_[at][k] >= 0) {
+        A.template block<3, 1>(columns_[at][k], i) += scaled(rows_[at].coefficient[k], size_);
+      }
+    }
+  }
+  factors.compute(A);
+}
+
+template <class Matrix>
+void Statics::solve(const Block& block, const Factors<Matrix>& factors, std::vector<Wrench>& wrenches) {
+  constexpr int kSize = Matrix::RowsAtCompileTime;
+  Eigen::Matrix<double, kSize, 1> b(static_cast<Eigen::Index>(block.row_count));
+  for (std::size_t k = 0; k < block.bodies.size(); ++k) {
+    b.template segment<3>(static_cast<Eigen::Index>(3 * k)) =
+        -scaled(wrenches[static_cast<std::size_t>(block.bodies[k])], size_);
+  }
+  const Eigen::Matrix<double, kSize, 1> x = factors.solve(b);
+  for (std::size_t i = 0; i < block.row_count; ++i) {
+    const std::size_t at = block.first_row + i;
+    multipliers_[at] = x(static_cast<Eigen::Index>(i));
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (columns_[at][k] < 0) {
+        wrenches[static_cast<std::size_t>(rows_[at].body[k])] += multipliers_[at] * rows_[at].coefficient[k];
+      }
+    }
+  }
+}
+
+bool Statics::balance(std::vector<Wrench>& wrenches) {
+  if (redundant_) {
+    return solve_all(wrenches);
+  }
+  for (std::size_t g = blocks_.size(); g-- > 0;) {
+    const Block& block = blocks_[g];
+    std::visit([&](const auto& factors) { solve(block, factors, wrenches); }, block.factors);
+  }
+  return std::all_of(multipliers_.begin(), multipliers_.end(), [](double x) { return std::isfinite(x); });
+}
+
+double Statics::holding_power(const std::vector<BodyMotion>& bodies) const {
+  double sum = 0;
+  for (const std::size_t i : held_rows_) {
+    const double omega = bodies[static_cast<std::size_t>(rows_[i].body[1])].omega;
+    sum += multipliers_[i] * rows_[i].coefficient[1].z() * omega;
+  }
+  return sum;
+}
+
+void Statics::factorise_all() {
+  Eigen::Index columns = 0;
+  for (const Block& block : blocks_) {
+    columns += 3 * static_cast<Eigen::Index>(block.bodies.size());
+  }
+  jacobian_.setZero(static_cast<Eigen::Index>(rows_.size()), columns);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (rows_[i].body[k] > 0) {
+        jacobian_.block<1, 3>(static_cast<Eigen::Index>(i), 3 * (rows_[i].body[k] - 1)) +=
+            scaled(rows_[i].coefficient[k], size_).transpose();
+      }
+    }
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(kRankTolerance);
+  decomposition.compute(jacobian_);
+  pseudoinverse_ = decomposition.pseudoInverse();
+  // J J⁺ projects on the multipliers that hold some load; what it leaves of a unit multiplier is free.
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    determined_[i] = 1 - jacobian_.row(at).dot(pseudoinverse_.col(at)) <= kDetermined;
+  }
+}
+
+bool Statics::solve_all(const std::vector<Wrench>& wrenches) {
+  Eigen::VectorXd b(jacobian_.cols());
+  for (std::size_t body = 1; body < wrenches.size(); ++body) {
+    b.segment<3>(3 * (static_cast<Eigen::Index>(body) - 1)) = -scaled(wrenches[body], size_);
+  }
+  const Eigen::VectorXd x = pseudoinverse_.transpose() * b;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    multipliers_[i] = x(static_cast<Eigen::Index>(i));
+  }
+  const double left = (jacobian_.transpose() * x - b).lpNorm<Eigen::Infinity>();
+  return left <= kBalanced * b.lpNorm<Eigen::Infinity>();
+}
+
+}  // namespace higherpair

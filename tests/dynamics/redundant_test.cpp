@@ -1,0 +1,186 @@
+// More conditions than coordinates: what the balance determines is given, the rest is empty.
+#include "dynamics/dynamics_testing.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::Analysis;
+
+// Two friction discs, 40 and 100 mm, on fixed pivots; the second lifts a torque of 6 N m and weighs 3 kg.
+std::string discs(double direction) {
+  const double x = 0.14 * std::cos(direction), y = 0.14 * std::sin(direction);
+  return fmt::format(R"(gravity = [0, -9.81]
+[bodies.ground]
+points.A = [0, 0]
+points.B = [{}, {}]
+[bodies.small]
+points.A = [0, 0]
+curves.c = {{ type = "circle", center = [0, 0], radius = 0.04 }}
+[bodies.large]
+pose = {{ x = {}, y = {}, angle = 0 }}
+points.B = [0, 0]
+curves.c = {{ type = "circle", center = [0, 0], radius = 0.1 }}
+mass = 3
+center_of_mass = [0, 0]
+inertia = 0.02
+[joints.A]
+type = "revolute"
+between = ["ground.A", "small.A"]
+[joints.B]
+type = "revolute"
+between = ["ground.B", "large.B"]
+[contacts.touch]
+between = ["small.c", "large.c"]
+rolling = true
+[driver]
+joint = "A"
+[loads]
+lift = {{ body = "large", torque = 6 }}
+)",
+                     x, y, x, y);
+}
+
+TEST(Redundant, RollingDiscsHaveAFrictionForceButNoKnownNormalForce) {
+  Analysis pair(discs(0));
+  const double alpha = 5;
+  const Reactions& reactions = pair.at(0.3, 2, alpha);
+  ASSERT_TRUE(reactions.defined);
+  // ω₂ = -0.4 ω₁; the friction along t = +y turns the large disc with -0.1 m times it.
+  const double alpha2 = -0.4 * alpha;
+  const double friction = (6 - 0.02 * alpha2) / 0.1;
+  EXPECT_NEAR(*reactions.contacts[0].friction, friction, 1e-11);
+  EXPECT_FALSE(reactions.contacts[0].force);
+  EXPECT_FALSE(reactions.contacts[0].pulls);
+  EXPECT_NEAR(*reactions.drivers[0].effort, 0.04 * friction, 1e-12);
+  EXPECT_NEAR(*reactions.drivers[0].by_power, 0.04 * friction, 1e-12);
+  // The normal force only presses along the line of pivots, x here.
+  EXPECT_FALSE(reactions.joints[0].fx);
+  EXPECT_FALSE(reactions.joints[1].fx);
+  EXPECT_NEAR(*reactions.joints[0].fy, friction, 1e-11);
+  EXPECT_NEAR(*reactions.joints[1].fy, 3 * 9.81 - friction, 1e-11);
+}
+
+TEST(Redundant, AnInclinedLineOfPivotsLeavesBothComponentsOpen) {
+  Analysis pair(discs(0.7));
+  const Reactions& reactions = pair.at(0.3, 2, 0);
+  ASSERT_TRUE(reactions.defined);
+  EXPECT_FALSE(reactions.joints[0].fx);
+  EXPECT_FALSE(reactions.joints[0].fy);
+  EXPECT_NEAR(*reactions.contacts[0].friction, 60, 1e-10);
+  EXPECT_NEAR(*reactions.drivers[0].effort, 2.4, 1e-12);
+}
+
+// A platform on three parallel cranks of 0.1 m; one of them is too many.
+TEST(Redundant, ParallelCranksShareTheirLoadInAnUnknownWayButTheTorqueIsKnown) {
+  Analysis platform(R"(gravity = [0, -9.81]
+[bodies.ground]
+points.A = [0, 0]
+points.B = [0.3, 0]
+points.C = [0.5, 0]
+[bodies.a]
+points.A = [0, 0]
+points.P = [0.1, 0]
+[bodies.b]
+pose = { x = 0.3, y = 0, angle = 0.9 }
+points.B = [0, 0]
+points.Q = [0.1, 0]
+[bodies.c]
+pose = { x = 0.5, y = 0, angle = 0.9 }
+points.C = [0, 0]
+points.R = [0.1, 0]
+[bodies.platform]
+pose = { x = 0.0621609968, y = 0.0783326910, angle = 0 }
+points.P = [0, 0]
+points.Q = [0.3, 0]
+points.R = [0.5, 0]
+mass = 4
+center_of_mass = [0.21, 0.02]
+inertia = 0.1
+[joints.A]
+type = "revolute"
+between = ["ground.A", "a.A"]
+[joints.B]
+type = "revolute"
+between = ["ground.B", "b.B"]
+[joints.C]
+type = "revolute"
+between = ["ground.C", "c.C"]
+[joints.P]
+type = "revolute"
+between = ["a.P", "platform.P"]
+[joints.Q]
+type = "revolute"
+between = ["b.Q", "platform.Q"]
+[joints.R]
+type = "revolute"
+between = ["c.R", "platform.R"]
+[driver]
+joint = "A"
+start = 0.9
+)");
+  for (const double theta : {0.9, 1.1}) {
+    const double alpha = 3;
+    const Reactions& reactions = platform.at(theta, 2, alpha);
+    ASSERT_TRUE(reactions.defined);
+    // The platform moves on a circle without turning.
+    const double torque = 4 * 9.81 * 0.1 * std::cos(theta) + 4 * 0.01 * alpha;
+    EXPECT_NEAR(*reactions.drivers[0].effort, torque, 1e-10);
+    EXPECT_NEAR(*reactions.drivers[0].by_power, torque, 1e-10);
+    for (const JointReaction& joint : reactions.joints) {
+      EXPECT_FALSE(joint.fx);
+      EXPECT_FALSE(joint.fy);
+    }
+  }
+}
+
+TEST(Singular, RowsHaveNoReactions) {
+  // The parallelogram is flat at 0: its branches cross.
+  Analysis loop(R"([bodies.ground]
+points.A = [0, 0]
+points.D = [0.2, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [0.1, 0]
+[bodies.coupler]
+pose = { x = 0.0540302306, y = 0.0841470985 }
+points.B = [0, 0]
+points.C = [0.2, 0]
+[bodies.rocker]
+pose = { x = 0.2, y = 0, angle = 1 }
+points.D = [0, 0]
+points.C = [0.1, 0]
+[joints.A]
+type = "revolute"
+between = ["ground.A", "crank.A"]
+[joints.B]
+type = "revolute"
+between = ["crank.B", "coupler.B"]
+[joints.C]
+type = "revolute"
+between = ["coupler.C", "rocker.C"]
+[joints.D]
+type = "revolute"
+between = ["ground.D", "rocker.D"]
+[driver]
+joint = "A"
+start = 1
+[loads]
+twist = { body = "rocker", torque = 1 }
+)");
+  EXPECT_NEAR(*loop.at(1, 1, 0).drivers[0].effort, -1, 1e-12);
+  const Reactions& flat = loop.at(0, 1, 0);
+  EXPECT_EQ(loop.run.row.status, RowStatus::kSingular);
+  EXPECT_FALSE(flat.defined);
+  EXPECT_FALSE(flat.joints[1].fx);
+  EXPECT_FALSE(flat.drivers[0].effort);
+  EXPECT_FALSE(flat.drivers[0].by_power);
+  EXPECT_NEAR(*loop.at(-1, 1, 0).drivers[0].effort, -1, 1e-12);
+}
+
+}  // namespace
+}  // namespace higherpair
