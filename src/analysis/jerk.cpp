@@ -160,9 +160,27 @@ JerkRow jerks_of(const Run& run) {
     return {none, none};
   }
   JerkRow jerks{jerks_with(run, ContactShape::kTrue), {}};
-  jerks.linkage =
-      run.mechanism.contacts.empty() ? jerks.bodies : jerks_with(run, ContactShape::kFrozen);
+  jerks.linkage = run.mechanism.contacts.empty() ? jerks.bodies : jerks_with(run, ContactShape::kFrozen);
   return jerks;
+}
+
+std::optional<double> joint_jerk(const Run& run, int joint,
+                                 const std::vector<std::optional<BodyJerk>>& bodies) {
+  // The row of a driver on this joint is its coordinate.
+  const Joint& at = run.mechanism.joints[static_cast<std::size_t>(joint)];
+  std::vector<ConstraintRow> rows;
+  std::vector<double> deltas;
+  append_driver_row(run.mechanism, at, 0, 0, 0, run.row.bodies, 1, rows);
+  append_driver_jerk_term(run.mechanism, at, run.row.bodies, deltas);
+  double value = deltas.front();
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& jerk = bodies[static_cast<std::size_t>(rows.front().body[k])];
+    if (!jerk) {
+      return std::nullopt;
+    }
+    value += rows.front().coefficient[k].dot(Eigen::Vector3d(jerk->j_WB.x(), jerk->j_WB.y(), jerk->angular));
+  }
+  return value;
 }
 
 }  // namespace higherpair

@@ -106,8 +106,7 @@ PairJerk rolling_jerk(const ContactPair& pair, const ContactPosition& at) {
   const PairState state = pair_state(pair, at);
   const Vector2d relative_W =
       state.contact.normal_jerk() * at.n_W + state.contact.rolling_jerk * perp(at.n_W);
-  const double d3q =
-      (relative_W - state.known_relative_W).dot(state.per_q_W) / state.per_q_W.squaredNorm();
+  const double d3q = (relative_W - state.known_relative_W).dot(state.per_q_W) / state.per_q_W.squaredNorm();
   return {d3q, linkage_jerk(state, at.n_W)};
 }
 

@@ -75,8 +75,8 @@ void append_driver_jerk_term(const Mechanism& mechanism, const Joint& joint,
     return;
   }
   const BodyMotion& first = at(bodies, joint.first.body);
-  deltas.push_back(moving_term(first, first.X_WB.R_WB * joint.direction_A,
-                               relative_of(mechanism, joint, bodies)));
+  deltas.push_back(
+      moving_term(first, first.X_WB.R_WB * joint.direction_A, relative_of(mechanism, joint, bodies)));
 }
 
 }  // namespace higherpair

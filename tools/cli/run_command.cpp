@@ -1,5 +1,6 @@
 #include "run_command.hpp"
 
+#include "higherpair/io/jerk_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "row_writer.hpp"
 
@@ -212,13 +213,20 @@ int run_command(const RunOptions& options) {
     return report_input({about(options.profile, table.error())});
   }
 
+  std::vector<Column> columns = table->columns();
+  std::optional<JerkTable> jerk;
+  if (options.jerk) {
+    jerk.emplace(*profile, run->plan);
+    columns.insert(columns.end(), jerk->columns().begin(), jerk->columns().end());
+  }
+
   std::signal(SIGINT, on_interrupt);
   std::vector<RowWriter> writers = open_outputs(options);
   if (failed(writers)) {
     return kExitMachine;
   }
   for (RowWriter& writer : writers) {
-    writer.begin(profile->mechanism.title, table->columns());
+    writer.begin(profile->mechanism.title, columns);
   }
   Summary summary;
   std::vector<Event> events;
@@ -236,7 +244,8 @@ int run_command(const RunOptions& options) {
       events.push_back(printed(event, *profile));
     }
     all_ok = all_ok && run->row.status == RowStatus::kOk;
-    const auto& cells = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
+    const auto& motion = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
+    const auto& cells = jerk ? jerk->behind(motion, *run) : motion;
     for (RowWriter& writer : writers) {
       writer.row(cells);
     }
@@ -255,7 +264,7 @@ int run_command(const RunOptions& options) {
     return kExitMachine;
   }
   if (options.summary) {
-    summary.print(profile->mechanism.title, table->columns());
+    summary.print(profile->mechanism.title, columns);
   }
   if (!options.quiet) {
     for (const Event& event : events) {

@@ -39,8 +39,8 @@ struct ContactJerk {
 /// Third derivative of the follower's coordinate by the driver's.
 struct PairJerk {
   double d3q = 0;                     ///< d³q/du³ of the two curves
-  std::optional<double> linkage_d3q;  ///< of the equivalent linkage frozen at this position; none where n lets
-                                      ///< the follower move freely (its joint's pivot on the normal)
+  std::optional<double> linkage_d3q;  ///< of the equivalent linkage frozen at this position; none where n
+                                      ///< lets the follower move freely (its joint's pivot on the normal)
 };
 
 /// \pre `at` solves the pair with its rates; for `slipping_jerk` gap_q is not 0 (it is at a limit position
