@@ -122,4 +122,22 @@ TEST_F(Program, WritesTheSameRowsToFilesAsToStandardOutput) {
   EXPECT_THAT(direct.out, HasSubstr("time[s],driver[deg],driver.velocity[deg/s]"));
 }
 
+TEST_F(Program, WritesJerkBesideThatOfTheFrozenLinkage) {
+  const Outcome plain = run("analyze " + profile("flat_faced_translating.toml") + " --samples 3");
+  EXPECT_EQ(plain.out.find("jerk"), std::string::npos);
+  const Outcome outcome =
+      run("analyze " + profile("flat_faced_translating.toml") + " --jerk --samples 3 --json -");
+  EXPECT_EQ(outcome.code, 0);
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const nlohmann::json& columns = json.at("columns");
+  const std::size_t last = columns.size() - 1;
+  EXPECT_THAT(columns[last].at("name").get<std::string>(), HasSubstr(".jerk_linkage"));
+  EXPECT_EQ(columns[last].at("unit"), "mm/s^3");
+  // A disc keeps its radius of curvature.
+  for (const nlohmann::json& row : json.at("rows")) {
+    ASSERT_EQ(row.size(), columns.size());
+    EXPECT_NEAR(row[last - 1].get<double>(), row[last].get<double>(), 1e-9);
+  }
+}
+
 }  // namespace

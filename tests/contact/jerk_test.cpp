@@ -53,37 +53,39 @@ TEST(Jerk, OfAFlatFaceOnAnEllipseIsThatOfItsSupport) {
   }
 }
 
-// θ4'' of a four-bar whose crank turns steadily from the angle u on, in the mode nearest to the arm given.
-double four_bar_acceleration(const FourBar& linkage, double theta2, double theta4) {
-  const AngleMotion crank = {theta2, 1, 0};
-  double alpha = NAN;
-  double nearest = INFINITY;
-  for (const AssemblyMode mode : {AssemblyMode::kPlus, AssemblyMode::kMinus}) {
-    const FourBarMotion motion = four_bar_by_crank(linkage, crank, mode);
-    const double distance = std::abs(nearest_turn(motion.theta4 - theta4, 0));
-    if (motion.rates && distance < nearest) {
-      nearest = distance;
-      alpha = motion.rates->alpha4;
-    }
-  }
-  return alpha;
+// The mode in which link 4 stands at θ4.
+AssemblyMode mode_at(const FourBar& linkage, double theta2, double theta4) {
+  const auto distance = [&](AssemblyMode mode) {
+    return std::abs(nearest_turn(four_bar_by_crank(linkage, {theta2, 1, 0}, mode).theta4 - theta4, 0));
+  };
+  return distance(AssemblyMode::kPlus) < distance(AssemblyMode::kMinus) ? AssemblyMode::kPlus
+                                                                        : AssemblyMode::kMinus;
 }
 
+struct Difference {
+  double value = NAN;
+  double error = INFINITY;
+};
+
 // d³θ4/dθ2³ of the four-bar between pivots and centres of curvature, by differences of θ4'' of two widths.
-double four_bar_jerk(const ContactPair& pair, const ContactPosition& at) {
+Difference four_bar_jerk(const ContactPair& pair, const ContactPosition& at) {
   const Vector2d O1 = pair.motion1.p_WO;
   const Vector2d O2 = pair.motion2.p_WO;
   const Vector2d arm1 = at.p1_W - at.rho1 * at.n_W - O1;
   const Vector2d arm2 = at.p2_W + at.rho2 * at.n_W - O2;
   const FourBar linkage = {(O2 - O1).norm(), arm1.norm(), std::abs(at.rho1 + at.rho2), arm2.norm(),
                            angle_of(O2 - O1)};
+  const AssemblyMode mode = mode_at(linkage, angle_of(arm1), angle_of(arm2));
   const auto slope = [&](double h) {
     const auto alpha = [&](double d) {
-      return four_bar_acceleration(linkage, angle_of(arm1) + d, angle_of(arm2) + d * at.dq);
+      const FourBarMotion motion = four_bar_by_crank(linkage, {angle_of(arm1) + d, 1, 0}, mode);
+      return motion.rates ? motion.rates->alpha4 : NAN;
     };
     return (8 * (alpha(h) - alpha(-h)) - (alpha(2 * h) - alpha(-2 * h))) / (12 * h);
   };
-  return (16 * slope(5e-4) - slope(1e-3)) / 15;
+  const double wide = slope(1e-3);
+  const double narrow = slope(5e-4);
+  return {(16 * narrow - wide) / 15, std::abs(narrow - wide)};
 }
 
 // Ellipses with a = 1, e = 1/2 about foci 2 apart: dq/du = -r/(2 - r), r = p/(1 + e cos u), p = 1 - e².
@@ -107,7 +109,7 @@ TEST(Jerk, OfEllipsesRollingAboutTheirFociIsThatOfTheRatioOfRadii) {
     const bool in_line = std::abs(std::sin(u)) < 1e-9;
     EXPECT_EQ(jerk.linkage_d3q.has_value(), !in_line) << degrees;
     if (jerk.linkage_d3q) {
-      EXPECT_LE(std::abs(*jerk.linkage_d3q - four_bar_jerk(pair, track.at)), 1e-7) << degrees;
+      EXPECT_LE(std::abs(*jerk.linkage_d3q - four_bar_jerk(pair, track.at).value), 1e-7) << degrees;
       EXPECT_GT(std::abs(*jerk.linkage_d3q - third), 0.05) << degrees;
     }
   }
@@ -143,11 +145,6 @@ std::optional<Found> next_healthy(RandomPairs& random) {
 }
 
 // d/du of d²q/du² over the five points u - 2h … u + 2h, of which two widths are combined.
-struct Difference {
-  double value = NAN;
-  double error = INFINITY;
-};
-
 Difference jerk_by_difference(const Found& found, double h) {
   double slopes[2];
   for (int i = 0; i < 2; ++i, h /= 2) {
@@ -169,7 +166,7 @@ TEST(Jerk, OfRandomPairsIsTheDifferenceOfTheirAccelerations) {
   RandomPairs random(20611);
   int compared = 0;
   int unlike_linkage = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const auto found = next_healthy(random);
     if (!found) {
       continue;
@@ -189,14 +186,14 @@ TEST(Jerk, OfRandomPairsIsTheDifferenceOfTheirAccelerations) {
     EXPECT_LE(std::abs(jerk->d3q - difference.value), difference.error + rounding) << i;
     unlike_linkage += std::abs(jerk->d3q - *jerk->linkage_d3q) > 1e-3 * std::abs(jerk->d3q) ? 1 : 0;
   }
-  EXPECT_GT(compared, 200);
-  EXPECT_GT(unlike_linkage, 60);
+  EXPECT_GT(compared, 60);
+  EXPECT_GT(unlike_linkage, 20);
 }
 
 TEST(Jerk, OfTheFrozenLinkageIsThatOfItsFourBar) {
   RandomPairs random(831);
   int compared = 0;
-  for (int i = 0; i < 2500; ++i) {
+  for (int i = 0; i < 900; ++i) {
     const auto found = next_healthy(random);
     if (!found) {
       continue;
@@ -205,18 +202,22 @@ TEST(Jerk, OfTheFrozenLinkageIsThatOfItsFourBar) {
     const ContactPosition& at = found->track.at;
     const bool four_bar = pair.motion1.turns && pair.motion2.turns && pair.curve1.kind != CurveKind::kLine &&
                           pair.curve2.kind != CurveKind::kLine;
-    // Differences over 1e-3 rad say little about a motion that changes within a few of them.
-    if (!four_bar || std::abs(at.d2q) > 10) {
+    if (!four_bar) {
+      continue;
+    }
+    const auto jerk = slipping_jerk(pair, at);
+    ASSERT_TRUE(jerk && jerk->linkage_d3q);
+    const Difference difference = four_bar_jerk(pair, at);
+    // Near a limit of the linkage differences say nothing.
+    if (!(difference.error < 1e-6 * (1 + std::abs(difference.value)))) {
       continue;
     }
     ++compared;
-    const auto jerk = slipping_jerk(pair, at);
-    ASSERT_TRUE(jerk && jerk->linkage_d3q);
-    EXPECT_LE(std::abs(*jerk->linkage_d3q - four_bar_jerk(pair, at)),
-              1e-6 * (1 + std::abs(*jerk->linkage_d3q)))
+    EXPECT_LE(std::abs(*jerk->linkage_d3q - difference.value),
+              difference.error + 1e-8 * (1 + std::abs(at.d2q) + std::abs(difference.value)))
         << i;
   }
-  EXPECT_GT(compared, 40);
+  EXPECT_GT(compared, 15);
 }
 
 // Mirrored in the x axis and scaled.
@@ -240,7 +241,7 @@ ContactPair mirrored(ContactPair pair, double scale) {
 TEST(Jerk, FollowsScaledAndMirroredCopies) {
   RandomPairs random(77);
   int compared = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const auto found = next_healthy(random);
     if (!found) {
       continue;
@@ -266,7 +267,7 @@ TEST(Jerk, FollowsScaledAndMirroredCopies) {
     EXPECT_LE(std::abs(copied->d3q / factor - jerk->d3q), tolerance) << i;
     EXPECT_LE(std::abs(*copied->linkage_d3q / factor - *jerk->linkage_d3q), tolerance) << i;
   }
-  EXPECT_GT(compared, 50);
+  EXPECT_GT(compared, 20);
 }
 
 TEST(Jerk, IsNotGivenWhereNothingHoldsTheFollower) {
