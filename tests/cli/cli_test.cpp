@@ -124,7 +124,7 @@ TEST_F(Program, WritesTheSameRowsToFilesAsToStandardOutput) {
 }
 
 TEST_F(Program, WritesReactionsBelowTheSpeedOfLiftOff) {
-  const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml"));
+  const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") + " --quiet");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("guide.m[N*mm],touch.force[N],touch.friction[N],driver.effort[N*mm],"
@@ -137,8 +137,10 @@ TEST_F(Program, SaysWhereAContactOpensAndWhatWouldKeepItClosed) {
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("contact_open at driver = 56.951882894546"));
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
-  ASSERT_EQ(json.at("events").size(), 1U);
-  const nlohmann::json& event = json.at("events").at(0);
+  const auto opens = std::find_if(json.at("events").begin(), json.at("events").end(),
+                                  [](const nlohmann::json& one) { return one.at("type") == "contact_open"; });
+  ASSERT_NE(opens, json.at("events").end());
+  const nlohmann::json& event = *opens;
   // N = 10.943 N - (m e w^2 - k e) sin(theta), see the profile.
   const double w = 800 * 2 * 3.14159265358979323846 / 60;
   const double angle = std::asin(10.943 / (0.003 * w * w - 8)) * 180 / 3.14159265358979323846;
@@ -164,6 +166,24 @@ TEST_F(Program, RunsTheForcesOfEveryShippedProfile) {
   for (const auto& entry : fs::directory_iterator(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles")) {
     const Outcome outcome = run("forces " + entry.path().string());
     EXPECT_EQ(outcome.code, entry.path().stem() == "lock_up" ? 4 : 0) << entry.path() << outcome.err;
+  }
+}
+
+TEST_F(Program, WritesJerkBesideThatOfTheFrozenLinkage) {
+  const Outcome plain = run("analyze " + profile("flat_faced_translating.toml") + " --samples 3");
+  EXPECT_EQ(plain.out.find("jerk"), std::string::npos);
+  const Outcome outcome =
+      run("analyze " + profile("flat_faced_translating.toml") + " --jerk --samples 3 --json -");
+  EXPECT_EQ(outcome.code, 0);
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const nlohmann::json& columns = json.at("columns");
+  const std::size_t last = columns.size() - 1;
+  EXPECT_THAT(columns[last].at("name").get<std::string>(), HasSubstr(".jerk_linkage"));
+  EXPECT_EQ(columns[last].at("unit"), "mm/s^3");
+  // A disc keeps its radius of curvature.
+  for (const nlohmann::json& row : json.at("rows")) {
+    ASSERT_EQ(row.size(), columns.size());
+    EXPECT_NEAR(row[last - 1].get<double>(), row[last].get<double>(), 1e-6);
   }
 }
 

@@ -28,6 +28,8 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
                    "largest closure error of an ok row, relative to the size")
       ->check(CLI::PositiveNumber);
   command->add_flag("--quiet", options.quiet, "no events and no progress on standard error");
+  command->add_flag("--jerk", options.jerk,
+                    "columns of the true jerk, and of that of the frozen equivalent linkage");
   command->add_flag("--summary", options.summary, "print the range of every column on standard output");
   return command;
 }

@@ -1,6 +1,7 @@
 #include "run_command.hpp"
 
 #include "force_rows.hpp"
+#include "higherpair/io/jerk_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "row_writer.hpp"
 
@@ -221,7 +222,12 @@ int run_command(const RunOptions& options) {
     }
     forces.emplace(*profile, *run, *std::move(force_table));
   }
-  const std::vector<Column>& columns = forces ? forces->columns() : table->columns();
+  std::vector<Column> columns = forces ? forces->columns() : table->columns();
+  std::optional<JerkTable> jerk;
+  if (options.jerk) {
+    jerk.emplace(*profile, run->plan);
+    columns.insert(columns.end(), jerk->columns().begin(), jerk->columns().end());
+  }
 
   std::signal(SIGINT, on_interrupt);
   std::vector<RowWriter> writers = open_outputs(options);
@@ -248,7 +254,8 @@ int run_command(const RunOptions& options) {
     }
     all_ok = all_ok && run->row.status == RowStatus::kOk;
     const auto& motion = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
-    const auto& cells = forces ? forces->row(*run, motions, motion, events) : motion;
+    const auto& with_forces = forces ? forces->row(*run, motions, motion, events) : motion;
+    const auto& cells = jerk ? jerk->behind(with_forces, *run) : with_forces;
     for (RowWriter& writer : writers) {
       writer.row(cells);
     }

@@ -27,6 +27,7 @@ struct RunOptions {
   double tolerance = 1e-9;
   bool quiet = false;
   bool summary = false;
+  bool jerk = false;  ///< columns of jerk behind those of the motion
 };
 
 /// Prints what is wrong with the input on standard error; returns the exit code.

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "higherpair/contact/common_normal.hpp"
+#include "higherpair/contact/contact_pair.hpp"
+
+#include <array>
+#include <optional>
+
+namespace higherpair {
+
+/// What keeping a contact asks of the jerks of two bodies. n out of body 1, t = n turned +90°; u1, u2 speeds
+/// of the contact point along each curve, φ the angle of n, v_s the sliding velocity (see ContactRates).
+struct ContactJerk {
+  double phi_ddot = 0;             ///< φ̈ [rad/s²]
+  double along1 = 0, along2 = 0;   ///< u̇1, u̇2 [m/s²]
+  double linkage_normal_jerk = 0;  ///< n·(j2 - j1) of the equivalent linkage frozen at this instant [m/s³]
+  std::array<double, 2> rate_of_curvature{};  ///< what each curve adds to it: (dρi/dφ) (φ̇ - ωi)³ [m/s³]
+  double rolling_jerk = 0;  ///< t·(j2 - j1) that a contact without slip asks for besides [m/s³]
+
+  /// n·(j2 - j1) of the material points at the contact that keeps it [m/s³].
+  [[nodiscard]] double normal_jerk() const {
+    return linkage_normal_jerk + rate_of_curvature[0] + rate_of_curvature[1];
+  }
+};
+
+/// The condition n·(v2 - v1) = 0 at the moving contact point differentiated twice. With v_r = v2 - v1 and
+/// a_s = t·(a2 - a1) = v̇_s of the material points at the contact, ω_r = ω2 - ω1, α_r = α2 - α1, the weights
+/// w1, w2, w, z of the equivalent link, ν1 = φ̇ - ω1, ν2 = ω2 - φ̇ and ρi' = dρi/dφ:
+///     u̇1 = z α_r + w2 a_s + C,   u̇2 = z α_r - w1 a_s + C,   C = w1 ρ1' ν1² - w2 ρ2' ν2²,
+///     φ̈ = α1 + w1 α_r + w a_s - w (ρ1' ν1² + ρ2' ν2²),
+///     n·(j2 - j1) = 2 (α2 u2 - α1 u1) + ω2 u̇2 - ω1 u̇1 - 2 φ̇ a_s - v_s φ̈,
+/// in which the terms with ρ' come together to ρ1' ν1³ - ρ2' ν2³. A line or a point has none (its ρ' ν² is
+/// 0), nor has a circle, nor a vertex of a conic: there the jerk of the equivalent linkage is the true one.
+/// Without slip (v_s = 0 at all times, u1 = u2 = u) also t·(j2 - j1) = ω_r (ω1 + ω2 + φ̇) u.
+/// Uses the velocities and accelerations of the bodies only. \pre They keep the contact.
+[[nodiscard]] ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonNormal& at,
+                                       const BodyMotion& body1, const BodyMotion& body2);
+
+/// Third derivative of the follower's coordinate by the driver's.
+struct PairJerk {
+  double d3q = 0;                     ///< d³q/du³ of the two curves
+  std::optional<double> linkage_d3q;  ///< of the equivalent linkage frozen at this position; none where n
+                                      ///< lets the follower move freely (its joint's pivot on the normal)
+};
+
+/// \pre `at` solves the pair with its rates; for `slipping_jerk` gap_q is not 0 (it is at a limit position
+/// and where branches cross: none is given there).
+[[nodiscard]] std::optional<PairJerk> slipping_jerk(const ContactPair& pair, const ContactPosition& at);
+
+/// The same for a pair that rolls (RollingTrack::at); no singular positions.
+[[nodiscard]] PairJerk rolling_jerk(const ContactPair& pair, const ContactPosition& at);
+
+}  // namespace higherpair

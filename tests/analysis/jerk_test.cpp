@@ -1,0 +1,219 @@
+#include "higherpair/analysis/jerk.hpp"
+
+#include "higherpair/contact/jerk.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "io/profile_testing.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+Profile shipped(const std::string& name) {
+  return read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml").value();
+}
+
+// A four-bar whose coupler drives a slider by a rod, and a lever with a slot on the crank's pin.
+constexpr const char* kLinkages = R"(
+[bodies.ground]
+points = { A = [0, 0], D = [90, 0], S = [0, 0], G = [-60, -80] }
+[bodies.crank]
+points = { A = [0, 0], B = [30, 0] }
+[bodies.coupler]
+pose   = { x = 26, y = 14, angle = 40 }
+points = { B = [0, 0], C = [80, 0], E = [40, 35] }
+[bodies.rocker]
+pose   = { x = 90, y = 0, angle = 92 }
+points = { D = [0, 0], C = [60, 0] }
+[bodies.rod]
+pose   = { x = 34, y = 67, angle = -42 }
+points = { E = [0, 0], F = [100, 0] }
+[bodies.slider]
+pose   = { x = 108, y = 0 }
+points.F = [0, 0]
+[bodies.lever]
+pose   = { x = -60, y = -80, angle = 48 }
+points = { G = [0, 0] }
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "coupler.B"] }
+c = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+d = { type = "revolute", between = ["ground.D", "rocker.D"] }
+e = { type = "revolute", between = ["coupler.E", "rod.E"] }
+f = { type = "revolute", between = ["rod.F", "slider.F"] }
+s = { type = "prismatic", between = ["ground.S", "slider.F"], direction = [1, 0] }
+g = { type = "revolute", between = ["ground.G", "lever.G"] }
+h = { type = "slot", between = ["lever.G", "crank.B"], direction = [1, 0] }
+[driver]
+joint = "a"
+)";
+
+// An elliptic cam turns a lever by a roller, and an ellipse on the lever lifts a flat tappet.
+constexpr const char* kChain = R"(
+[bodies.ground]
+points = { O = [0, 0], P = [80, 0], Q = [80, 100] }
+[bodies.cam]
+points.O = [0, 0]
+curves.edge = { type = "ellipse", center = [5, 3], semi_axes = [30, 20] }
+[bodies.lever]
+pose = { x = 80, y = 0 }
+points.P = [0, 0]
+curves.roller = { type = "circle", center = [-60, 45], radius = 12 }
+curves.top = { type = "ellipse", center = [-20, 60], semi_axes = [25, 15] }
+[bodies.tappet]
+pose = { x = 80, y = 100 }
+points.T = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints]
+cam_pivot   = { type = "revolute", between = ["ground.O", "cam.O"] }
+lever_pivot = { type = "revolute", between = ["ground.P", "lever.P"] }
+guide       = { type = "prismatic", between = ["ground.Q", "tappet.T"], direction = [0, 1] }
+[contacts]
+lower = { between = ["cam.edge", "lever.roller"] }
+upper = { between = ["lever.top", "tappet.face"] }
+[driver]
+joint = "cam_pivot"
+)";
+
+// A slide, which is driven, turns a crank by a rod.
+constexpr const char* kDrivenSlide = R"(
+units = { length = "m", angle = "rad" }
+[bodies.ground]
+points = { S = [0, 0], D = [1, 1.5] }
+[bodies.slider]
+points.P = [0, 0]
+[bodies.rod]
+pose   = { x = 0, y = 0, angle = 1.6 }
+points = { P = [0, 0], C = [2, 0] }
+[bodies.crank]
+pose   = { x = 1, y = 1.5, angle = 2.8 }
+points = { D = [0, 0], C = [1.5, 0] }
+[joints]
+s = { type = "prismatic", between = ["ground.S", "slider.P"], direction = [0.8, -0.6] }
+p = { type = "revolute", between = ["slider.P", "rod.P"] }
+c = { type = "revolute", between = ["rod.C", "crank.C"] }
+d = { type = "revolute", between = ["ground.D", "crank.D"] }
+[driver]
+joint = "s"
+start = 0
+end = 1
+)";
+
+std::vector<Profile> profiles() {
+  std::vector<Profile> all = {testing::read(kLinkages), testing::read(kChain), testing::read(kDrivenSlide)};
+  for (const char* name : {"ellipse_cam_roller", "eccentric_disc_oscillating_roller",
+                           "flat_faced_oscillating", "flat_faced_translating", "knife_edge",
+                           "offset_translating_roller", "conic_by_coefficients", "rolling_ellipses"}) {
+    all.push_back(shipped(name));
+  }
+  return all;
+}
+
+Run run_at(const Profile& profile, double u) {
+  Run run = start_run(profile.mechanism, {0}).value();
+  move_to(run, {{u, 1, 0.5}});
+  EXPECT_EQ(run.row.status, RowStatus::kOk) << profile.mechanism.title;
+  return run;
+}
+
+// Differences of a_x, a_y, α over times of the driver's motion u + t + t²/4.
+Eigen::Vector3d slope(const Run& at, double u, std::size_t body, double h) {
+  const auto acceleration = [&](double t) {
+    Run run = at;
+    move_to(run, {{u + t + t * t / 4, 1 + t / 2, 0.5}});
+    const BodyMotion& motion = run.row.bodies[body];
+    return Eigen::Vector3d(motion.a_WB.x(), motion.a_WB.y(), motion.alpha);
+  };
+  return (8 * (acceleration(h) - acceleration(-h)) - (acceleration(2 * h) - acceleration(-2 * h))) / (12 * h);
+}
+
+TEST(JerksOfARun, AreTheDifferencesOfItsAccelerations) {
+  for (const Profile& profile : profiles()) {
+    for (const double u : {0.4, 1.1}) {
+      const higherpair::Run run = run_at(profile, u);
+      const JerkRow jerks = jerks_of(run);
+      for (std::size_t i = 1; i < jerks.bodies.size(); ++i) {
+        ASSERT_TRUE(jerks.bodies[i]) << profile.mechanism.title << profile.mechanism.bodies[i].name;
+        const Eigen::Vector3d jerk(jerks.bodies[i]->j_WB.x(), jerks.bodies[i]->j_WB.y(),
+                                   jerks.bodies[i]->angular);
+        const Eigen::Vector3d wide = slope(run, u, i, 4e-3);
+        const Eigen::Vector3d narrow = slope(run, u, i, 2e-3);
+        const Eigen::Vector3d value = (16 * narrow - wide) / 15;
+        // Rounding of accelerations over the step.
+        const double tolerance = (narrow - wide).norm() + 1e-9 * (1 + value.norm());
+        EXPECT_LE((jerk - value).norm(), tolerance)
+            << profile.mechanism.title << ' ' << profile.mechanism.bodies[i].name << " at " << u;
+      }
+    }
+  }
+}
+
+// The mechanism with circles of curvature in place of its conics, posed as it stands.
+Mechanism with_circles(const Run& run) {
+  Mechanism mechanism = run.mechanism;
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    mechanism.bodies[i].guess_p_WB = run.row.bodies[i].X_WB.p_WB;
+    mechanism.bodies[i].guess_theta = run.row.bodies[i].theta;
+  }
+  const auto replace = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
+    const auto body = static_cast<std::size_t>(ref.body);
+    Curve& curve = mechanism.bodies[body].curves[static_cast<std::size_t>(ref.curve)].curve;
+    if (is_conic(curve)) {
+      const Vector2d center_B = run.row.bodies[body].X_WB.inverse_times(p_W - rho * n_W);
+      curve = make_circle(center_B, std::abs(rho), rho > 0 ? Side::kInside : Side::kOutside).value();
+    }
+  };
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    const CommonNormal& at = run.row.contacts[i].at;
+    replace(mechanism.contacts[i].first, at.p1_W, at.n_W, at.rho1);
+    replace(mechanism.contacts[i].second, at.p2_W, -at.n_W, at.rho2);
+  }
+  return mechanism;
+}
+
+TEST(JerksOfARun, OfTheFrozenLinkageAreThoseOfCirclesOfCurvature) {
+  for (const Profile& profile : {testing::read(kChain), shipped("ellipse_cam_roller")}) {
+    const double u = 0.9;
+    const higherpair::Run run = run_at(profile, u);
+    const JerkRow jerks = jerks_of(run);
+    higherpair::Run circles = start_run(with_circles(run), {u}).value();
+    move_to(circles, {{u, 1, 0.5}});
+    const JerkRow expected = jerks_of(circles);
+    const std::size_t last = jerks.bodies.size() - 1;
+    ASSERT_TRUE(jerks.linkage[last] && expected.bodies[last]);
+    const double scale = 1e-9 * (1 + jerks.linkage[last]->j_WB.norm());
+    EXPECT_LE((jerks.linkage[last]->j_WB - expected.bodies[last]->j_WB).norm(), scale);
+    EXPECT_LE(std::abs(jerks.linkage[last]->angular - expected.bodies[last]->angular), 1e-9);
+    // Origins on a pivot have no jerk.
+    EXPECT_GT((jerks.linkage[last]->j_WB - jerks.bodies[last]->j_WB).norm() +
+                  std::abs(jerks.linkage[last]->angular - jerks.bodies[last]->angular),
+              1e-4);
+  }
+}
+
+TEST(JerksOfARun, OfARollingPairAreThoseOfThePair) {
+  higherpair::Run run = start_run(shipped("rolling_ellipses").mechanism, {0}).value();
+  move_to(run, {{0.8, 3, 0}});
+  const JerkRow jerks = jerks_of(run);
+  const auto* track = std::get_if<RollingTrack>(&run.state.tracks.back());
+  ASSERT_NE(track, nullptr);
+  const PairJerk pair = rolling_jerk(track->pair, track->at);
+  ASSERT_TRUE(jerks.bodies.back() && jerks.linkage.back() && pair.linkage_d3q);
+  EXPECT_LE(std::abs(jerks.bodies.back()->angular - 27 * pair.d3q), 1e-10);
+  EXPECT_LE(std::abs(jerks.linkage.back()->angular - 27 * *pair.linkage_d3q), 1e-10);
+}
+
+TEST(JerksOfARun, AreMissingWhereTheRowIs) {
+  higherpair::Run run = start_run(shipped("lock_up").mechanism, {0}).value();
+  move_to(run, {{kPi, 1, 0}});
+  ASSERT_EQ(run.row.status, RowStatus::kNotAssemblable);
+  for (const auto& jerk : jerks_of(run).bodies) {
+    EXPECT_FALSE(jerk);
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
