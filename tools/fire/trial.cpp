@@ -39,13 +39,19 @@ Failure laws(const ContactPair& pair, const ContactPosition& at, int row) {
   return {};
 }
 
-// A rate against a difference; what the difference does not know itself passes.
-Failure compare(const char* law, double rate, const Difference& difference, double rounding, int row) {
+// The relative error of a difference because the driver positions u ± h/4 are rounded.
+double position_noise(double u, double h) {
+  return 1e-8 + 4e-15 * std::abs(u / h);
+}
+
+// A rate against a difference; what the difference does not know itself passes. `noise` is relative.
+Failure compare(const char* law, double rate, const Difference& difference, double noise, double rounding,
+                int row) {
   if (!(difference.error < 1e-4 * std::abs(difference.value))) {
     return {};
   }
   // Close to a limit the series in h² converges slowly, and the rest is of the order of its last step.
-  const double tolerance = 4 * difference.error + 1e-8 * std::abs(difference.value) + rounding;
+  const double tolerance = 4 * difference.error + noise * std::abs(difference.value) + rounding;
   if (std::abs(rate - difference.value) <= tolerance) {
     return {};
   }
@@ -62,16 +68,17 @@ Failure rates(const ContactTrack& track, double h, int row) {
       return of(moved.at);
     };
   };
+  const double noise = position_noise(track.at.u, h);
   const auto q_of = [](const ContactPosition& at) { return at.q; };
   const auto dq_of = [](const ContactPosition& at) { return at.dq; };
   const double unit = track.pair.motion2.turns ? 1 : testing::length_scale(track.pair, track.at);
   const double u_unit = track.pair.motion1.turns ? 1 : testing::length_scale(track.pair, track.at);
   const double rounding = 1e-13 * (std::abs(track.at.q) + unit) / std::abs(h);
-  if (auto f = compare("dq", track.at.dq, testing::difference(h, beside(q_of)), rounding, row)) {
+  if (auto f = compare("dq", track.at.dq, testing::difference(h, beside(q_of)), noise, rounding, row)) {
     return f;
   }
   const double second = 1e-12 * std::abs(track.at.dq) / std::abs(h) + rounding / u_unit;
-  return compare("d2q", track.at.d2q, testing::difference(h, beside(dq_of)), second, row);
+  return compare("d2q", track.at.d2q, testing::difference(h, beside(dq_of)), noise, second, row);
 }
 
 Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
@@ -188,6 +195,7 @@ Failure row_laws(const Run& run, int k) {
 
 // Angular rates of every body against differences of the run.
 Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
+  const double noise = position_noise(driver.position, h);
   for (std::size_t i = 1; i < run.row.bodies.size(); ++i) {
     const auto beside = [&](bool second) {
       return [&, second](double offset) -> std::optional<double> {
@@ -202,12 +210,12 @@ Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
     const BodyMotion& B = run.row.bodies[i];
     const std::string& name = run.mechanism.bodies[i].name;
     const double rounding = 1e-13 * (1 + std::abs(B.theta)) / std::abs(h);
-    if (auto f = compare("omega", B.omega, testing::difference(h, beside(false)), rounding, k)) {
+    if (auto f = compare("omega", B.omega, testing::difference(h, beside(false)), noise, rounding, k)) {
       f.detail = name + ": " + f.detail;
       return f;
     }
     const double second = 1e-12 * std::abs(B.omega) / std::abs(h) + rounding;
-    if (auto f = compare("alpha", B.alpha, testing::difference(h, beside(true)), second, k)) {
+    if (auto f = compare("alpha", B.alpha, testing::difference(h, beside(true)), noise, second, k)) {
       f.detail = name + ": " + f.detail;
       return f;
     }
