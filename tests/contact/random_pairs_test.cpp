@@ -1,6 +1,7 @@
 #include "random_pairs.hpp"
 
 #include "contact_laws.hpp"
+#include "differences.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/tracker.hpp"
 
@@ -36,31 +37,20 @@ double step_of(const RandomCase& one) {
   return (one.pair.motion1.turns ? 1.0 : one.size) * kPi / 90;
 }
 
-// What a central difference of half-width h over the track gives, with its own error by halving h.
-struct Difference {
-  double value = INFINITY;
-  double error = INFINITY;
-};
-
+// A quantity of the track at some distance from where it stands.
 template <class Of>
-Difference difference(const ContactTrack& track, double h, const Of& of) {
-  double slopes[2];
-  for (int i = 0; i < 2; ++i, h /= 2) {
-    ContactTrack ahead = track;
-    ContactTrack behind = track;
-    if (follow_to(ahead, track.at.u + h).status != TrackStatus::kOk ||
-        follow_to(behind, track.at.u - h).status != TrackStatus::kOk) {
-      return {};
-    }
-    slopes[i] = (of(ahead.at) - of(behind.at)) / (ahead.at.u - behind.at.u);
-  }
-  return {(4 * slopes[1] - slopes[0]) / 3, std::abs(slopes[1] - slopes[0])};
+auto beside(const ContactTrack& track, const Of& of) {
+  return [&track, of](double offset) -> std::optional<double> {
+    ContactTrack moved = track;
+    if (follow_to(moved, track.at.u + offset).status != TrackStatus::kOk) return std::nullopt;
+    return of(moved.at);
+  };
 }
 
 void expect_rates_are_differences(const RandomCase& one, const ContactTrack& track, Counts& counts) {
   const double h = 0.03 * step_of(one);
-  const auto dq = difference(track, h, [](const ContactPosition& at) { return at.q; });
-  const auto d2q = difference(track, h, [](const ContactPosition& at) { return at.dq; });
+  const auto dq = testing::difference(h, beside(track, [](const ContactPosition& at) { return at.q; }));
+  const auto d2q = testing::difference(h, beside(track, [](const ContactPosition& at) { return at.dq; }));
   if (!(dq.error < 1e-2 * std::abs(dq.value)) || !(d2q.error < 1e-2 * std::abs(d2q.value))) {
     return;  // near a limit: the difference says nothing
   }

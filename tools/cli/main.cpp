@@ -1,6 +1,7 @@
 #include "branches_command.hpp"
 #include "mobility_command.hpp"
 #include "run_command.hpp"
+#include "verify_command.hpp"
 
 #include <exception>
 #include <new>
@@ -12,6 +13,7 @@ namespace {
 
 using higherpair::cli::BranchesOptions;
 using higherpair::cli::RunOptions;
+using higherpair::cli::VerifyOptions;
 
 CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& text,
                           RunOptions& options) {
@@ -50,6 +52,18 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
   return command;
 }
 
+CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
+  command->add_option("PROFILE", options.profile, "check this profile instead of the shipped references");
+  command->add_option("TABLE", options.table, "CSV of what is right for it: columns and rows as in --csv");
+  command->add_option("--json", options.json, "write values, errors and times as JSON to this file");
+  command->add_option("--bound", options.bound, "largest error, relative to a column's largest value")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--quiet", options.quiet, "print only what fails");
+  return command;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Analyses planar mechanisms whose bodies touch, by their equivalent linkages.", "higherpair");
   app.set_version_flag("--version", "higherpair " HIGHERPAIR_VERSION);
@@ -71,6 +85,8 @@ int run(int argc, char** argv) {
   const CLI::App* branches_command = add_branches_command(app, branches);
   higherpair::cli::MobilityOptions mobility;
   const CLI::App* mobility_command = higherpair::cli::add_mobility_command(app, mobility);
+  VerifyOptions verify;
+  const CLI::App* verify_command = add_verify_command(app, verify);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -78,6 +94,9 @@ int run(int argc, char** argv) {
   }
   if (branches_command->parsed()) {
     return higherpair::cli::branches_command(branches);
+  }
+  if (verify_command->parsed()) {
+    return higherpair::cli::verify_command(verify);
   }
   if (mobility_command->parsed()) {
     return higherpair::cli::mobility_command(mobility);

@@ -218,7 +218,7 @@ int run_command(const RunOptions& options) {
   if (options.forces) {
     auto force_table = ForceTable::make(*profile, table->columns());
     if (!force_table) {
-      return report({about(options.profile, force_table.error())});
+      return report_input({about(options.profile, force_table.error())});
     }
     forces.emplace(*profile, *run, *std::move(force_table));
   }

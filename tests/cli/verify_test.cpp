@@ -1,0 +1,119 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+};
+
+Outcome verify(const std::string& arguments) {
+  std::FILE* pipe = popen((std::string(HIGHERPAIR_PROGRAM) + " verify " + arguments + " 2>&1").c_str(), "r");
+  Outcome outcome;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
+    outcome.out += static_cast<char>(c);
+  }
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+std::string reference(const std::string& name) {
+  return std::string(HIGHERPAIR_SOURCE_DIR) + "/tools/cli/verify/" + name;
+}
+
+// A shipped table with one piece of text replaced, in a file that goes with the object.
+class ChangedTable {
+public:
+  ChangedTable(const std::string& name, const std::string& from, const std::string& to)
+      : path_(fs::temp_directory_path() / ("higherpair-verify-" + std::to_string(getpid()) + ".csv")) {
+    std::ostringstream text;
+    text << std::ifstream(reference(name)).rdbuf();
+    std::string table = text.str();
+    const std::size_t at = table.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    std::ofstream(path_) << (at == std::string::npos ? table : table.replace(at, from.size(), to));
+  }
+  ~ChangedTable() { fs::remove(path_); }
+  ChangedTable(const ChangedTable&) = delete;
+  ChangedTable& operator=(const ChangedTable&) = delete;
+
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+private:
+  fs::path path_;
+};
+
+TEST(Verify, HoldsForEveryReferenceThatIsShipped) {
+  const Outcome outcome = verify("--json -");
+  ASSERT_EQ(outcome.code, 0) << outcome.out;
+  const auto json = nlohmann::json::parse(outcome.out);
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(reference(""))) {
+    files += entry.path().extension() == ".toml" ? 1 : 0;
+  }
+  EXPECT_GE(files, 10U);
+  EXPECT_EQ(json.at("references").size(), files);
+  for (const nlohmann::json& one : json.at("references")) {
+    EXPECT_TRUE(one.at("ok").get<bool>()) << one;
+    EXPECT_FALSE(one.at("source").get<std::string>().empty()) << one;
+    EXPECT_GT(one.at("seconds").get<double>(), 0) << one;
+    EXPECT_GE(one.at("columns").size(), 2U) << one;
+  }
+}
+
+TEST(Verify, PrintsValueErrorAndTime) {
+  const Outcome outcome = verify("");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("ok     Watt six-bar\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("wheel_pivot.velocity[deg/s]"));
+  EXPECT_THAT(outcome.out, HasSubstr("microseconds"));
+  EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("FAILED")));
+  EXPECT_EQ(verify("--quiet").out, "");
+}
+
+TEST(Verify, FailsWhereOneDigitOfATableIsWrong) {
+  // The rocker turns exactly as fast as the coupler, 20 rad/s, at the first position.
+  const ChangedTable table("four_bar_plus.csv", ",20.0,", ",20.00000001,");
+  const Outcome outcome = verify(reference("four_bar_plus.toml") + " " + table.path());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("FAILED"));
+  EXPECT_THAT(outcome.out, HasSubstr("expected 20.00000001"));
+  EXPECT_EQ(verify(reference("four_bar_plus.toml") + " " + table.path() + " --bound 1e-8").code, 0);
+}
+
+TEST(Verify, FailsWhereTheRunHasNoSuchColumnOrRow) {
+  const ChangedTable column("geneva_wheel.csv", "wheel_pivot.velocity", "no_pivot.velocity");
+  const Outcome outcome = verify(reference("geneva_wheel.toml") + " " + column.path());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("there is no column no_pivot.velocity[deg/s]"));
+  EXPECT_THAT(verify(reference("geneva_wheel.toml") + " " + reference("pin_in_slot.csv")).out,
+              HasSubstr("there is no column"));
+}
+
+TEST(Verify, FailsWhereTheTableIsNoTable) {
+  const ChangedTable table("geneva_wheel.csv", "-45.0,", "-45.0x,");
+  const Outcome outcome = verify(reference("geneva_wheel.toml") + " " + table.path());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("table row 1: '-45.0x' is no number"));
+}
+
+TEST(Verify, RefusesFilesThatItCannotRead) {
+  EXPECT_EQ(verify("no_such.toml no_such.csv").code, 2);
+  EXPECT_EQ(verify(reference("geneva_wheel.toml")).code, 2);
+  EXPECT_EQ(verify("--json /dev/full").code, 1);
+}
+
+}  // namespace

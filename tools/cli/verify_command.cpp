@@ -1,0 +1,121 @@
+#include "verify_command.hpp"
+
+#include "output_file.hpp"
+#include "run_command.hpp"
+#include "verify/reference.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace higherpair::cli {
+namespace {
+
+std::optional<std::string> text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file.is_open() || file.bad()) {
+    fmt::print(stderr, "{}: cannot be read\n", path);
+    return std::nullopt;
+  }
+  return text;
+}
+
+void print(const Verdict& verdict, double bound) {
+  fmt::print("{:<6} {}\n       {}\n", verdict.holds(bound) ? "ok" : "FAILED", verdict.title, verdict.source);
+  if (!verdict.failure.empty()) {
+    fmt::print("       {}\n", verdict.failure);
+    return;
+  }
+  for (const ColumnCheck& check : verdict.columns) {
+    fmt::print("       {:<34} {:>22} error {:.1e}{}\n", check.column, check.value, check.error,
+               check.error <= bound ? "" : fmt::format(", expected {}", check.expected));
+  }
+  fmt::print("       {:.0f} microseconds\n", 1e6 * verdict.seconds);
+}
+
+nlohmann::ordered_json json_of(const Verdict& verdict, double bound) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const ColumnCheck& check : verdict.columns) {
+    columns.push_back({{"column", check.column},
+                       {"at", check.key},
+                       {"value", check.value},
+                       {"expected", check.expected},
+                       {"error", check.error}});
+  }
+  nlohmann::ordered_json result = {{"title", verdict.title},
+                                   {"source", verdict.source},
+                                   {"ok", verdict.holds(bound)},
+                                   {"seconds", verdict.seconds},
+                                   {"columns", columns}};
+  if (!verdict.failure.empty()) {
+    result["failure"] = verdict.failure;
+  }
+  return result;
+}
+
+int write_json(const std::string& path, const std::vector<Verdict>& verdicts, double bound) {
+  nlohmann::ordered_json references = nlohmann::ordered_json::array();
+  for (const Verdict& verdict : verdicts) {
+    references.push_back(json_of(verdict, bound));
+  }
+  const nlohmann::ordered_json json = {{"format", 1}, {"bound", bound}, {"references", references}};
+  OutputFile file(path);
+  // Titles and messages may quote a file that is not UTF-8.
+  file.write(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  file.commit();
+  if (!file.good()) {
+    fmt::print(stderr, "higherpair: {}\n", file.error());
+    return kExitMachine;
+  }
+  return kExitOk;
+}
+
+int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
+  std::size_t failed = 0;
+  double worst = 0;
+  for (const Verdict& verdict : verdicts) {
+    const bool ok = verdict.holds(options.bound);
+    failed += ok ? 0 : 1;
+    worst = std::max(worst, verdict.columns.empty() ? 0 : verdict.worst().error);
+    if (options.json != "-" && !(ok && options.quiet)) {
+      print(verdict, options.bound);
+    }
+  }
+  if (options.json != "-" && !options.quiet) {
+    fmt::print("{} of {} references hold; largest error {:.1e} of the column's largest value, bound {:.0e}\n",
+               verdicts.size() - failed, verdicts.size(), worst, options.bound);
+  }
+  if (options.json && write_json(*options.json, verdicts, options.bound) != kExitOk) {
+    return kExitMachine;
+  }
+  return failed == 0 ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+int verify_command(const VerifyOptions& options) {
+  std::vector<Verdict> verdicts;
+  if (!options.profile) {
+    for (const Reference& reference : shipped_references()) {
+      verdicts.push_back(verify(reference));
+    }
+    return report(verdicts, options);
+  }
+  if (!options.table) {
+    fmt::print(stderr, "higherpair: verify: a profile needs the table that it is checked against\n");
+    return kExitInput;
+  }
+  const auto profile = text_of(*options.profile);
+  const auto table = text_of(*options.table);
+  if (!profile || !table) {
+    return kExitInput;
+  }
+  verdicts.push_back(verify({*options.profile, *profile, *table}));
+  return report(verdicts, options);
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,72 @@
+// Trial by fire: random contacts and mechanisms, every result held against laws; what fails is made small and
+// printed as a profile.
+#include "trial.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using higherpair::fire::Case;
+using higherpair::fire::Cases;
+using higherpair::fire::Counts;
+using higherpair::fire::Trial;
+
+void print_failure(long number, const Case& one, const Trial& trial) {
+  fmt::print("# case {}, row {}: {}: {}\n", number, trial.failure.row, trial.failure.law,
+             trial.failure.detail);
+  const Case small = higherpair::fire::shrink(one, trial.failure.law);
+  const Trial again = higherpair::fire::try_case(small);
+  fmt::print("# shrunk, row {}: {}\n{}\n", again.failure.row, again.failure.detail,
+             higherpair::fire::profile_of(small, "broken law: " + trial.failure.law));
+}
+
+int run(int argc, char** argv) {
+  std::uint64_t seed = 1;
+  long count = 1000;
+  double seconds = 0;
+  long shown = 10;
+  CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
+  app.add_option("--seed", seed, "of the first case; the same cases for a seed everywhere");
+  app.add_option("--count", count, "number of cases")->check(CLI::NonNegativeNumber);
+  app.add_option("--seconds", seconds, "stop after so long, however few cases")->check(CLI::PositiveNumber);
+  app.add_option("--show", shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
+  CLI11_PARSE(app, argc, argv);
+
+  Cases cases(seed);
+  Counts counts;
+  const auto start = std::chrono::steady_clock::now();
+  for (long i = 0; i < count; ++i) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    if (seconds > 0 && spent.count() > seconds) {
+      break;
+    }
+    const Case one = cases.next();
+    const Trial trial = higherpair::fire::try_case(one);
+    counts += trial.counts;
+    if (trial.failure && counts.failed <= shown) {
+      print_failure(i, one, trial);
+    }
+  }
+  fmt::print(
+      "seed {}: {} cases, {} with a contact, {} profiles run, {} refused, {} rows of which {} flagged, {} "
+      "rates "
+      "against differences, {} cases failed\n",
+      seed, counts.cases, counts.found, counts.runs, counts.refused, counts.rows, counts.flagged,
+      counts.compared, counts.failed);
+  return counts.failed == 0 && counts.found > 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "fire: {}\n", error.what());
+    return 1;
+  }
+}

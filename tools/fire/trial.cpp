@@ -1,0 +1,321 @@
+#include "trial.hpp"
+
+#include "contact/contact_laws.hpp"
+#include "contact/differences.hpp"
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/tracker.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/motion_table.hpp"
+#include "higherpair/io/profile_reader.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair::fire {
+namespace {
+
+using testing::Difference;
+
+bool finite(const ContactPosition& at) {
+  return std::isfinite(at.q) && std::isfinite(at.dq) && std::isfinite(at.d2q) && std::isfinite(at.dphi) &&
+         std::isfinite(at.sliding);
+}
+
+Failure laws(const ContactPair& pair, const ContactPosition& at, int row) {
+  if (!finite(at)) {
+    return {"finite numbers", "", row};
+  }
+  const testing::ContactLaws held(pair, at);
+  for (const std::string& broken : held.broken) {
+    const std::size_t colon = broken.find(':');
+    // Where the curves nearly conform, rates are as uncertain as κ1 + κ2: 1e-16 of κ over it.
+    const bool rate = broken.starts_with("acceleration") || broken.starts_with("velocity");
+    if (!rate || std::abs(held.conforming_) > 1e-4L) {
+      return {broken.substr(0, colon), broken, row};
+    }
+  }
+  return {};
+}
+
+// The relative error of a difference because the driver positions u ± h/4 are rounded.
+double position_noise(double u, double h) {
+  return 1e-8 + 4e-15 * std::abs(u / h);
+}
+
+// A rate against a difference; what the difference does not know itself passes. `noise` is relative.
+Failure compare(const char* law, double rate, const Difference& difference, double noise, double rounding,
+                int row) {
+  if (!(difference.error < 1e-4 * std::abs(difference.value))) {
+    return {};
+  }
+  // Close to a limit the series in h² converges slowly, and the rest is of the order of its last step.
+  const double tolerance = 4 * difference.error + noise * std::abs(difference.value) + rounding;
+  if (std::abs(rate - difference.value) <= tolerance) {
+    return {};
+  }
+  return {law, fmt::format("{} but a difference gives {} ± {}", rate, difference.value, tolerance), row};
+}
+
+Failure rates(const ContactTrack& track, double h, int row) {
+  const auto beside = [&](auto of) {
+    return [&track, of](double offset) -> std::optional<double> {
+      ContactTrack moved = track;
+      if (follow_to(moved, track.at.u + offset).status != TrackStatus::kOk) {
+        return std::nullopt;
+      }
+      return of(moved.at);
+    };
+  };
+  const double noise = position_noise(track.at.u, h);
+  const auto q_of = [](const ContactPosition& at) { return at.q; };
+  const auto dq_of = [](const ContactPosition& at) { return at.dq; };
+  const double unit = track.pair.motion2.turns ? 1 : testing::length_scale(track.pair, track.at);
+  const double u_unit = track.pair.motion1.turns ? 1 : testing::length_scale(track.pair, track.at);
+  const double rounding = 1e-13 * (std::abs(track.at.q) + unit) / std::abs(h);
+  if (auto f = compare("dq", track.at.dq, testing::difference(h, beside(q_of)), noise, rounding, row)) {
+    return f;
+  }
+  const double second = 1e-12 * std::abs(track.at.dq) / std::abs(h) + rounding / u_unit;
+  return compare("d2q", track.at.d2q, testing::difference(h, beside(dq_of)), noise, second, row);
+}
+
+Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
+  const FindResult found = find_nearest_contact(pair, one.u, one.q);
+  if (found.status != FindStatus::kFound) {
+    return {};
+  }
+  ++counts.found;
+  if (auto f = laws(pair, found.at, 0)) {
+    return f;
+  }
+  ContactTrack track = start_track(pair, found.at, found.branch);
+  for (int k = 1; k <= one.rows; ++k) {
+    ++counts.rows;
+    if (follow_to(track, one.u + k * one.step).status != TrackStatus::kOk) {
+      ++counts.flagged;
+      continue;
+    }
+    if (auto f = laws(pair, track.at, k)) {
+      return f;
+    }
+    if (track.branch * track.at.gap_q < 0) {
+      return {"branch", fmt::format("gap_q = {}", track.at.gap_q), k};
+    }
+    if (k % 10 == 0 || one.rows < 10) {
+      ++counts.compared;
+      if (auto f = rates(track, 0.03 * one.step, k)) {
+        return f;
+      }
+    }
+  }
+  return {};
+}
+
+const Vector2d& point(const Mechanism& m, const PointRef& at) {
+  return m.bodies[static_cast<std::size_t>(at.body)].points[static_cast<std::size_t>(at.point)].p_B;
+}
+
+const BodyMotion& body(const MotionRow& row, int index) {
+  return row.bodies[static_cast<std::size_t>(index)];
+}
+
+// Both points of a joint move alike, across a slide's line.
+Failure joint_laws(const Mechanism& m, const Joint& joint, const MotionRow& row, int k) {
+  const BodyMotion& A = body(row, joint.first.body);
+  const PointMotion a = point_motion(A, point(m, joint.first));
+  const PointMotion b = point_motion(body(row, joint.second.body), point(m, joint.second));
+  const double length = a.p_W.norm() + b.p_W.norm() + point(m, joint.first).norm() +
+                        point(m, joint.second).norm() + A.X_WB.p_WB.norm();
+  Vector2d error = b.p_W - a.p_W;
+  Vector2d v = b.v_W - a.v_W;
+  if (joint.type != JointType::kRevolute) {
+    const Vector2d across = A.X_WB.R_WB * perp(joint.direction_A);
+    error = across * across.dot(error);
+    v = across * (across.dot(v) - A.omega * (A.X_WB.R_WB * joint.direction_A).dot(b.p_W - a.p_W));
+  }
+  if (!(error.norm() <= 1e-12 * length)) {
+    return {"joint " + joint.name + " closed", fmt::format("{} of {}", error.norm(), length), k};
+  }
+  const double speed = a.v_W.norm() + b.v_W.norm() +
+                       (std::abs(A.omega) + std::abs(body(row, joint.second.body).omega)) * length;
+  if (!(v.norm() <= 1e-10 * speed)) {
+    return {"velocity of joint " + joint.name, fmt::format("{} of {}", v.norm(), speed), k};
+  }
+  return {};
+}
+
+testing::Standing stand(const Mechanism& m, const CurveRef& at, const MotionRow& row) {
+  const Body& owner = m.bodies[static_cast<std::size_t>(at.body)];
+  const BodyMotion& motion = body(row, at.body);
+  OneFreedom fixed;
+  fixed.turns = false;
+  fixed.p_WO = motion.X_WB.p_WB;
+  fixed.theta = motion.theta;
+  return {owner.curves[static_cast<std::size_t>(at.curve)].curve, fixed, 0};
+}
+
+// The contact point lies on both curves and both bodies move alike there along the normal.
+Failure contact_laws(const Mechanism& m, const MotionRow& row, double size, int k) {
+  const Contact& contact = m.contacts.front();
+  const CommonNormal& at = row.contacts.front().at;
+  const auto one = stand(m, contact.first, row);
+  const auto two = stand(m, contact.second, row);
+  const double length = size + at.p1_W.norm() + one.curve.vertex_B.norm() + two.curve.vertex_B.norm();
+  const auto d1 = one.shape_at(testing::wide(at.p1_W)).distance;
+  const auto d2 = two.shape_at(testing::wide(at.p2_W)).distance;
+  const double gap = (at.p2_W - at.p1_W).norm();
+  if (!(std::abs(d1) <= 1e-12L * length) || !(std::abs(d2) <= 1e-12L * length) || !(gap <= 1e-11 * length)) {
+    return {"contact of the run", fmt::format("{} {} {} of {}", double(d1), double(d2), gap, length), k};
+  }
+  const auto speed = [&](const CurveRef& ref) {
+    const BodyMotion& B = body(row, ref.body);
+    return Vector2d(B.v_WB + B.omega * perp(Vector2d(at.p1_W - B.X_WB.p_WB)));
+  };
+  const Vector2d v1 = speed(contact.first);
+  const Vector2d v2 = speed(contact.second);
+  const double arms =
+      (std::abs(body(row, contact.first.body).omega) + std::abs(body(row, contact.second.body).omega)) *
+      length;
+  if (!(std::abs(at.n_W.dot(v2 - v1)) <= 1e-10 * (v1.norm() + v2.norm()) + 1e-12 * arms)) {
+    return {"normal speeds of the run", fmt::format("{} {}", at.n_W.dot(v1), at.n_W.dot(v2)), k};
+  }
+  return {};
+}
+
+Failure row_laws(const Run& run, int k) {
+  for (const Joint& joint : run.mechanism.joints) {
+    if (auto f = joint_laws(run.mechanism, joint, run.row, k)) {
+      return f;
+    }
+  }
+  return contact_laws(run.mechanism, run.row, run.plan.size, k);
+}
+
+// Angular rates of every body against differences of the run.
+Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
+  const double noise = position_noise(driver.position, h);
+  for (std::size_t i = 1; i < run.row.bodies.size(); ++i) {
+    const auto beside = [&](bool second) {
+      return [&, second](double offset) -> std::optional<double> {
+        Run moved = run;
+        move_to(moved, {{driver.position + offset, driver.velocity, 0}});
+        if (moved.row.status != RowStatus::kOk) {
+          return std::nullopt;
+        }
+        return second ? moved.row.bodies[i].omega : moved.row.bodies[i].theta;
+      };
+    };
+    const BodyMotion& B = run.row.bodies[i];
+    const std::string& name = run.mechanism.bodies[i].name;
+    const double rounding = 1e-13 * (1 + std::abs(B.theta)) / std::abs(h);
+    if (auto f = compare("omega", B.omega, testing::difference(h, beside(false)), noise, rounding, k)) {
+      f.detail = name + ": " + f.detail;
+      return f;
+    }
+    const double second = 1e-12 * std::abs(B.omega) / std::abs(h) + rounding;
+    if (auto f = compare("alpha", B.alpha, testing::difference(h, beside(true)), noise, second, k)) {
+      f.detail = name + ": " + f.detail;
+      return f;
+    }
+  }
+  return {};
+}
+
+Failure run_profile(const Case& one, Counts& counts) {
+  const auto profile = read_profile_text(profile_of(one, "case"), "case");
+  if (!profile) {
+    ++counts.refused;  // for a reason: what the reader's messages are worth, its own tests say
+    return {};
+  }
+  const auto schedule = DriverSchedule::analyze(*profile);
+  auto run = start_run(profile->mechanism, {schedule->state(0).si.position});
+  if (!run) {
+    return {};
+  }
+  ++counts.runs;
+  for (std::int64_t k = 0; k < schedule->size(); ++k) {
+    const DriverValues si = schedule->state(k).si;
+    move_to(*run, {{si.position, si.velocity, 0}});
+    ++counts.rows;
+    if (run->row.status != RowStatus::kOk) {
+      ++counts.flagged;
+      continue;
+    }
+    const int row = static_cast<int>(k);
+    if (auto f = row_laws(*run, row)) {
+      return f;
+    }
+    if (one.crank && (k % 20 == 10 || one.rows < 10)) {
+      ++counts.compared;
+      if (auto f = run_rates(*run, {si.position, si.velocity, 0}, 0.03 * one.step, row)) {
+        return f;
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Counts& Counts::operator+=(const Counts& other) {
+  cases += other.cases;
+  found += other.found;
+  rows += other.rows;
+  flagged += other.flagged;
+  compared += other.compared;
+  runs += other.runs;
+  refused += other.refused;
+  failed += other.failed;
+  return *this;
+}
+
+Trial try_case(const Case& one) {
+  Trial trial;
+  ++trial.counts.cases;
+  const auto pair = pair_of(one);
+  if (!pair) {
+    return trial;
+  }
+  trial.failure = track_pair(one, *pair, trial.counts);
+  if (!trial.failure) {
+    trial.failure = run_profile(one, trial.counts);
+  }
+  trial.counts.failed += trial.failure ? 1 : 0;
+  return trial;
+}
+
+Case shrink(Case one, const std::string& law) {
+  const auto keep = [&](const Case& smaller) {
+    if (try_case(smaller).failure.law != law) {
+      return false;
+    }
+    one = smaller;
+    return true;
+  };
+  for (int rows = 1; rows < one.rows; rows *= 2) {
+    Case smaller = one;
+    smaller.rows = rows;
+    if (keep(smaller)) {
+      break;
+    }
+  }
+  Case smaller = one;
+  smaller.crank.reset();
+  keep(smaller);
+  // The roundest of each number that still fails: 0, then one digit more at a time.
+  for (std::size_t i = 0; i < numbers(one).size(); ++i) {
+    for (int digits = 0; digits <= 12; ++digits) {
+      Case rounder = one;
+      double& number = *numbers(rounder)[i];
+      number = digits == 0 ? 0 : std::stod(fmt::format("{:.{}g}", number, digits));
+      if (keep(rounder)) {
+        break;
+      }
+    }
+  }
+  return one;
+}
+
+}  // namespace higherpair::fire

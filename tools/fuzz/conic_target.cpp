@@ -1,0 +1,56 @@
+// Any six coefficients make a curve or an error; what a curve says of itself is finite, and its own
+// coefficients describe the vertex that it has.
+#include "higherpair/geometry/curve.hpp"
+#include "target.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+using namespace higherpair;
+
+void check(const Curve& curve) {
+  const bool sound = curve.vertex_B.allFinite() && std::abs(curve.axis_B.norm() - 1) < 1e-12 &&
+                     curve.semi_latus > 0 && std::isfinite(curve.semi_latus) && curve.q <= 1;
+  if (!sound || describe(CurveError::kLines).empty()) {
+    std::abort();
+  }
+  const auto k = implicit_coefficients(curve);
+  double terms = 0;
+  double value = 0;
+  const double x = curve.vertex_B.x();
+  const double y = curve.vertex_B.y();
+  for (const double term : {k[0] * x * x, k[1] * y * y, k[2] * x * y, k[3] * x, k[4] * y, k[5]}) {
+    value += term;
+    terms += std::abs(term);
+  }
+  if (!(std::abs(value) <= 1e-12 * terms) && std::isfinite(terms)) {
+    std::abort();
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  // Eight numbers (the coefficients and a point near the branch), as they lie in memory; then the side.
+  double numbers[8] = {};
+  if (size < sizeof numbers) {
+    return 0;
+  }
+  std::memcpy(numbers, data, sizeof numbers);
+  const Side side = size > sizeof numbers && data[sizeof numbers] % 2 != 0 ? Side::kOutside : Side::kInside;
+  std::array<double, 6> coefficients{};
+  std::copy_n(numbers, 6, coefficients.begin());
+  const Vector2d near(numbers[6], numbers[7]);
+  for (const auto& curve :
+       {make_conic(coefficients, side, near), make_conic(coefficients, side, std::nullopt)}) {
+    if (curve) {
+      check(*curve);
+    }
+  }
+  return 0;
+}
