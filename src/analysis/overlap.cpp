@@ -120,8 +120,8 @@ std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, do
 
 }  // namespace
 
-std::vector<ContactWatch> watched_contacts(const Mechanism& mechanism) {
-  std::vector<ContactWatch> watched;
+std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
+  std::vector<OverlapWatch> watched;
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     const Contact& contact = mechanism.contacts[i];
     watched.push_back(
@@ -132,7 +132,7 @@ std::vector<ContactWatch> watched_contacts(const Mechanism& mechanism) {
 
 void watch_overlaps(Run& run, const Path& path, double s, double h) {
   for (std::size_t i = 0; i < run.watches.size(); ++i) {
-    ContactWatch& watch = run.watches[i];
+    OverlapWatch& watch = run.watches[i];
     if (!watch.needed) {
       continue;
     }

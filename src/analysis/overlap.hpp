@@ -7,7 +7,7 @@ namespace higherpair {
 
 /// Which contacts could touch or cut a second time: all in which one body is concave, but for a body that is
 /// everywhere more curved than the ring about it.
-[[nodiscard]] std::vector<ContactWatch> watched_contacts(const Mechanism& mechanism);
+[[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
 /// Looks for overlaps of touching bodies elsewhere in run.trial, which is `h` of the path beyond run.state at
 /// s. A driver and follower whose contact allows it go over to the second contact there (run.trial is

@@ -83,7 +83,7 @@ struct OutputJoint {
 };
 
 /// What is looked out for at a contact.
-struct ContactWatch {
+struct OverlapWatch {
   bool needed = false;    ///< whether the bodies could overlap elsewhere
   bool overlaps = false;  ///< they do now
   bool jumped = false;    ///< the motion has gone over to a second contact: arcs are interrupted
@@ -99,7 +99,7 @@ struct Run {
   bool held = true;             ///< false: lost at a limit; `state` is the last position before it
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   std::vector<OutputJoint> outputs;
-  std::vector<ContactWatch> watches;  ///< of Mechanism::contacts
+  std::vector<OverlapWatch> watches;  ///< of Mechanism::contacts
   MotionRow row;                      ///< of the last move_to
   std::vector<RunEvent> events;       ///< of the last move_to
   State trial;                        ///< where steps are tried, and the drivers there
