@@ -175,8 +175,9 @@ void Statics::factorise_all() {
   jacobian_.setZero(static_cast<Eigen::Index>(rows_.size()), columns);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
-      if (rows_[i].body[k] > 0) {
-        jacobian_.block<1, 3>(static_cast<Eigen::Index>(i), 3 * (rows_[i].body[k] - 1)) +=
+      const Eigen::Index body = rows_[i].body[k];
+      if (body > 0) {
+        jacobian_.block<1, 3>(static_cast<Eigen::Index>(i), 3 * (body - 1)) +=
             scaled(rows_[i].coefficient[k], size_).transpose();
       }
     }

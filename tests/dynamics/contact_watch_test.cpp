@@ -74,14 +74,14 @@ TEST(ContactForce, OfAnEccentricDiscUnderAFlatFollowerIsTheClosedForm) {
     const double omega = 60;
     const Reactions& reactions = analysis.at(theta, omega, 0);
     const double N = force(theta, omega);
-    EXPECT_NEAR(*reactions.contacts[0].force, N, 1e-11);
-    EXPECT_EQ(*reactions.contacts[0].friction, 0);
-    EXPECT_NEAR(*reactions.drivers[0].effort, N * kE * std::cos(theta), 1e-12);
-    EXPECT_NEAR(*reactions.drivers[0].by_power, N * kE * std::cos(theta), 1e-12);
+    EXPECT_NEAR(reactions.contacts[0].force.value(), N, 1e-11);
+    EXPECT_EQ(reactions.contacts[0].friction.value(), 0);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), N * kE * std::cos(theta), 1e-12);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), N * kE * std::cos(theta), 1e-12);
     // The contact point runs e cos θ to the side; the guide holds against the tilting moment.
     const JointReaction& guide = reactions.joints[analysis.joint("guide")];
-    EXPECT_NEAR(*guide.moment, -N * kE * std::cos(theta), 1e-12);
-    EXPECT_NEAR(*guide.fx, 0, 1e-11);
+    EXPECT_NEAR(guide.moment.value(), -N * kE * std::cos(theta), 1e-12);
+    EXPECT_NEAR(guide.fx.value(), 0, 1e-11);
   }
 }
 
@@ -171,7 +171,7 @@ twist = { body = "follower", torque = 1.3 }
     const std::vector<DriverMotion> drivers{{theta, 1, 0}};
     const Reactions& reactions = analysis.at(drivers);
     ASSERT_TRUE(reactions.defined);
-    first = theta == 3.0 ? *reactions.contacts[0].force : first;
+    first = theta == 3.0 ? reactions.contacts[0].force.value() : first;
     for (const ContactOpening& opening : watch.look(analysis.run, drivers, analysis.dynamics, reactions)) {
       found.push_back(opening);
     }
@@ -195,8 +195,8 @@ TEST(ContactWatch, TellsTheLeastPreloadOfTheSpring) {
   EXPECT_TRUE(need.opened);
   // Least at the top, which is a row; the spring has to push, its tension becomes less.
   ASSERT_TRUE(need.smallest());
-  EXPECT_NEAR(*need.smallest(), force(kPi / 2, omega), 1e-10);
-  EXPECT_LT(*need.smallest(), 0);
+  EXPECT_NEAR(need.smallest().value(), force(kPi / 2, omega), 1e-10);
+  EXPECT_LT(need.smallest().value(), 0);
 }
 
 TEST(ContactWatch, AsksTheJointOfTheFollowerWhereThereIsNoSpring) {
@@ -207,7 +207,7 @@ TEST(ContactWatch, AsksTheJointOfTheFollowerWhereThereIsNoSpring) {
   const PreloadNeed& need = watch.needs().front();
   EXPECT_EQ(need.preload.on, Preload::On::kJoint);
   EXPECT_EQ(need.preload.index, static_cast<int>(analysis.joint("guide")));
-  EXPECT_NEAR(*need.smallest(), kM * (kG - kE * omega * omega), 1e-10);
+  EXPECT_NEAR(need.smallest().value(), kM * (kG - kE * omega * omega), 1e-10);
 }
 
 TEST(ContactWatch, ThePreloadItNamesIsJustEnough) {

@@ -42,10 +42,11 @@ TEST(Pendulum, DrivenWithAnyRateNeedsWhatNewtonAndEulerSay) {
     const Reactions& reactions = pendulum.at(theta, omega, alpha);
     const double c = std::cos(theta), s = std::sin(theta);
     ASSERT_TRUE(reactions.defined);
-    EXPECT_NEAR(*reactions.drivers[0].effort, (I + m * l * l) * alpha + m * kG * l * c, kRounding);
-    EXPECT_NEAR(*reactions.drivers[0].by_power, *reactions.drivers[0].effort, kRounding);
-    EXPECT_NEAR(*reactions.joints[0].fx, -m * l * (alpha * s + omega * omega * c), kRounding * 10);
-    EXPECT_NEAR(*reactions.joints[0].fy, m * kG + m * l * (alpha * c - omega * omega * s), kRounding * 10);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), (I + m * l * l) * alpha + m * kG * l * c, kRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kRounding);
+    EXPECT_NEAR(reactions.joints[0].fx.value(), -m * l * (alpha * s + omega * omega * c), kRounding * 10);
+    EXPECT_NEAR(reactions.joints[0].fy.value(), m * kG + m * l * (alpha * c - omega * omega * s),
+                kRounding * 10);
     EXPECT_FALSE(reactions.joints[0].moment);
   }
 }
@@ -53,9 +54,9 @@ TEST(Pendulum, DrivenWithAnyRateNeedsWhatNewtonAndEulerSay) {
 TEST(Pendulum, HangingAtRestNeedsNoTorque) {
   Analysis pendulum(bar());
   const Reactions& reactions = pendulum.at(-kPi / 2, 0, 0);
-  EXPECT_NEAR(*reactions.drivers[0].effort, 0, kRounding);
-  EXPECT_NEAR(*reactions.joints[0].fx, 0, kRounding);
-  EXPECT_NEAR(*reactions.joints[0].fy, 1.7 * kG, kRounding);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(), 0, kRounding);
+  EXPECT_NEAR(reactions.joints[0].fx.value(), 0, kRounding);
+  EXPECT_NEAR(reactions.joints[0].fy.value(), 1.7 * kG, kRounding);
 }
 
 TEST(Loads, FollowTheBodyOrStayInGround) {
@@ -65,9 +66,9 @@ TEST(Loads, FollowTheBodyOrStayInGround) {
   Analysis torque(bar("[loads]\nt = { body = \"bar\", torque = 0.37 }\n", "[0, 0]"));
   for (const double theta : {0.4, 2.9}) {
     const double c = std::cos(theta), s = std::sin(theta);
-    EXPECT_NEAR(*with_body.at(theta, 0, 0).drivers[0].effort, -0.53 * 5, kRounding);
-    EXPECT_NEAR(*in_ground.at(theta, 0, 0).drivers[0].effort, -0.53 * (5 * c - 2 * s), kRounding);
-    EXPECT_NEAR(*torque.at(theta, 0, 0).drivers[0].effort, -0.37, kRounding);
+    EXPECT_NEAR(with_body.at(theta, 0, 0).drivers[0].effort.value(), -0.53 * 5, kRounding);
+    EXPECT_NEAR(in_ground.at(theta, 0, 0).drivers[0].effort.value(), -0.53 * (5 * c - 2 * s), kRounding);
+    EXPECT_NEAR(torque.at(theta, 0, 0).drivers[0].effort.value(), -0.37, kRounding);
   }
 }
 
@@ -82,11 +83,11 @@ TEST(Springs, BetweenPointsPullAlongTheirLineAndDampItsRate) {
     const double length = std::sqrt(a * a + d * d - 2 * a * d * std::cos(beta));
     const double per_angle = a * d * std::sin(beta) / length;
     const double omega = 2.6;
-    const double at_rest = *lever.at(theta, 0, 0).drivers[0].effort;
+    const double at_rest = lever.at(theta, 0, 0).drivers[0].effort.value();
     EXPECT_NEAR(at_rest, 130 * (length - 0.25) * per_angle, kRounding * 10);
     // Centripetal forces have no moment about the pivot.
-    EXPECT_NEAR(*lever.at(theta, omega, 0).drivers[0].effort - at_rest, 7 * per_angle * per_angle * omega,
-                kRounding * 10);
+    EXPECT_NEAR(lever.at(theta, omega, 0).drivers[0].effort.value() - at_rest,
+                7 * per_angle * per_angle * omega, kRounding * 10);
   }
 }
 
@@ -97,15 +98,15 @@ TEST(Springs, OfZeroLengthHaveNoDirectionAndNoForce) {
           "[0, 0]"));
   const Reactions& reactions = lever.at(0.7, 0, 0);
   ASSERT_TRUE(reactions.defined);
-  EXPECT_EQ(*reactions.drivers[0].effort, 0);
+  EXPECT_EQ(reactions.drivers[0].effort.value(), 0);
 }
 
 TEST(Springs, OnAPivotActOnItsAngleAndAreNotPartOfItsReaction) {
   Analysis lever(bar(
       "[springs]\ns = { joint = \"pivot\", stiffness = 4.1, free_angle = 0.3, damping = 0.2 }\n", "[0, 0]"));
   const Reactions& reactions = lever.at(1.9, 0.5, 0);
-  EXPECT_NEAR(*reactions.drivers[0].effort, 4.1 * (1.9 - 0.3) + 0.2 * 0.5, kRounding);
-  EXPECT_NEAR(*reactions.joints[0].fx, -1.7 * 0.31 * 0.25 * std::cos(1.9), kRounding);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(), 4.1 * (1.9 - 0.3) + 0.2 * 0.5, kRounding);
+  EXPECT_NEAR(reactions.joints[0].fx.value(), -1.7 * 0.31 * 0.25 * std::cos(1.9), kRounding);
 }
 
 TEST(Slide, DrivenAlongAnInclineLiftsWeightInertiaSpringAndDamper) {
@@ -133,13 +134,13 @@ s = {{ joint = "slide", stiffness = 55, free_length = -0.2, damping = 3 }}
   const double x = 0.17, v = 0.9, a = 4;
   const Reactions& reactions = slide.at(x, v, a);
   const double m = 2.3, c = std::cos(angle), s = std::sin(angle);
-  EXPECT_NEAR(*reactions.drivers[0].effort, m * (a + kG * s) + 55 * (x + 0.2) + 3 * v, kRounding * 10);
-  EXPECT_NEAR(*reactions.drivers[0].by_power, *reactions.drivers[0].effort, kRounding * 10);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(), m * (a + kG * s) + 55 * (x + 0.2) + 3 * v, kRounding * 10);
+  EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kRounding * 10);
   // The guide carries the weight across; about P the weight and the inertia at 0.04 m (block's frame lies on
   // ground's) have the moment (0, -m g - m a s)·0.04, and neither force of the guide has one.
-  EXPECT_NEAR(*reactions.joints[0].fx, -m * kG * c * s, kRounding * 10);
-  EXPECT_NEAR(*reactions.joints[0].fy, m * kG * c * c, kRounding * 10);
-  EXPECT_NEAR(*reactions.joints[0].moment, m * 0.04 * (kG + a * s), kRounding * 10);
+  EXPECT_NEAR(reactions.joints[0].fx.value(), -m * kG * c * s, kRounding * 10);
+  EXPECT_NEAR(reactions.joints[0].fy.value(), m * kG * c * c, kRounding * 10);
+  EXPECT_NEAR(reactions.joints[0].moment.value(), m * 0.04 * (kG + a * s), kRounding * 10);
 }
 
 TEST(SliderCrank, HoldsAForceOnItsSliderByTheTorqueOfTheTextbook) {
@@ -180,16 +181,16 @@ gas = { body = "piston", point = "T", force = [-310, 0] }
     const Reactions& reactions = press.at(theta, 0, 0);
     const double phi = std::asin(r / l * std::sin(theta));
     const double torque = -F * r * std::sin(theta + phi) / std::cos(phi);
-    EXPECT_NEAR(*reactions.drivers[0].effort, torque, 1e-11);
-    EXPECT_NEAR(*reactions.drivers[0].by_power, torque, 1e-11);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), torque, 1e-11);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), torque, 1e-11);
     // The rod is a two-force member: it pushes the piston with F along x and -F tan φ along y.
     const JointReaction& on_piston = reactions.joints[press.joint("B")];
-    EXPECT_NEAR(*on_piston.fx, F, 1e-10);
-    EXPECT_NEAR(*on_piston.fy, -F * std::tan(phi), 1e-10);
+    EXPECT_NEAR(on_piston.fx.value(), F, 1e-10);
+    EXPECT_NEAR(on_piston.fy.value(), -F * std::tan(phi), 1e-10);
     const JointReaction& guide = reactions.joints[press.joint("guide")];
-    EXPECT_EQ(*guide.fx, 0);
-    EXPECT_NEAR(*guide.fy, F * std::tan(phi), 1e-10);
-    EXPECT_NEAR(*guide.moment, -F * 0.013, 1e-11);
+    EXPECT_EQ(guide.fx.value(), 0);
+    EXPECT_NEAR(guide.fy.value(), F * std::tan(phi), 1e-10);
+    EXPECT_NEAR(guide.moment.value(), -F * 0.013, 1e-11);
   }
 }
 
@@ -226,11 +227,11 @@ work = { body = "lever", torque = 4.5 }
   // The crank's pin takes 4.5 N m at that distance from Q, perpendicular to the lever.
   const double force = 4.5 / distance;
   const JointReaction& slot = reactions.joints[shaper.joint("slot")];
-  EXPECT_NEAR(*slot.fx, force * -y / distance, 1e-11);
-  EXPECT_NEAR(*slot.fy, force * x / distance, 1e-11);
+  EXPECT_NEAR(slot.fx.value(), force * -y / distance, 1e-11);
+  EXPECT_NEAR(slot.fy.value(), force * x / distance, 1e-11);
   EXPECT_FALSE(slot.moment);
-  EXPECT_NEAR(*reactions.drivers[0].effort,
-              -(0.06 * std::cos(theta) * *slot.fy - 0.06 * std::sin(theta) * *slot.fx), 1e-11);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(),
+              -(0.06 * std::cos(theta) * slot.fy.value() - 0.06 * std::sin(theta) * slot.fx.value()), 1e-11);
 }
 
 // A follower on an eccentric disc by a roller of 15 mm: fixed to it, or on a pin of its own.
@@ -277,16 +278,16 @@ TEST(Roller, OnItsOwnPinPassesTheContactForceOn) {
     const Reactions& reactions = pinned.at(theta, 12, 3);
     const Reactions& expected = fixed.at(theta, 12, 3);
     ASSERT_TRUE(reactions.defined);
-    const double N = *expected.contacts[0].force;
-    EXPECT_NEAR(*reactions.contacts[0].force, N, 1e-11);
-    EXPECT_NEAR(*reactions.drivers[0].effort, *expected.drivers[0].effort, 1e-12);
-    EXPECT_NEAR(*reactions.drivers[0].by_power, *expected.drivers[0].effort, 1e-12);
+    const double N = expected.contacts[0].force.value();
+    EXPECT_NEAR(reactions.contacts[0].force.value(), N, 1e-11);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), expected.drivers[0].effort.value(), 1e-12);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), expected.drivers[0].effort.value(), 1e-12);
     // Of the axle: contact force and weight and inertia of the roller.
     const Vector2d n = pinned.run.row.contacts[0].at.n_W;
     const JointReaction& axle = reactions.joints[pinned.joint("axle")];
-    EXPECT_NEAR(*axle.fx, -N * n.x(), 1e-11);
-    EXPECT_NEAR(*axle.fy, 0.1 * (kG + pinned.run.row.bodies[pinned.body("roller")].a_WB.y()) - N * n.y(),
-                1e-11);
+    EXPECT_NEAR(axle.fx.value(), -N * n.x(), 1e-11);
+    EXPECT_NEAR(axle.fy.value(),
+                0.1 * (kG + pinned.run.row.bodies[pinned.body("roller")].a_WB.y()) - N * n.y(), 1e-11);
   }
 }
 
@@ -313,9 +314,9 @@ between = ["cam.disc", "follower.face"]
 joint = "O"
 )");
   const Reactions& reactions = cam.at(1, 20, 5);
-  EXPECT_EQ(*reactions.contacts[0].force, 0);
+  EXPECT_EQ(reactions.contacts[0].force.value(), 0);
   EXPECT_FALSE(reactions.opens());
-  EXPECT_EQ(*reactions.drivers[0].effort, 0);
+  EXPECT_EQ(reactions.drivers[0].effort.value(), 0);
 }
 
 }  // namespace

@@ -258,13 +258,13 @@ private:
     for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) {
       const Joint& joint = mechanism_.joints[i];
       const JointReaction& reaction = reactions.joints[i];
-      act(joint.first.body, joint.second.body, {*reaction.fx, *reaction.fy},
+      act(joint.first.body, joint.second.body, {*reaction.fx, reaction.fy.value()},
           motion(joint.second.body).X_WB * p_of(mechanism_, joint.second));
       turn(joint.first.body, joint.second.body, reaction.moment.value_or(0));
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
       drive(mechanism_.joints[static_cast<std::size_t>(mechanism_.drivers[i].joint)],
-            *reactions.drivers[i].effort);
+            reactions.drivers[i].effort.value());
     }
   }
 
@@ -272,7 +272,7 @@ private:
     for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
       const ContactMotion& contact = run_.row.contacts[i];
       act(mechanism_.contacts[i].first.body, mechanism_.contacts[i].second.body,
-          *reactions.contacts[i].force * contact.at.n_W, contact.at.p1_W);
+          reactions.contacts[i].force.value() * contact.at.n_W, contact.at.p1_W);
     }
   }
 
@@ -336,10 +336,10 @@ TEST_P(Laws, EffortsOfTheBalanceAreThoseOfVirtualPower) {
   at_random_rows([](const higherpair::Run&, const auto&, const Reactions& reactions) {
     double largest = 0;
     for (const DriverEffort& driver : reactions.drivers) {
-      largest = std::max(largest, std::abs(*driver.effort));
+      largest = std::max(largest, std::abs(driver.effort.value()));
     }
     for (const DriverEffort& driver : reactions.drivers) {
-      EXPECT_NEAR(*driver.effort, *driver.by_power, 1e-10 * largest);
+      EXPECT_NEAR(driver.effort.value(), driver.by_power.value(), 1e-10 * largest);
     }
   });
 }
@@ -356,7 +356,8 @@ TEST_P(Laws, EffortsDoNotNeedTheMechanismToMove) {
     move_to(still, at_rest);
     const Reactions& reactions = dynamics.solve(still);
     for (const DriverEffort& driver : reactions.drivers) {
-      EXPECT_NEAR(*driver.effort, *driver.by_power, 1e-10 * (1 + std::abs(*driver.effort)));
+      EXPECT_NEAR(driver.effort.value(), driver.by_power.value(),
+                  1e-10 * (1 + std::abs(driver.effort.value())));
     }
   });
 }
@@ -387,7 +388,7 @@ double energy(const Run& run) {
 double power(const Run& run, const std::vector<DriverMotion>& drivers, const Reactions& reactions) {
   double sum = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    sum += *reactions.drivers[i].effort * drivers[i].velocity;
+    sum += reactions.drivers[i].effort.value() * drivers[i].velocity;
   }
   for (const Load& load : run.mechanism.loads) {
     const BodyMotion& body = run.row.bodies[static_cast<std::size_t>(load.body)];
@@ -419,7 +420,7 @@ TEST_P(Laws, PowersSumUpToTheRateOfTheEnergy) {
         const double rate = (energy_at(h) - energy_at(-h)) / (2 * h);
         double scale = 1;
         for (std::size_t i = 0; i < drivers.size(); ++i) {
-          scale += std::abs(*reactions.drivers[i].effort * drivers[i].velocity);
+          scale += std::abs(reactions.drivers[i].effort.value() * drivers[i].velocity);
         }
         // Central differences: h² of the third derivative.
         EXPECT_NEAR(power(run, drivers, reactions), rate, 3e-5 * scale);

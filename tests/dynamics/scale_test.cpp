@@ -47,10 +47,11 @@ TEST(Scale, ForcesDoNotChangeAndTorquesGrowWithTheSize) {
   for (const double size : {1e-6, 1e-3, 1e3, 1e6}) {
     Analysis scaled = cam(size, 0, 0);
     const Reactions& reactions = scaled.at(0.7, 0, 0);
-    EXPECT_NEAR(*reactions.contacts[0].force, *expected.contacts[0].force, 1e-11);
-    EXPECT_NEAR(*reactions.joints[1].fx, *expected.joints[1].fx, 1e-11);
-    EXPECT_NEAR(*reactions.drivers[0].effort, size * *expected.drivers[0].effort, 1e-12 * size);
-    EXPECT_NEAR(*reactions.drivers[0].by_power, size * *expected.drivers[0].effort, 1e-12 * size);
+    EXPECT_NEAR(reactions.contacts[0].force.value(), expected.contacts[0].force.value(), 1e-11);
+    EXPECT_NEAR(reactions.joints[1].fx.value(), expected.joints[1].fx.value(), 1e-11);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), size * expected.drivers[0].effort.value(), 1e-12 * size);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), size * expected.drivers[0].effort.value(),
+                1e-12 * size);
   }
 }
 
@@ -60,8 +61,8 @@ TEST(Scale, PlaceMeansNothingButDigits) {
   // A hundred sizes away two digits of sixteen are gone from every arm.
   Analysis moved = cam(1, 7, -5);
   const Reactions& reactions = moved.at(0.7, 0, 0);
-  EXPECT_NEAR(*reactions.contacts[0].force, *expected.contacts[0].force, 1e-9);
-  EXPECT_NEAR(*reactions.drivers[0].effort, *expected.drivers[0].effort, 1e-10);
+  EXPECT_NEAR(reactions.contacts[0].force.value(), expected.contacts[0].force.value(), 1e-9);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(), expected.drivers[0].effort.value(), 1e-10);
 }
 
 }  // namespace
