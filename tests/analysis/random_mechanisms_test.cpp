@@ -307,7 +307,8 @@ TEST(RandomMechanisms, StandWhereTheyStandHoweverManyRowsLeadThere) {
     const auto [mechanism, start] = random_mechanism(seed);
     const auto many = rows_of(mechanism, start, spaced(start, start + 3 * kReach, 500));
     const auto few = rows_of(mechanism, start, spaced(start, start + 3 * kReach, 5));
-    EXPECT_EQ(few.size() == 6, many.size() == 501) << seed_name(seed);
+    // Rows that cannot be assembled may lie between the few; none of these is lost before.
+    EXPECT_GE(100 * few.size(), many.size()) << seed_name(seed);
     for (std::size_t i = 0; i < few.size() && 100 * i < many.size(); ++i) {
       const double error = difference(many[100 * i].bodies, few[i].bodies);
       EXPECT_AT_MOST(error, 1e-9) << seed_name(seed) << " row " << i;
