@@ -4,6 +4,7 @@
 #include "crossing.hpp"
 #include "events.hpp"
 #include "group_solver.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
 #include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
@@ -113,6 +114,9 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   run.plan = std::move(*plan);
   run.tolerance = tolerance;
   run.drivers = drivers;
+  if (auto objection = surplus_objection(mechanism, run.plan, drivers)) {
+    return tl::unexpected(StartFailure{*objection, std::nullopt});
+  }
   if (auto failure = assemble(run)) {
     return tl::unexpected(std::move(*failure));
   }

@@ -174,7 +174,7 @@ TEST(RedundantMembers, ThatDoNotFitAreRefused) {
   b.mechanism.bodies[4].points[1].p_B *= 1.01;
   const auto run = start_run(b.mechanism, {0.9});
   ASSERT_FALSE(run);
-  EXPECT_THAT(run.error().reason, HasSubstr("cannot be put together"));
+  EXPECT_THAT(run.error().reason, HasSubstr("remove drivers.d0"));
 }
 
 TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
@@ -200,7 +200,6 @@ TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
 }
 
 TEST(TooManyDrivers, AreRefused) {
-  GTEST_SKIP() << "drivers that contradict each other only where they move are not yet noticed at the start";
   Random random(9);
   TwoWays ways = four_bar(random);
   ways.builder.drive(ways.easy);
