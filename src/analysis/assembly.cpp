@@ -189,7 +189,8 @@ private:
                        [&](int contact) { return contact_of(run_.mechanism, contact).rolling; });
   }
 
-  // At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their angles.
+  // At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their
+  // angles.
   GroupStatus start_rolling_bodies(std::size_t g) {
     const Group& group = run_.plan.groups[g];
     Mechanism slipping = run_.mechanism;
@@ -197,9 +198,10 @@ private:
       slipping.contacts[static_cast<std::size_t>(contact)].rolling = false;
     }
     std::vector<int> held;
-    std::copy_if(run_.plan.phase_bodies.begin(), run_.plan.phase_bodies.end(), std::back_inserter(held), [&](int body) {
-      return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
-    });
+    std::copy_if(run_.plan.phase_bodies.begin(), run_.plan.phase_bodies.end(), std::back_inserter(held),
+                 [&](int body) {
+                   return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
+                 });
     return place_coupled({slipping, run_.plan}, g, posed_, 0, run_.drivers, state_, held);
   }
 

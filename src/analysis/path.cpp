@@ -15,9 +15,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMaxTurn = kPi / 18;  // of a driver in one inner step [rad]
-constexpr double kMaxSlide = 1.0 / 6;  // of a driver in one inner step, of the size
-constexpr double kSmallestStep = 1e-14;      // of the driver's scale
+constexpr double kMaxTurn = kPi / 18;    // of a driver in one inner step [rad]
+constexpr double kMaxSlide = 1.0 / 6;    // of a driver in one inner step, of the size
+constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
 
 double largest_step(const Run& run, const Path& path) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "step.hpp"
 #include "higherpair/analysis/run.hpp"
+#include "step.hpp"
 
 #include <vector>
 

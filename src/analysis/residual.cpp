@@ -32,7 +32,8 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
   const Vector2d r = (b.X_WB.p_WB - a.X_WB.p_WB) + (r_b - r_a);
   const Vector2d v_a = a.v_WB + a.omega * perp(r_a);
   const Vector2d v = b.v_WB + b.omega * perp(r_b) - v_a;
-  errors.fastest = std::max({errors.fastest, v_a.lpNorm<Eigen::Infinity>(), (v + v_a).lpNorm<Eigen::Infinity>()});
+  errors.fastest =
+      std::max({errors.fastest, v_a.lpNorm<Eigen::Infinity>(), (v + v_a).lpNorm<Eigen::Infinity>()});
   if (joint.type == JointType::kRevolute) {
     errors.add(r.lpNorm<Eigen::Infinity>(), rates ? v.lpNorm<Eigen::Infinity>() : 0);
     return;
@@ -59,7 +60,8 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
   };
   const Vector2d v1 = velocity(body_a, motion.at.p1_W);
   const Vector2d v = velocity(body_b, motion.at.p2_W) - v1;
-  errors.fastest = std::max({errors.fastest, v1.lpNorm<Eigen::Infinity>(), (v + v1).lpNorm<Eigen::Infinity>()});
+  errors.fastest =
+      std::max({errors.fastest, v1.lpNorm<Eigen::Infinity>(), (v + v1).lpNorm<Eigen::Infinity>()});
   const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
   const double along_normal = std::abs(v.dot(motion.at.n_W));
   const double slip = contact.rolling ? std::abs(v.dot(perp(motion.at.n_W))) : 0;

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAgreement = 0.25;          // of the change of a step: distance between prediction and solution
+constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
 
 // Groups that keep to their branch by themselves.

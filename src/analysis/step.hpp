@@ -28,8 +28,9 @@ struct StepResult {
 /// The slack of a group `h` beyond run.state; NaN where the groups before cannot be placed, or it has none.
 [[nodiscard]] double slack_after(Run& run, const Path& path, std::size_t g, double s, double h);
 
-/// Places all groups at the drivers' positions in run.trial in the modes of run.state, however far that is; rates are
-/// per unit of a single driver. result.limit is that of a tracked pair which has come back to its branch.
+/// Places all groups at the drivers' positions in run.trial in the modes of run.state, however far that is;
+/// rates are per unit of a single driver. result.limit is that of a tracked pair which has come back to its
+/// branch.
 [[nodiscard]] StepResult place_anew(Run& run, const std::vector<double>& drivers);
 
 }  // namespace higherpair

@@ -147,8 +147,9 @@ struct Group {
 struct Plan {
   std::vector<Group> groups;
   std::vector<int> idle_bodies;  ///< whose turning nothing sets (a roller's spin)
-  std::vector<int> phase_bodies;  ///< whose angle nothing but a rolling contact sets: they start in that of their pose
-  int surplus = 0;               ///< conditions more than coordinates
+  std::vector<int>
+      phase_bodies;  ///< whose angle nothing but a rolling contact sets: they start in that of their pose
+  int surplus = 0;   ///< conditions more than coordinates
   double size = 0;  ///< largest distance between joint points and curve centres or vertices, in the poses [m]
 };
 
