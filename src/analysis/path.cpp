@@ -24,7 +24,7 @@ double largest_step(const Run& run, const Path& path) {
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
     const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[i].joint)];
-    const double largest = joint.type == JointType::kRevolute ? kMaxTurn : kMaxSlide * run.plan.size;
+    const double largest = joint.type == JointType::kRevolute ? kMaxTurn : kMaxSlide * driver_scale(run, i);
     parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);
   }
   return std::abs(path.length) / parts;

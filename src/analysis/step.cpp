@@ -111,7 +111,8 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
 
 double driver_scale(const Run& run, std::size_t driver) {
   const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[driver].joint)];
-  return joint.type == JointType::kRevolute ? 1 : run.plan.size;
+  const double size = run.plan.size > 0 ? run.plan.size : 1;
+  return joint.type == JointType::kRevolute ? 1 : size;
 }
 
 double slack_after(Run& run, const Path& path, std::size_t g, double s, double h) {
