@@ -35,7 +35,7 @@ Rotation<double> direction_of(const Vector2d& v) {
 }
 
 bool is_grounded(const Joint& joint) {
-  return touches(joint, 0) && joint.type != JointType::kSlot;
+  return touches(joint, 0) && can_be_driven(joint.type);
 }
 
 // The driver that moves a body against ground, if one does.
@@ -365,6 +365,12 @@ std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body)
 Group recognise(const Mechanism& mechanism, const BodySet& set, const std::vector<Group>& before) {
   Group group{set.bodies, set.joints, set.contacts, set.drivers, CoupledBodies{}};
   std::optional<GroupKind> kind;
+  const bool geared = std::any_of(set.joints.begin(), set.joints.end(), [&](int joint) {
+    return couples_turning(joint_of(mechanism, joint).type);
+  });
+  if (geared) {
+    return group;
+  }
   if (set.bodies.size() == 1) {
     kind = recognise_one(mechanism, set, before);
   } else if (set.bodies.size() == 2) {

@@ -99,6 +99,10 @@ private:
       }
       return;
     }
+    if (couples_turning(joint.type)) {
+      add_turning(joint);
+      return;
+    }
     add_along_line(joint);
     if (joint.type == JointType::kPrismatic) {
       add_angle(joint);
@@ -116,6 +120,14 @@ private:
     Condition condition;
     enter(condition, joint.first.body, {Coordinate::kAngle});
     enter(condition, joint.second.body, {Coordinate::kAngle});
+    conditions_.push_back(condition);
+  }
+
+  void add_turning(const Joint& joint) {
+    Condition condition;
+    for (const int body : {joint.first.body, joint.second.body, joint.carrier}) {
+      enter(condition, body, {Coordinate::kAngle});
+    }
     conditions_.push_back(condition);
   }
 
@@ -257,14 +269,14 @@ Structure analyse_structure(const Mechanism& mechanism) {
     by_component[static_cast<std::size_t>(component[body])].bodies.push_back(static_cast<int>(body));
   }
   // A condition belongs to the last placed of its bodies; ground counts as placed before all.
-  const auto set_of = [&](int first, int second) -> BodySet& {
-    const int a = first == 0 ? -1 : component[static_cast<std::size_t>(first)];
-    const int b = second == 0 ? -1 : component[static_cast<std::size_t>(second)];
-    return by_component[static_cast<std::size_t>(std::max({a, b, 0}))];
+  const auto set_of = [&](int first, int second, int third = 0) -> BodySet& {
+    const auto place = [&](int body) { return body == 0 ? 0 : component[static_cast<std::size_t>(body)]; };
+    return by_component[static_cast<std::size_t>(std::max({place(first), place(second), place(third)}))];
   };
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    set_of(joint.first.body, joint.second.body).joints.push_back(static_cast<int>(i));
+    const int carrier = couples_turning(joint.type) ? joint.carrier : 0;
+    set_of(joint.first.body, joint.second.body, carrier).joints.push_back(static_cast<int>(i));
   }
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     const Contact& contact = mechanism.contacts[i];
