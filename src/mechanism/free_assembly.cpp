@@ -27,7 +27,7 @@ LinearConditions linear(const SizedMechanism& sized, const std::vector<Constrain
       if (row.body[k] == 0) {
         continue;
       }
-      const Eigen::Index column = 3 * (row.body[k] - 1);
+      const Eigen::Index column = column_of(row.body[k]);
       conditions.J(i, column) += row.coefficient[k].x();
       conditions.J(i, column + 1) += row.coefficient[k].y();
       conditions.J(i, column + 2) += row.coefficient[k].z() / sized.size;

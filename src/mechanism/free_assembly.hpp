@@ -18,6 +18,11 @@ struct SizedMechanism {
   }
 };
 
+/// The first of the three columns of a moving body.
+[[nodiscard]] constexpr Eigen::Index column_of(int body) {
+  return 3 * (static_cast<Eigen::Index>(body) - 1);
+}
+
 /// Conditions as a linear system in the rates (x, y, size·θ) of the moving bodies, body 1 first.
 struct LinearConditions {
   Eigen::MatrixXd J;

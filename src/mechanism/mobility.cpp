@@ -78,7 +78,7 @@ bool is_idle_about(const SizedMechanism& sized, int body, const Vector2d& p_B) {
 
 // The direction in which a body moves alone, if there is just one: x, y, size·θ.
 std::optional<Eigen::Vector3d> motion_alone(const Freedom& freedom, int body) {
-  const Eigen::Index row = 3 * (body - 1);
+  const Eigen::Index row = column_of(body);
   const NullSpaces others = null_spaces(without_rows(freedom.directions, row, 3), freedom.floor);
   if (others.right.cols() != 1) {
     return std::nullopt;
@@ -93,7 +93,7 @@ std::vector<IdleFreedom> idle_freedoms(const SizedMechanism& sized, const Freedo
     return idle;
   }
   for (int b = 1; b < static_cast<int>(sized.mechanism.bodies.size()); ++b) {
-    if (freedom.directions.middleRows(3 * (b - 1), 3).norm() < kMoves) {
+    if (freedom.directions.middleRows(column_of(b), 3).norm() < kMoves) {
       continue;
     }
     const auto motion = motion_alone(freedom, b);
@@ -164,7 +164,7 @@ void judge_drivers(const SizedMechanism& sized, const Freedom& all, const Mechan
     return;
   }
   for (int b = 1; b < static_cast<int>(sized.mechanism.bodies.size()); ++b) {
-    if (!is_idle(mobility, b) && left.directions.middleRows(3 * (b - 1), 3).norm() > left.floor) {
+    if (!is_idle(mobility, b) && left.directions.middleRows(column_of(b), 3).norm() > left.floor) {
       mobility.loose_bodies.push_back(b);
     }
   }
