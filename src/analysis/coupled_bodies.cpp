@@ -35,7 +35,7 @@ System make_system(const Group& group, const std::vector<ConstraintRow>& rows, d
                 Eigen::VectorXd::Zero(n)};
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const ConstraintRow& row = rows[static_cast<std::size_t>(i)];
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < row.body.size(); ++k) {
       const std::ptrdiff_t column = column_of(group, row.body[k]);
       if (column < 0) {
         system.known(i) += row.coefficient[k].dot(rate_of(row.body[k]));

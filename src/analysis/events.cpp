@@ -164,7 +164,7 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
         std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
                     [&](const Driver& driver) { return driver.joint == static_cast<int>(i); });
     const bool grounded = (joint.first.body == 0) != (joint.second.body == 0);
-    if (driven || !grounded || joint.type == JointType::kSlot) {
+    if (driven || !grounded || !can_be_driven(joint.type)) {
       continue;
     }
     const int body = joint.first.body == 0 ? joint.second.body : joint.first.body;

@@ -63,6 +63,9 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
 [[nodiscard]] double dyad_sine(const RprDyad& dyad, const State& state);
 [[nodiscard]] double touching_sine(const Model& model, const TouchingBody& touching, const State& state);
 
+void place_geared(const Model& model, const GearedBody& geared, State& to);
+void move_geared(const Model& model, const GearedBody& geared, State& state);
+
 [[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
                                         const std::vector<double>& drivers, State& to,
                                         std::optional<LimitPosition>& limit);

@@ -99,6 +99,10 @@ GroupStatus place_group(const Model& model, std::size_t g, const State& from, do
             place_idle(idle, from, to);
             return GroupStatus::kOk;
           },
+          [&](const GearedBody& geared) {
+            place_geared(model, geared, to);
+            return GroupStatus::kOk;
+          },
           [&](const CoupledBodies&) { return place_coupled(model, g, from, h, drivers, to); }},
       group.kind);
 }
@@ -116,6 +120,7 @@ void set_group_rates(const Model& model, std::size_t g, const std::vector<Driver
                       [&](const IdleBody& idle) {
                         move_link(body_in(state, idle.body), 0, 0, motion_of(state, idle.pin), idle.p_B);
                       },
+                      [&](const GearedBody& geared) { move_geared(model, geared, state); },
                       [&](const CoupledBodies&) { move_coupled(model, g, drivers, state); }},
              group.kind);
 }

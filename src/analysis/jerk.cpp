@@ -72,7 +72,7 @@ System system_of(const Group& group, const Conditions& conditions, double size, 
   for (Eigen::Index i = 0; i < n; ++i) {
     const ConstraintRow& row = conditions.rows[static_cast<std::size_t>(i)];
     system.b(i) = -conditions.deltas[static_cast<std::size_t>(i)];
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < row.body.size(); ++k) {
       const Eigen::Vector3d& c = row.coefficient[k];
       const auto found = std::find(group.bodies.begin(), group.bodies.end(), row.body[k]);
       if (found != group.bodies.end()) {
@@ -173,7 +173,7 @@ std::optional<double> joint_jerk(const Run& run, int joint,
   append_driver_row(run.mechanism, at, 0, 0, 0, run.row.bodies, 1, rows);
   append_driver_jerk_term(run.mechanism, at, run.row.bodies, deltas);
   double value = deltas.front();
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < rows.front().body.size(); ++k) {
     const auto& jerk = bodies[static_cast<std::size_t>(rows.front().body[k])];
     if (!jerk) {
       return std::nullopt;

@@ -20,7 +20,24 @@ struct Errors {
   }
 };
 
+void add_gears(const Run& run, const Joint& joint, Errors& errors) {
+  const ConstraintRow row = gear_row(joint, run.row.bodies, run.plan.size);
+  double speed = 0;
+  bool rates = true;
+  for (std::size_t k = 0; k < row.body.size(); ++k) {
+    const auto body = static_cast<std::size_t>(row.body[k]);
+    rates = rates && run.row.has_rates[body];
+    speed += row.coefficient[k].z() * run.row.bodies[body].omega;
+    errors.fastest = std::max(errors.fastest, std::abs(row.coefficient[k].z() * run.row.bodies[body].omega));
+  }
+  errors.add(std::abs(row.value), rates ? std::abs(speed) : 0);
+}
+
 void add_joint(const Run& run, const Joint& joint, Errors& errors) {
+  if (couples_turning(joint.type)) {
+    add_gears(run, joint, errors);
+    return;
+  }
   const MotionRow& row = run.row;
   const auto body_a = static_cast<std::size_t>(joint.first.body);
   const auto body_b = static_cast<std::size_t>(joint.second.body);

@@ -15,7 +15,7 @@ constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to 
 // Groups that keep to their branch by themselves.
 bool is_safe(const Group& group) {
   return std::holds_alternative<DrivenBody>(group.kind) || std::holds_alternative<TrackedPair>(group.kind) ||
-         std::holds_alternative<IdleBody>(group.kind);
+         std::holds_alternative<IdleBody>(group.kind) || std::holds_alternative<GearedBody>(group.kind);
 }
 
 // How far the bodies of a group have moved, and how far from where their rates said; angles, and lengths by

@@ -71,6 +71,8 @@ void InverseDynamics::read_joints(const Run& run) {
     reaction.fy = type == JointType::kRevolute ? determined(first + 1, 1) : determined(first, along.y());
     if (type == JointType::kPrismatic) {
       reaction.moment = determined(first + 1, statics_.size());
+    } else if (couples_turning(type)) {
+      reaction.moment = determined(first, statics_.size());
     }
   }
 }

@@ -83,8 +83,8 @@ void Statics::set_layout(const Run& run) {
       block.factors.emplace<Factors<Eigen::MatrixXd>>();
     }
     for (std::size_t i = block.first_row; i < rows_.size(); ++i) {
-      std::array<int, 2> columns{-1, -1};
-      for (std::size_t k = 0; k < 2; ++k) {
+      std::array<int, 3> columns{-1, -1, -1};
+      for (std::size_t k = 0; k < columns.size(); ++k) {
         const auto found = std::find(group.bodies.begin(), group.bodies.end(), rows_[i].body[k]);
         if (found != group.bodies.end()) {
           columns[k] = static_cast<int>(3 * (found - group.bodies.begin()));
@@ -118,7 +118,7 @@ void Statics::factorise(const Block& block, Factors<Matrix>& factors) const {
   Matrix A = Matrix::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t at = block.first_row + static_cast<std::size_t>(i);
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < columns_[at].size(); ++k) {
       if (columns_[at][k] >= 0) {
         A.template block<3, 1>(columns_[at][k], i) += scaled(rows_[at].coefficient[k], size_);
       }
@@ -139,7 +139,7 @@ void Statics::solve(const Block& block, const Factors<Matrix>& factors, std::vec
   for (std::size_t i = 0; i < block.row_count; ++i) {
     const std::size_t at = block.first_row + i;
     multipliers_[at] = x(static_cast<Eigen::Index>(i));
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < columns_[at].size(); ++k) {
       if (columns_[at][k] < 0) {
         wrenches[static_cast<std::size_t>(rows_[at].body[k])] += multipliers_[at] * rows_[at].coefficient[k];
       }
@@ -174,7 +174,7 @@ void Statics::factorise_all() {
   }
   jacobian_.setZero(static_cast<Eigen::Index>(rows_.size()), columns);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < rows_[i].body.size(); ++k) {
       const Eigen::Index body = rows_[i].body[k];
       if (body > 0) {
         jacobian_.block<1, 3>(static_cast<Eigen::Index>(i), 3 * (body - 1)) +=

@@ -106,7 +106,7 @@ void ForceTable::add_names(const Profile& profile) {
     joints_.push_back(joint.type);
     columns_.push_back({joint.name + ".fx", force});
     columns_.push_back({joint.name + ".fy", force});
-    if (joint.type == JointType::kPrismatic) {
+    if (has_moment(joint.type)) {
       columns_.push_back({joint.name + ".m", torque});
     }
   }
@@ -136,7 +136,7 @@ const std::vector<Cell>& ForceTable::cells(const Reactions& reactions, const std
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     add(force_, reactions.joints[i].fx);
     add(force_, reactions.joints[i].fy);
-    if (joints_[i] == JointType::kPrismatic) {
+    if (has_moment(joints_[i])) {
       add(torque_, reactions.joints[i].moment);
     }
   }

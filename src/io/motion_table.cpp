@@ -106,7 +106,7 @@ void MotionTable::add_names(const Profile& profile) {
     if (is_driven(joint)) {
       continue;
     }
-    const bool turns = joint.type == JointType::kRevolute;
+    const bool turns = has_angle(joint.type);
     add(columns_, joint.name, {".position"}, unit(turns ? dimension::kAngle : dimension::kLength));
     add(columns_, joint.name, {".velocity"},
         unit(turns ? dimension::kAngularVelocity : dimension::kVelocity));
@@ -241,7 +241,7 @@ void MotionTable::add_body(const MotionRow& row, std::size_t index) {
 }
 
 void MotionTable::add_joint(const MotionRow& row, const Joint& joint) {
-  const bool turns = joint.type == JointType::kRevolute;
+  const bool turns = has_angle(joint.type);
   const JointMotion motion = joint_motion(*mechanism_, joint, row.bodies);
   number((turns ? scale_.angle : scale_.length).apply(motion.position));
   if (!row.has_rates[static_cast<std::size_t>(joint.first.body)] ||

@@ -124,8 +124,11 @@ std::optional<int> read_joint(TableReader& table, const Mechanism& mechanism,
     return std::nullopt;
   }
   const auto index = static_cast<std::size_t>(*joint);
-  if (mechanism.joints[index].type == JointType::kSlot) {
-    report(table.reading(), *item, "a slot leaves two freedoms: expected a revolute or prismatic joint");
+  if (!can_be_driven(mechanism.joints[index].type)) {
+    const bool slot = mechanism.joints[index].type == JointType::kSlot;
+    report(table.reading(), *item,
+           fmt::format("{} two freedoms: expected a revolute or prismatic joint",
+                       slot ? "a slot leaves" : "gears and belts leave"));
     return std::nullopt;
   }
   if (is_driven_already(mechanism, *joint)) {

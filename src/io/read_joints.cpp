@@ -5,23 +5,26 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr std::array<JointType, 3> kJointTypes = {JointType::kRevolute, JointType::kPrismatic,
-                                                  JointType::kSlot};
+constexpr std::array<JointType, 5> kJointTypes = {JointType::kRevolute, JointType::kPrismatic,
+                                                  JointType::kSlot, JointType::kGears, JointType::kBelt};
 
 std::optional<JointType> read_type(TableReader& table) {
-  const auto item = table.need("type", "revolute, prismatic or slot");
+  const auto item = table.need("type", "revolute, prismatic, slot, gears or belt");
   const auto choice =
-      item ? as_choice(table.reading(), *item, {"revolute", "prismatic", "slot"}) : std::nullopt;
+      item ? as_choice(table.reading(), *item, {"revolute", "prismatic", "slot", "gears", "belt"})
+           : std::nullopt;
   return choice ? std::optional(kJointTypes[*choice]) : std::nullopt;
 }
 
-void read_ends(TableReader& table, const Mechanism& mechanism, Joint& joint) {
+// The key, where it names two points.
+std::optional<Item> read_ends(TableReader& table, const Mechanism& mechanism, Joint& joint) {
   const auto item = table.need("between", "two points, [\"body.point\", \"body.point\"]");
   const auto pair = item ? as_point_pair(table.reading(), *item, mechanism) : std::nullopt;
   if (pair) {
     joint.first = pair->first;
     joint.second = pair->second;
   }
+  return pair ? item : std::nullopt;
 }
 
 void read_direction(TableReader& table, Joint& joint) {
@@ -50,6 +53,7 @@ void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
 
 std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
   std::vector<bool> type_known;
+  std::vector<PendingGears> gears;
   const auto joints = root.take("joints");
   if (!joints) {
     return type_known;
@@ -59,16 +63,25 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                    Joint joint;
                    joint.name = name;
                    const auto type = read_type(table);
-                   read_ends(table, mechanism, joint);
+                   const auto between = read_ends(table, mechanism, joint);
                    if (type) {
                      joint.type = *type;
-                     read_direction(table, joint);
-                     read_angle(table, mechanism, joint);
+                     if (couples_turning(*type)) {
+                       read_ratio(table, joint);
+                       const auto carrier = table.take("carrier");
+                       if (between) {
+                         gears.push_back({mechanism.joints.size(), *between, carrier});
+                       }
+                     } else {
+                       read_direction(table, joint);
+                       read_angle(table, mechanism, joint);
+                     }
                      table.finish();
                    }
                    type_known.push_back(type.has_value());
                    mechanism.joints.push_back(joint);
                  });
+  set_carriers(root.reading(), gears, mechanism);
   return type_known;
 }
 

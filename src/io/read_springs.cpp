@@ -55,7 +55,11 @@ void read_on_joint(TableReader& table, const Item& item, const Mechanism& mechan
   }
   const auto joint = static_cast<std::size_t>(*spring.joint);
   if (joint_type_known[joint]) {
-    const bool turns = mechanism.joints[joint].type == JointType::kRevolute;
+    if (couples_turning(mechanism.joints[joint].type)) {
+      report(table.reading(), item,
+             "gears and belts have no spring: expected the joint of one of their wheels");
+    }
+    const bool turns = has_angle(mechanism.joints[joint].type);
     read_numbers(table, turns ? kOnPivot : kOnSlide, spring);
   }
 }

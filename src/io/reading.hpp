@@ -52,6 +52,19 @@ void read_curves(Reading& reading, const Item& item, Body& body);
 /// \return for each joint of the mechanism whether its type is known: units of what refers to it hang on it.
 [[nodiscard]] std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism);
 
+/// Gears or a belt whose carrier is found when all pins are known.
+struct PendingGears {
+  std::size_t joint = 0;  ///< index into Mechanism::joints
+  Item between;
+  std::optional<Item> carrier;  ///< the key, if it is there
+};
+
+/// `ratio` (ω2/ω1 relative to the carrier, without sign) and `internal` of gears or `crossed` of a belt.
+void read_ratio(TableReader& table, Joint& joint);
+
+/// The body on which both wheels are pinned, and the angle between them from the poses.
+void set_carriers(Reading& reading, const std::vector<PendingGears>& pending, Mechanism& mechanism);
+
 void read_contacts(TableReader& root, Mechanism& mechanism);
 
 /// Loads and springs.

@@ -40,7 +40,7 @@ ConstraintRow moving_row(const Joint& joint, const Vector2d& direction_W, const 
   const Vector2d r = B.p_W - A.p_W;
   const Vector2d across = perp(direction_W);
   ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body};
+  row.body = {joint.first.body, joint.second.body, 0};
   row.coefficient[0] = -along(direction_W, A);
   row.coefficient[0].z() += r.dot(across);
   row.coefficient[1] = along(direction_W, B);
@@ -52,8 +52,9 @@ ConstraintRow moving_row(const Joint& joint, const Vector2d& direction_W, const 
 
 ConstraintRow fixed_row(const Joint& joint, const Vector2d& direction_W, const Arm& A, const Arm& B) {
   ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body};
-  row.coefficient = {-along(direction_W, A), along(direction_W, B)};
+  row.body = {joint.first.body, joint.second.body, 0};
+  row.coefficient[0] = -along(direction_W, A);
+  row.coefficient[1] = along(direction_W, B);
   row.value = (B.p_W - A.p_W).dot(direction_W);
   row.gamma = (B.centripetal_W - A.centripetal_W).dot(direction_W);
   return row;
@@ -62,7 +63,7 @@ ConstraintRow fixed_row(const Joint& joint, const Vector2d& direction_W, const A
 ConstraintRow angle_row(const Joint& joint, const std::vector<BodyMotion>& bodies, double angle,
                         double size) {
   ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body};
+  row.body = {joint.first.body, joint.second.body, 0};
   row.coefficient[0].z() = -size;
   row.coefficient[1].z() = size;
   row.value = size * (at(bodies, joint.second.body).theta - at(bodies, joint.first.body).theta - angle);
@@ -82,15 +83,32 @@ double arc_difference(const Mechanism& mechanism, const Contact& contact, const 
 }
 
 int row_count(const Joint& joint) {
-  return joint.type == JointType::kSlot ? 1 : 2;
+  return joint.type == JointType::kRevolute || joint.type == JointType::kPrismatic ? 2 : 1;
 }
 
 int row_count(const Contact& contact) {
   return contact.rolling ? 2 : 1;
 }
 
+ConstraintRow gear_row(const Joint& joint, const std::vector<BodyMotion>& bodies, double size) {
+  ConstraintRow row;
+  row.body = {joint.first.body, joint.second.body, joint.carrier};
+  const double k = joint.turning_ratio;
+  row.coefficient[0].z() = -k * size;
+  row.coefficient[1].z() = size;
+  row.coefficient[2].z() = (k - 1) * size;
+  const double carrier = at(bodies, joint.carrier).theta;
+  row.value = size * ((at(bodies, joint.second.body).theta - carrier) -
+                      k * (at(bodies, joint.first.body).theta - carrier) - joint.relative_angle);
+  return row;
+}
+
 void append_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                  double size, std::vector<ConstraintRow>& rows) {
+  if (couples_turning(joint.type)) {
+    rows.push_back(gear_row(joint, bodies, size));
+    return;
+  }
   const Arm A = arm_to_point(mechanism, joint.first, bodies);
   const Arm B = arm_to_point(mechanism, joint.second, bodies);
   if (joint.type == JointType::kRevolute) {
@@ -114,8 +132,9 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
   const Arm second = arm_to(at(bodies, contact.second.body), touch.p2_W);
   const auto row_along = [&](const Vector2d& direction_W, double value, double relative_acceleration) {
     ConstraintRow row;
-    row.body = {contact.first.body, contact.second.body};
-    row.coefficient = {-along(direction_W, first), along(direction_W, second)};
+    row.body = {contact.first.body, contact.second.body, 0};
+    row.coefficient[0] = -along(direction_W, first);
+    row.coefficient[1] = along(direction_W, second);
     row.value = value;
     row.gamma = (second.centripetal_W - first.centripetal_W).dot(direction_W) - relative_acceleration;
     return row;

@@ -38,6 +38,10 @@ double moving_term(const BodyMotion& first, const Vector2d& direction_W, const R
 
 void append_jerk_terms(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                        std::vector<double>& deltas) {
+  if (couples_turning(joint.type)) {
+    deltas.push_back(0);
+    return;
+  }
   const Relative r = relative_of(mechanism, joint, bodies);
   if (joint.type == JointType::kRevolute) {
     deltas.push_back(r.jerk_W.x());

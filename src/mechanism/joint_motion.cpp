@@ -9,6 +9,10 @@ JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
   if (joint.type == JointType::kRevolute) {
     return {second.theta - first.theta, second.omega - first.omega, second.alpha - first.alpha};
   }
+  if (couples_turning(joint.type)) {
+    const BodyMotion& carrier = bodies[static_cast<std::size_t>(joint.carrier)];
+    return {second.theta - carrier.theta, second.omega - carrier.omega, second.alpha - carrier.alpha};
+  }
   const PointMotion A = point_motion(first, point_of(mechanism, joint.first));
   const PointMotion B = point_motion(second, point_of(mechanism, joint.second));
   const Vector2d d = first.X_WB.R_WB * joint.direction_A;

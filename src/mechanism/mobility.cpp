@@ -133,7 +133,7 @@ std::vector<int> moving_joints(const SizedMechanism& sized, const Freedom& freed
   Mechanism probe = sized.mechanism;
   probe.drivers.clear();
   for (std::size_t i = 0; i < probe.joints.size(); ++i) {
-    if (probe.joints[i].type != JointType::kSlot) {
+    if (can_be_driven(probe.joints[i].type)) {
       probe.drivers.push_back({"", static_cast<int>(i)});
     }
   }
@@ -237,9 +237,23 @@ MobilityCount count_mobility(const Mechanism& mechanism) {
   MobilityCount count;
   count.bodies = static_cast<int>(mechanism.bodies.size());
   for (const Joint& joint : mechanism.joints) {
-    ++(joint.type == JointType::kRevolute    ? count.revolutes
-       : joint.type == JointType::kPrismatic ? count.prismatics
-                                             : count.slots);
+    switch (joint.type) {
+      case JointType::kRevolute:
+        ++count.revolutes;
+        break;
+      case JointType::kPrismatic:
+        ++count.prismatics;
+        break;
+      case JointType::kSlot:
+        ++count.slots;
+        break;
+      case JointType::kGears:
+        ++count.gears;
+        break;
+      case JointType::kBelt:
+        ++count.belts;
+        break;
+    }
   }
   for (const Contact& contact : mechanism.contacts) {
     ++(contact.rolling ? count.rolling : count.slipping);

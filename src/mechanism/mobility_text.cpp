@@ -136,16 +136,18 @@ std::string useless_text(const Mechanism& mechanism, const Mobility& mobility) {
 
 std::string elements_text(const MobilityCount& count) {
   std::vector<std::string> kinds;
-  const auto add = [&](int n, std::string_view name, int freedom) {
+  const auto add = [&](int n, const std::string& name, int freedom) {
     if (n > 0) {
-      kinds.push_back(fmt::format("{} {} of {}", n, name, freedoms(freedom)));
+      kinds.push_back(fmt::format("{} of {}", number_of(n, name, name + "s"), freedoms(freedom)));
     }
   };
-  add(count.revolutes, "revolute", 1);
-  add(count.prismatics, "prismatic", 1);
+  add(count.revolutes, "revolute joint", 1);
+  add(count.prismatics, "prismatic joint", 1);
   add(count.slots, "slot", 2);
   add(count.slipping, "slipping contact", 2);
   add(count.rolling, "rolling contact", 1);
+  add(count.gears, "gear pair", 2);
+  add(count.belts, "belt", 2);
   return fmt::format("n = {} with ground, j = {} joints and contacts{}, sum f = {}",
                      number_of(count.bodies, "body", "bodies"), count.joints(),
                      kinds.empty() ? "" : " (" + joined(kinds) + ")", count.freedoms());

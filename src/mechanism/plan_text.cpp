@@ -37,6 +37,9 @@ public:
   std::string operator()(const IdleBody&) const {
     return "idle on its pin: nothing sets its turning, it keeps the angle of its pose";
   }
+  std::string operator()(const GearedBody& geared) const {
+    return "on its pin, turned by " + mechanism_.joints[static_cast<std::size_t>(geared.gears)].name;
+  }
   std::string operator()(const CoupledBodies&) const {
     std::string text = "coupled bodies, solved together by Newton's method";
     for (const int contact : group_.contacts) {

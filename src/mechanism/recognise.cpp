@@ -35,7 +35,7 @@ Rotation<double> direction_of(const Vector2d& v) {
 }
 
 bool is_grounded(const Joint& joint) {
-  return touches(joint, 0) && joint.type != JointType::kSlot;
+  return touches(joint, 0) && can_be_driven(joint.type);
 }
 
 // The driver that moves a body against ground, if one does.
@@ -317,6 +317,20 @@ std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const BodySet
                       contact.second.body == body};
 }
 
+std::optional<GroupKind> recognise_geared(const Mechanism& mechanism, const BodySet& set) {
+  if (set.bodies.size() != 1 || set.joints.size() != 2 || !set.contacts.empty() || !set.drivers.empty()) {
+    return std::nullopt;
+  }
+  const bool first_is_pin = joint_of(mechanism, set.joints[0]).type == JointType::kRevolute;
+  const int gears = set.joints[first_is_pin ? 1 : 0];
+  const Joint& pin = joint_of(mechanism, set.joints[first_is_pin ? 0 : 1]);
+  if (pin.type != JointType::kRevolute || !couples_turning(joint_of(mechanism, gears).type)) {
+    return std::nullopt;
+  }
+  const int body = set.bodies.front();
+  return GearedBody{known_end(mechanism, pin, body), body, point_of(mechanism, end_on(pin, body)), gears};
+}
+
 std::optional<GroupKind> recognise_two(const Mechanism& mechanism, const BodySet& set) {
   if (set.joints.size() != 3 || !set.contacts.empty() || !set.drivers.empty()) {
     return std::nullopt;
@@ -384,7 +398,12 @@ std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body)
 Group recognise(const Mechanism& mechanism, const BodySet& set, const std::vector<Group>& before) {
   Group group{set.bodies, set.joints, set.contacts, set.drivers, CoupledBodies{}};
   std::optional<GroupKind> kind;
-  if (set.bodies.size() == 1) {
+  const bool geared = std::any_of(set.joints.begin(), set.joints.end(), [&](int joint) {
+    return couples_turning(joint_of(mechanism, joint).type);
+  });
+  if (geared) {
+    kind = recognise_geared(mechanism, set);
+  } else if (set.bodies.size() == 1) {
     kind = recognise_one(mechanism, set, before);
   } else if (set.bodies.size() == 2) {
     kind = recognise_two(mechanism, set);

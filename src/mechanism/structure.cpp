@@ -126,6 +126,10 @@ private:
       }
       return;
     }
+    if (couples_turning(joint.type)) {
+      add_turning(joint);
+      return;
+    }
     add_along_line(joint);
     if (joint.type == JointType::kPrismatic) {
       add_angle(joint);
@@ -143,6 +147,17 @@ private:
     Condition condition;
     enter(condition, joint.first.body, {Coordinate::kAngle});
     enter(condition, joint.second.body, {Coordinate::kAngle});
+    conditions_.push_back(condition);
+  }
+
+  void add_turning(const Joint& joint) {
+    Condition condition;
+    enter(condition, joint.first.body, {Coordinate::kAngle});
+    enter(condition, joint.second.body, {Coordinate::kAngle});
+    // Wheels that turn alike do not see their carrier turn.
+    if (joint.turning_ratio != 1) {
+      enter(condition, joint.carrier, {Coordinate::kAngle});
+    }
     conditions_.push_back(condition);
   }
 
@@ -288,14 +303,14 @@ Structure analyse_structure(const Mechanism& mechanism) {
     }
   }
   // A condition belongs to the last placed of its bodies; ground counts as placed before all.
-  const auto set_of = [&](int first, int second) -> BodySet& {
-    const int a = first == 0 ? -1 : component[static_cast<std::size_t>(first)];
-    const int b = second == 0 ? -1 : component[static_cast<std::size_t>(second)];
-    return by_component[static_cast<std::size_t>(std::max({a, b, 0}))];
+  const auto set_of = [&](int first, int second, int third = 0) -> BodySet& {
+    const auto place = [&](int body) { return body == 0 ? 0 : component[static_cast<std::size_t>(body)]; };
+    return by_component[static_cast<std::size_t>(std::max({place(first), place(second), place(third)}))];
   };
   for (const int i : order.joints) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(i)];
-    set_of(joint.first.body, joint.second.body).joints.push_back(i);
+    const int carrier = couples_turning(joint.type) ? joint.carrier : 0;
+    set_of(joint.first.body, joint.second.body, carrier).joints.push_back(i);
   }
   for (const int i : order.contacts) {
     const Contact& contact = mechanism.contacts[static_cast<std::size_t>(i)];

@@ -44,19 +44,21 @@ mass = -1
 [units]
 length = "furlong"
 )"),
-      ElementsAre("test.toml:1:10: format = 0: expected format 1",
-                  "test.toml:2:9: title = 3: expected a string, found an integer",
-                  "test.toml:4:9: driver.joint = \"pivo\": there is no joint `pivo`; did you mean `pivot`?",
-                  "test.toml:5:11: driver.samples = 0: must be an integer from 1 to 2^53",
-                  "test.toml:7:8: joints.pivot.type = \"revolut\": expected one of revolute, prismatic, slot",
-                  "test.toml:8:12: joints.pivot.between.0 = \"ground.A\": there is no point of `ground` `A`; "
-                  "there is none",
-                  "test.toml:8:24: joints.pivot.between.1 = \"crank.B\": there is no point of `crank` `B`; "
-                  "did you mean `A`?",
-                  "test.toml:9:1: bodies.crank.center_of_mass is missing: expected [x, y]",
-                  "test.toml:10:12: bodies.crank.points.A = [0, 0, 0]: expected a list of 2 numbers, found 3",
-                  "test.toml:11:8: bodies.crank.mass = -1 kg: must be >= 0",
-                  "test.toml:13:10: units.length = \"furlong\": expected one of m, cm, mm, um, km, in, ft"));
+      ElementsAre(
+          "test.toml:1:10: format = 0: expected format 1",
+          "test.toml:2:9: title = 3: expected a string, found an integer",
+          "test.toml:4:9: driver.joint = \"pivo\": there is no joint `pivo`; did you mean `pivot`?",
+          "test.toml:5:11: driver.samples = 0: must be an integer from 1 to 2^53",
+          "test.toml:7:8: joints.pivot.type = \"revolut\": expected one of revolute, prismatic, slot, "
+          "gears, belt",
+          "test.toml:8:12: joints.pivot.between.0 = \"ground.A\": there is no point of `ground` `A`; "
+          "there is none",
+          "test.toml:8:24: joints.pivot.between.1 = \"crank.B\": there is no point of `crank` `B`; "
+          "did you mean `A`?",
+          "test.toml:9:1: bodies.crank.center_of_mass is missing: expected [x, y]",
+          "test.toml:10:12: bodies.crank.points.A = [0, 0, 0]: expected a list of 2 numbers, found 3",
+          "test.toml:11:8: bodies.crank.mass = -1 kg: must be >= 0",
+          "test.toml:13:10: units.length = \"furlong\": expected one of m, cm, mm, um, km, in, ft"));
 }
 
 TEST(ProfileMessages, ANewerFormatIsTheOnlyComplaint) {
@@ -318,8 +320,8 @@ TEST(ProfileMessages, EveryTypeOfJointHasItsKeys) {
   EXPECT_THAT(about_joint("type = \"revolute\"\ndirection = 5\n" + between),
               ElementsAre("test.toml:14:13: joints.j.direction = 5: a revolute joint has no direction"));
   EXPECT_THAT(about_joint(between),
-              ElementsAre("test.toml:12:1: joints.j.type is missing: expected revolute, prismatic "
-                          "or slot"));
+              ElementsAre("test.toml:12:1: joints.j.type is missing: expected revolute, prismatic, "
+                          "slot, gears or belt"));
 }
 
 // A contact between two curves: one on ground and one on the crank; `between` is at line 18, column 11.

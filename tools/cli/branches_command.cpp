@@ -286,12 +286,12 @@ Report make_report(const Profile& profile, const DriverSchedule& schedule, const
   }
   for (const Joint& joint : mechanism.joints) {
     report.joints.push_back(joint.name);
-    report.joint_units.push_back(unit_of(profile, joint.type == JointType::kRevolute));
+    report.joint_units.push_back(unit_of(profile, has_angle(joint.type)));
   }
   for (const std::vector<double>& assembly : branches.assemblies) {
     std::vector<double>& positions = report.assemblies.emplace_back();
     for (std::size_t i = 0; i < assembly.size(); ++i) {
-      const bool turns = mechanism.joints[i].type == JointType::kRevolute;
+      const bool turns = has_angle(mechanism.joints[i].type);
       positions.push_back(plus_zero(
           from_si(turns ? dimension::kAngle : dimension::kLength, profile.units).apply(assembly[i])));
     }
@@ -304,7 +304,7 @@ std::string joint_name(const Mechanism& mechanism, const CarriedBody& carried) {
   for (const Joint& joint : mechanism.joints) {
     const bool joins = (joint.first.body == carried.body && joint.second.body == carried.carrier) ||
                        (joint.first.body == carried.carrier && joint.second.body == carried.body);
-    if (joins && joint.type != JointType::kSlot) {
+    if (joins && can_be_driven(joint.type)) {
       return joint.name;
     }
   }

@@ -113,10 +113,11 @@ private:
   [[nodiscard]] Json count() const {
     const MobilityCount& count = findings_.mobility.count;
     Json json = {
-        {"bodies", count.bodies},         {"joints", count.joints()},      {"revolute", count.revolutes},
-        {"prismatic", count.prismatics},  {"slot", count.slots},           {"slipping", count.slipping},
-        {"rolling", count.rolling},       {"sum_f", count.freedoms()},     {"mobility", count.mobility()},
-        {"formula", formula_text(count)}, {"multiple_pins", Json::array()}};
+        {"bodies", count.bodies},        {"joints", count.joints()},     {"revolute", count.revolutes},
+        {"prismatic", count.prismatics}, {"slot", count.slots},          {"slipping", count.slipping},
+        {"rolling", count.rolling},      {"gears", count.gears},         {"belts", count.belts},
+        {"sum_f", count.freedoms()},     {"mobility", count.mobility()}, {"formula", formula_text(count)},
+        {"multiple_pins", Json::array()}};
     for (const Pin& pin : find_pins(mechanism_)) {
       if (pin.ends.size() > 2) {
         Json names = Json::array();

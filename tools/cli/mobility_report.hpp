@@ -20,8 +20,8 @@ struct MobilityFindings {
 
 /// The findings as JSON, lengths and angles in the profile's units. Keys:
 /// - `format` 1, `title`; `mobility` (by rank) and `useful` (without idle freedoms), null if not assembled
-/// - `count`: `bodies`, `joints`, `revolute`, `prismatic`, `slot`, `slipping`, `rolling`, `sum_f`,
-/// `mobility`,
+/// - `count`: `bodies`, `joints`, `revolute`, `prismatic`, `slot`, `slipping`, `rolling`, `gears`, `belts`,
+/// `sum_f`, `mobility`,
 ///   `formula`, `multiple_pins` [{`bodies`, `joints`}]
 /// - `rank` (null if not assembled): `conditions`, `coordinates`, `rank`, `positions`, `freedom`, `at_start`,
 ///   `shaky`, `singular`

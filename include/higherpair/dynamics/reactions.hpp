@@ -12,7 +12,8 @@ namespace higherpair {
 struct JointReaction {
   std::optional<double> fx;      ///< in ground [N]
   std::optional<double> fy;      ///< [N]
-  std::optional<double> moment;  ///< prismatic joints only: about the second point [N m]
+  std::optional<double> moment;  ///< [N m]; prismatic joints: about the second point; gears and
+                                 ///< belts: on the second wheel
 };
 
 /// What a contact does to its second body.

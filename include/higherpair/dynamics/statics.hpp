@@ -81,7 +81,7 @@ private:
   std::vector<std::vector<int>> held_;  // idle bodies of each group
   std::vector<std::size_t> held_rows_;
   std::vector<ConstraintRow> rows_;
-  std::vector<std::array<int, 2>> columns_;  // of each row and body: where the body is in its block, or -1
+  std::vector<std::array<int, 3>> columns_;  // of each row and body: where the body is in its block, or -1
   std::vector<double> multipliers_;
   std::vector<bool> determined_;
   std::vector<Block> blocks_;

@@ -53,7 +53,30 @@ enum class JointType {
   kPrismatic,  ///< no relative turning, second point on a line of the first body; coordinate: displacement
                ///< [m]
   kSlot,       ///< second point on a line of the first body, free to turn; coordinate: displacement [m]
+  kGears,      ///< the turning of two wheels on a carrier is coupled; coordinate: angle of the second wheel
+               ///< relative to the carrier [rad]
+  kBelt,       ///< the same by a belt or chain that does not slip
 };
+
+/// Whether a joint couples the turning of two wheels: θ2 - θc = turning_ratio (θ1 - θc) + relative_angle.
+[[nodiscard]] constexpr bool couples_turning(JointType type) {
+  return type == JointType::kGears || type == JointType::kBelt;
+}
+
+/// Whether the coordinate of a joint is an angle; else it is a length.
+[[nodiscard]] constexpr bool has_angle(JointType type) {
+  return type == JointType::kRevolute || couples_turning(type);
+}
+
+/// Whether a joint passes on a moment.
+[[nodiscard]] constexpr bool has_moment(JointType type) {
+  return type == JointType::kPrismatic || couples_turning(type);
+}
+
+/// Whether a joint can be driven: it leaves one freedom, its coordinate.
+[[nodiscard]] constexpr bool can_be_driven(JointType type) {
+  return type == JointType::kRevolute || type == JointType::kPrismatic;
+}
 
 struct Joint {
   std::string name;
@@ -62,7 +85,10 @@ struct Joint {
   PointRef second;
   Vector2d direction_A =
       Vector2d::UnitX();      ///< unit direction of the line in the first body's frame (not revolute)
-  double relative_angle = 0;  ///< angle of the second body relative to the first [rad] (prismatic)
+  double relative_angle = 0;  ///< angle of the second body relative to the first [rad] (prismatic); what the
+                              ///< wheels of gears and belts are out of step
+  int carrier = 0;            ///< gears and belts: the body on which both wheels turn
+  double turning_ratio = 1;   ///< gears and belts: < 0 where the wheels turn against each other; not 0
 };
 
 /// Which contact is taken at the first driver position.

@@ -8,7 +8,8 @@
 namespace higherpair {
 
 /// The coordinate of a joint and its rates: the angle of the second body relative to the first [rad], or the
-/// displacement of the second point along the line of the first body [m].
+/// displacement of the second point along the line of the first body [m]; of gears and belts the angle of the
+/// second wheel relative to the carrier [rad].
 struct JointMotion {
   double position = 0;
   double velocity = 0;

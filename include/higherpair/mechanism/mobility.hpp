@@ -18,11 +18,15 @@ struct MobilityCount {
   int slots = 0;       ///< two
   int slipping = 0;    ///< contacts that slip: two
   int rolling = 0;     ///< contacts that roll: one
+  int gears = 0;       ///< pairs of gears: two
+  int belts = 0;       ///< belts and chains around two wheels: two
 
   /// j, joints and contacts.
-  [[nodiscard]] int joints() const { return revolutes + prismatics + slots + slipping + rolling; }
+  [[nodiscard]] int joints() const {
+    return revolutes + prismatics + slots + slipping + rolling + gears + belts;
+  }
   /// Σ f, the freedoms that they leave.
-  [[nodiscard]] int freedoms() const { return joints() + slots + slipping; }
+  [[nodiscard]] int freedoms() const { return joints() + slots + slipping + gears + belts; }
   /// M = 3 (n - j - 1) + Σ f.
   [[nodiscard]] int mobility() const { return 3 * (bodies - joints() - 1) + freedoms(); }
 };

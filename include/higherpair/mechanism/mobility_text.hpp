@@ -9,7 +9,7 @@
 
 namespace higherpair {
 
-/// "n = 4 bodies with ground, j = 4 joints (4 revolute: 1 freedom each), sum f = 4".
+/// "n = 4 bodies with ground, j = 4 joints and contacts (4 revolute joints of 1 freedom), sum f = 4".
 [[nodiscard]] std::string elements_text(const MobilityCount& count);
 
 /// "M = 3 (n - j - 1) + sum f = 3 (4 - 4 - 1) + 4 = 1".

@@ -122,11 +122,19 @@ struct IdleBody {
   Vector2d p_B = Vector2d::Zero();
 };
 
+/// A body on a pin of a known one whose turning gears or a belt set: a wheel, or the arm of a planetary gear.
+struct GearedBody {
+  BodyPoint pin;  ///< on the known body
+  int body = 0;
+  Vector2d p_B = Vector2d::Zero();
+  int gears = 0;  ///< index of Mechanism::joints
+};
+
 /// Bodies whose conditions must be solved together.
 struct CoupledBodies {};
 
 using GroupKind = std::variant<DrivenBody, RrrDyad, RrpDyad, RprDyad, SlideDyad, TrackedPair, TouchingBody,
-                               IdleBody, CoupledBodies>;
+                               IdleBody, GearedBody, CoupledBodies>;
 
 /// Some bodies, and the conditions that place them once the groups before are known.
 struct Group {

@@ -1,0 +1,96 @@
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/pins.hpp"
+#include "reading.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// The bodies on the pin of a wheel, without the wheel; none where nothing is pinned there.
+std::vector<int> bodies_at(const std::vector<Pin>& pins, const Mechanism& mechanism, const PointRef& wheel) {
+  const Vector2d center_B = point_of(mechanism, wheel);
+  const auto is_wheel = [&](const BodyPoint& end) {
+    return end.body == wheel.body &&
+           (end.p_B - center_B).norm() <= 1e-12 * (end.p_B.norm() + center_B.norm());
+  };
+  std::vector<int> bodies;
+  for (const Pin& pin : pins) {
+    if (std::any_of(pin.ends.begin(), pin.ends.end(), is_wheel)) {
+      for (const BodyPoint& end : pin.ends) {
+        if (end.body != wheel.body) {
+          bodies.push_back(end.body);
+        }
+      }
+    }
+  }
+  return bodies;
+}
+
+std::string names_of(const Mechanism& mechanism, const std::vector<int>& bodies) {
+  std::string names;
+  for (const int body : bodies) {
+    names += (names.empty() ? "" : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
+  }
+  return names;
+}
+
+std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, const std::vector<Pin>& pins,
+                                const Mechanism& mechanism) {
+  const Joint& joint = mechanism.joints[gears.joint];
+  const std::vector<int> first = bodies_at(pins, mechanism, joint.first);
+  std::vector<int> common;
+  for (const int body : bodies_at(pins, mechanism, joint.second)) {
+    if (body != joint.first.body && body != joint.second.body &&
+        std::find(first.begin(), first.end(), body) != first.end()) {
+      common.push_back(body);
+    }
+  }
+  if (gears.carrier) {
+    const auto named = as_body(reading, *gears.carrier, mechanism);
+    if (named && std::find(common.begin(), common.end(), *named) == common.end()) {
+      report(reading, *gears.carrier, "expected a body that carries both wheels on pins at these points");
+    }
+    return named;
+  }
+  if (common.size() == 1) {
+    return common.front();
+  }
+  report(reading, gears.between,
+         common.empty() ? "no body carries both wheels: expected revolute joints at these two points to one "
+                          "body, the arm or ground"
+                        : fmt::format("several bodies carry both wheels ({}): expected carrier = \"...\", "
+                                      "the one that keeps them in mesh",
+                                      names_of(mechanism, common)));
+  return std::nullopt;
+}
+
+}  // namespace
+
+void read_ratio(TableReader& table, Joint& joint) {
+  const double ratio = table.need_quantity("ratio", {dimension::kNumber, Sign::kPositive});
+  const bool gears = joint.type == JointType::kGears;
+  const bool same_sense = gears ? table.flag("internal", false) : !table.flag("crossed", false);
+  joint.turning_ratio = same_sense ? ratio : -ratio;
+}
+
+void set_carriers(Reading& reading, const std::vector<PendingGears>& pending, Mechanism& mechanism) {
+  if (pending.empty()) {
+    return;
+  }
+  const std::vector<Pin> pins = find_pins(mechanism);
+  for (const PendingGears& gears : pending) {
+    const auto carrier = find_carrier(reading, gears, pins, mechanism);
+    Joint& joint = mechanism.joints[gears.joint];
+    joint.carrier = carrier.value_or(0);
+    const auto theta = [&](int body) {
+      return mechanism.bodies[static_cast<std::size_t>(body)].guess_theta -
+             mechanism.bodies[static_cast<std::size_t>(joint.carrier)].guess_theta;
+    };
+    joint.relative_angle = theta(joint.second.body) - joint.turning_ratio * theta(joint.first.body);
+  }
+}
+
+}  // namespace higherpair::io_detail

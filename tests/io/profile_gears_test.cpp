@@ -1,0 +1,128 @@
+#include "io/profile_testing.hpp"
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::messages;
+
+// An arm on ground carries a planet; a sun turns about the arm's pivot. `gears` is at line 22.
+std::string planetary(const std::string& gears) {
+  return R"([bodies.ground]
+points.O = [0, 0]
+[bodies.arm]
+points.O = [0, 0]
+points.P = [40, 0]
+[bodies.sun]
+points.O = [0, 0]
+[bodies.planet]
+pose = { x = 40, y = 0, angle = 10 }
+points.P = [0, 0]
+points.Q = [5, 0]
+[joints.mesh]
+)" + gears +
+         R"([joints.arm_pivot]
+type = "revolute"
+between = ["ground.O", "arm.O"]
+[joints.sun_pivot]
+type = "revolute"
+between = ["arm.O", "sun.O"]
+[joints.planet_pivot]
+type = "revolute"
+between = ["arm.P", "planet.P"]
+[driver]
+joint = "arm_pivot"
+)";
+}
+
+TEST(ProfileGears, FindTheArmThatCarriesBothWheels) {
+  const Profile profile =
+      testing::read(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 1.5\n"));
+  const Joint& joint = profile.mechanism.joints.front();
+  EXPECT_EQ(joint.type, JointType::kGears);
+  EXPECT_EQ(profile.mechanism.bodies[static_cast<std::size_t>(joint.carrier)].name, "arm");
+  EXPECT_EQ(joint.turning_ratio, -1.5);
+  // As the poses stand.
+  EXPECT_NEAR(joint.relative_angle, 10 * kPi / 180, 1e-16);
+}
+
+TEST(ProfileGears, TurnAlikeInARingAndInAnOpenBelt) {
+  const auto ratio_of = [](const std::string& keys) {
+    const Profile profile =
+        testing::read(planetary(keys + "between = [\"ground.O\", \"planet.P\"]\nratio = 3\n"));
+    return profile.mechanism.joints.front().turning_ratio;
+  };
+  EXPECT_EQ(ratio_of("type = \"gears\"\ninternal = true\n"), 3);
+  EXPECT_EQ(ratio_of("type = \"belt\"\n"), 3);
+  EXPECT_EQ(ratio_of("type = \"belt\"\ncrossed = true\n"), -3);
+}
+
+TEST(ProfileGears, SayWhatIsMissing) {
+  EXPECT_THAT(messages(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = -2\n")),
+              ElementsAre("test.toml:15:9: joints.mesh.ratio = -2: must be > 0"));
+  EXPECT_THAT(messages(planetary("type = \"belt\"\nbetween = [\"sun.O\", \"planet.P\"]\n")),
+              ElementsAre("test.toml:12:1: joints.mesh.ratio is missing: expected a number"));
+  EXPECT_THAT(messages(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.Q\"]\nratio = 2\n")),
+              ElementsAre("test.toml:14:11: joints.mesh.between = [\"sun.O\", \"planet.Q\"]: no body carries "
+                          "both wheels: expected revolute "
+                          "joints at these two points to one body, the arm or ground"));
+  EXPECT_THAT(
+      messages(planetary(
+          "type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\ncarrier = \"ground\"\n")),
+      ElementsAre(
+          "test.toml:16:11: joints.mesh.carrier = \"ground\": expected a body that carries both wheels "
+          "on pins at these points"));
+  EXPECT_THAT(
+      messages(
+          planetary("type = \"belt\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\ninternal = true\n")),
+      ElementsAre("test.toml:16:1: joints.mesh.internal: unknown key; there are type, between, ratio, "
+                  "crossed, carrier"));
+}
+
+TEST(ProfileGears, NeedTheNameOfTheCarrierWhereSeveralBodiesWouldDo) {
+  const std::string two_wheels = R"([bodies.ground]
+points.O = [0, 0]
+points.P = [40, 0]
+[bodies.frame]
+points.O = [0, 0]
+points.P = [40, 0]
+[bodies.a]
+points.O = [0, 0]
+[bodies.b]
+points.P = [40, 0]
+[joints]
+a1 = { type = "revolute", between = ["ground.O", "a.O"] }
+b1 = { type = "revolute", between = ["ground.P", "b.P"] }
+a2 = { type = "revolute", between = ["frame.O", "a.O"] }
+b2 = { type = "revolute", between = ["frame.P", "b.P"] }
+[driver]
+joint = "a1"
+[joints.mesh]
+type = "gears"
+between = ["a.O", "b.P"]
+ratio = 2
+)";
+  EXPECT_THAT(messages(two_wheels),
+              ElementsAre("test.toml:20:11: joints.mesh.between = [\"a.O\", \"b.P\"]: several bodies carry "
+                          "both wheels (ground, "
+                          "frame): expected carrier = \"...\", the one that keeps them in mesh"));
+  EXPECT_THAT(messages(two_wheels + "carrier = \"frame\"\n"), IsEmpty());
+}
+
+TEST(ProfileGears, AreNotDrivenAndCarryNoSpring) {
+  const std::string mesh = "type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\n";
+  EXPECT_THAT(
+      messages(planetary(mesh), {"driver.joint=mesh"}),
+      ElementsAre("--set driver.joint=mesh: driver.joint = \"mesh\": gears and belts leave two freedoms: "
+                  "expected a revolute or prismatic joint"));
+  EXPECT_THAT(
+      messages(planetary(mesh) + "[springs.s]\njoint = \"mesh\"\nstiffness = 1\n"),
+      ElementsAre("test.toml:28:9: springs.s.joint = \"mesh\": gears and belts have no spring: expected "
+                  "the joint of one of their wheels"));
+}
+
+}  // namespace
+}  // namespace higherpair
