@@ -281,7 +281,7 @@ private:
     const Contact& contact = contact_of(run_.mechanism, touching.contact);
     const CarriedBody& follower = touching.follower;
     touching_start_ = state_;
-    const PlacedPair placed = placed_pair(model_, touching, state_);
+    const StandingPair placed = standing_pair(model_, touching, state_);
     const double posed =
         carried_coordinate(follower, posed_.bodies[static_cast<std::size_t>(follower.carrier)],
                            posed_.bodies[static_cast<std::size_t>(follower.body)]);

@@ -23,7 +23,7 @@ ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
 }
 
 ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
-  const PlacedPair placed = placed_pair({run.mechanism, run.plan}, touching, run.state);
+  const StandingPair placed = standing_pair({run.mechanism, run.plan}, touching, run.state);
   ContactPlace place;
   place.contact = touching.contact;
   place.follower = touching.follower;

@@ -72,7 +72,7 @@ void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
 
 GroupStatus place_touching(const Model& model, const TouchingBody& touching, std::size_t g, const State& from,
                            double h, State& to) {
-  const PlacedPair placed = placed_pair(model, touching, to);
+  const StandingPair placed = standing_pair(model, touching, to);
   const CarriedBody& follower = touching.follower;
   const ContactMotion& before = from.contacts[static_cast<std::size_t>(touching.contact)];
   // Prediction of the follower's coordinate in ground, and of the normal.
@@ -117,7 +117,7 @@ void move_touching(const Model& model, const TouchingBody& touching, std::size_t
   const PointMotion known = material(body_in(state, other));
   BodyMotion& body = body_in(state, follower.body);
   const double q = carried_coordinate(follower, carrier, body);
-  const PlacedPair placed = placed_pair(model, touching, state);
+  const StandingPair placed = standing_pair(model, touching, state);
   const double per_q = velocity_per_q(placed.pair.motion2, p).dot(n);
   const double inverse = per_q == 0 ? 0 : 1 / per_q;
 
@@ -141,7 +141,7 @@ void move_touching(const Model& model, const TouchingBody& touching, std::size_t
 }
 
 std::optional<double> touching_slack(const Model& model, const TouchingBody& touching, const State& state) {
-  const PlacedPair placed = placed_pair(model, touching, state);
+  const StandingPair placed = standing_pair(model, touching, state);
   const ContactMotion& contact = state.contacts[static_cast<std::size_t>(touching.contact)];
   const BodyMotion& body = body_in(state, touching.follower.body);
   ContactPosition near;
@@ -155,7 +155,7 @@ std::optional<double> touching_slack(const Model& model, const TouchingBody& tou
 }
 
 double touching_sine(const Model& model, const TouchingBody& touching, const State& state) {
-  const PlacedPair placed = placed_pair(model, touching, state);
+  const StandingPair placed = standing_pair(model, touching, state);
   const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
   const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;
   return n.dot(velocity_per_q(placed.pair.motion2, (at.p1_W + at.p2_W) / 2));

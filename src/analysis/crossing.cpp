@@ -11,10 +11,6 @@ namespace {
 constexpr double kNear = 1e-3;   // of a group's lever: a sine below this is near a crossing
 constexpr double kReach = 4e-3;  // of the driver's scale: how far to both sides the interpolation goes
 
-Model model_of(const Run& run) {
-  return {run.mechanism, run.plan};
-}
-
 bool can_cross(const Group& group) {
   return std::holds_alternative<RrrDyad>(group.kind) || std::holds_alternative<RrpDyad>(group.kind) ||
          std::holds_alternative<RprDyad>(group.kind) || std::holds_alternative<TouchingBody>(group.kind);

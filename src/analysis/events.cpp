@@ -1,34 +1,18 @@
 #include "events.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "root_between.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 namespace higherpair {
 namespace {
 
 // Velocities below this share of the step's largest are rounding, not a motion whose sense could change.
 constexpr double kAtRest = 1e-12;
-
-// The root of f between 0 and h; f(x) is for the state at s + x. None where the values at the ends have one
-// sign.
-std::optional<double> root_between(const std::function<double(double)>& f, double at_0, double h,
-                                   double at_h) {
-  if (!(at_0 * at_h < 0)) {
-    return at_h == 0 ? std::optional(h) : std::nullopt;
-  }
-  std::uintmax_t calls = 200;
-  const bool forward = h > 0;
-  const auto bracket = boost::math::tools::toms748_solve(
-      f, forward ? 0 : h, forward ? h : 0, forward ? at_0 : at_h, forward ? at_h : at_0,
-      boost::math::tools::eps_tolerance<double>(52), calls);
-  return (bracket.first + bracket.second) / 2;
-}
 
 double output_velocity(const OutputJoint& output, const State& state) {
   const BodyMotion& body = state.bodies[static_cast<std::size_t>(output.body)];
@@ -160,11 +144,8 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
   std::vector<OutputJoint> outputs;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    const bool driven =
-        std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                    [&](const Driver& driver) { return driver.joint == static_cast<int>(i); });
     const bool grounded = (joint.first.body == 0) != (joint.second.body == 0);
-    if (driven || !grounded || !can_be_driven(joint.type)) {
+    if (is_driven(mechanism, static_cast<int>(i)) || !grounded || !can_be_driven(joint.type)) {
       continue;
     }
     const int body = joint.first.body == 0 ? joint.second.body : joint.first.body;

@@ -60,13 +60,13 @@ double carried_coordinate(const CarriedBody& carried, const BodyMotion& carrier,
   return (p_C - carried.freedom.p_WO).dot(carried.freedom.direction_W);
 }
 
-PlacedPair placed_pair(const Model& model, const TouchingBody& touching, const State& state) {
+StandingPair standing_pair(const Model& model, const TouchingBody& touching, const State& state) {
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
   const BodyMotion& body1 = body_in(state, known.body);
   const BodyMotion& carrier = body_in(state, touching.follower.carrier);
-  PlacedPair placed;
+  StandingPair placed;
   placed.u = body1.theta;
   placed.pair.curve1 = curve_of(model.mechanism, known);
   placed.pair.motion1.p_WO = body1.X_WB.p_WB;

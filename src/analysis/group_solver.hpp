@@ -52,10 +52,11 @@ void set_contact_rates(const Model& model, int contact, State& state);
 
 /// The contact of a touching body as a pair: body 1 the known one where it stands (coordinate u), body 2 the
 /// follower on its carrier where that stands.
-struct PlacedPair {
+struct StandingPair {
   ContactPair pair;
   double u = 0;
 };
-[[nodiscard]] PlacedPair placed_pair(const Model& model, const TouchingBody& touching, const State& state);
+[[nodiscard]] StandingPair standing_pair(const Model& model, const TouchingBody& touching,
+                                         const State& state);
 
 }  // namespace higherpair

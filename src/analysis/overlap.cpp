@@ -3,12 +3,12 @@
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "root_between.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <fmt/format.h>
 
 namespace higherpair {
@@ -64,15 +64,7 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   };
   const double before = gap_in(run.state);
   const double after = gap_in(kept);
-  double x = h;
-  if (before * after < 0) {
-    std::uintmax_t calls = 200;
-    const bool forward = h > 0;
-    const auto bracket = boost::math::tools::toms748_solve(
-        gap, forward ? 0 : h, forward ? h : 0, forward ? before : after, forward ? after : before,
-        boost::math::tools::eps_tolerance<double>(52), calls);
-    x = (bracket.first + bracket.second) / 2;
-  }
+  const double x = root_between(gap, before, h, after).value_or(h);
   run.trial = kept;
   return x;
 }

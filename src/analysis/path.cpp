@@ -5,12 +5,11 @@
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "overlap.hpp"
+#include "root_between.hpp"
 #include "step.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 namespace higherpair {
 namespace {
@@ -46,19 +45,9 @@ void add_limit(Run& run, std::size_t g, double driver) {
 std::optional<double> locate_limit(Run& run, const Path& path, std::size_t g, double s, double h) {
   const double here = slack_after(run, path, g, s, 0);
   const double there = slack_after(run, path, g, s, h);
-  if (!std::isfinite(here) || !std::isfinite(there) || here * there > 0) {
-    return std::nullopt;
-  }
-  if (here == 0) {
-    return s;
-  }
   const auto slack = [&](double x) { return slack_after(run, path, g, s, x); };
-  std::uintmax_t calls = 200;
-  const double low = std::min(0.0, h), high = std::max(0.0, h);
-  const auto bracket =
-      boost::math::tools::toms748_solve(slack, low, high, h > 0 ? here : there, h > 0 ? there : here,
-                                        boost::math::tools::eps_tolerance<double>(52), calls);
-  return s + (bracket.first + bracket.second) / 2;
+  const auto x = root_between(slack, here, h, there);
+  return x ? std::optional(s + *x) : std::nullopt;
 }
 
 void accept(Run& run) {

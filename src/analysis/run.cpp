@@ -8,6 +8,7 @@
 #include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
+#include "step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +16,9 @@
 namespace higherpair {
 namespace {
 
-Model model_of(const Run& run) {
-  return {run.mechanism, run.plan};
-}
-
 // Where the row is.
 const State& shown(const Run& run) {
   return run.between ? run.trial : run.state;
-}
-
-void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    set_group_rates(model_of(run), g, drivers, state);
-  }
 }
 
 // With one driver the rates of the row are those for a unit velocity, scaled.
@@ -93,14 +84,6 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   }
 }
 
-std::vector<DriverMotion> unit_motions(const std::vector<double>& positions) {
-  std::vector<DriverMotion> motions(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    motions[i] = {positions[i], positions.size() == 1 ? 1.0 : 0.0, 0};
-  }
-  return motions;
-}
-
 }  // namespace
 
 tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
@@ -120,13 +103,13 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   if (auto failure = assemble(run)) {
     return tl::unexpected(std::move(*failure));
   }
-  set_rates(run, unit_motions(drivers), run.state);
+  set_unit_motions(drivers, run.trial_motions);
+  set_rates(run, run.trial_motions, run.state);
   run.outputs = output_joints(mechanism);
   run.watches = watched_contacts(mechanism);
   run.trial = run.state;
   run.targets = drivers;
   run.trial_drivers = drivers;
-  run.trial_motions.resize(drivers.size());
   set_path(run.path, drivers, drivers);
   leave_singular_start(run);
   run.row.bodies = run.state.bodies;

@@ -41,10 +41,6 @@ Agreement agreement(const Group& group, const State& from, const State& to, doub
   return result;
 }
 
-Model model_of(const Run& run) {
-  return {run.mechanism, run.plan};
-}
-
 // Places groups up to (not including) `end` in run.trial, without asking whether they agree with a
 // prediction.
 bool place_before(Run& run, std::size_t end, double h, const std::vector<double>& drivers) {
@@ -109,10 +105,22 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
 
 }  // namespace
 
+void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    set_group_rates(model_of(run), g, drivers, state);
+  }
+}
+
+void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMotion>& motions) {
+  motions.resize(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    motions[i] = {positions[i], positions.size() == 1 ? 1.0 : 0.0, 0};
+  }
+}
+
 double driver_scale(const Run& run, std::size_t driver) {
   const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[driver].joint)];
-  const double size = run.plan.size > 0 ? run.plan.size : 1;
-  return joint.type == JointType::kRevolute ? 1 : size;
+  return joint.type == JointType::kRevolute ? 1 : run.plan.size;
 }
 
 double slack_after(Run& run, const Path& path, std::size_t g, double s, double h) {
@@ -144,9 +152,7 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
     }
   }
   path.motions(s + h, run.trial_motions);
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
-  }
+  set_rates(run, run.trial_motions, run.trial);
   return result;
 }
 
@@ -157,9 +163,7 @@ bool solve_at(Run& run, const Path& path, double s, double x) {
     return false;
   }
   path.motions(s + x, run.trial_motions);
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
-  }
+  set_rates(run, run.trial_motions, run.trial);
   return true;
 }
 
@@ -173,13 +177,8 @@ StepResult place_anew(Run& run, const std::vector<double>& drivers) {
     }
     result.group = result.limit && !known ? g : result.group;
   }
-  run.trial_motions.resize(drivers.size());
-  for (std::size_t i = 0; i < drivers.size(); ++i) {
-    run.trial_motions[i] = {drivers[i], drivers.size() == 1 ? 1.0 : 0.0, 0};
-  }
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
-  }
+  set_unit_motions(drivers, run.trial_motions);
+  set_rates(run, run.trial_motions, run.trial);
   return result;
 }
 

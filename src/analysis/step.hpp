@@ -8,6 +8,16 @@
 
 namespace higherpair {
 
+[[nodiscard]] inline Model model_of(const Run& run) {
+  return {run.mechanism, run.plan};
+}
+
+/// Velocities and accelerations of all bodies of `state`, whose positions stand.
+void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state);
+
+/// The drivers at their positions: a single one moves by one unit, several rest.
+void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMotion>& motions);
+
 struct StepResult {
   enum Kind { kOk, kLost, kDisagrees } kind = kOk;
   std::size_t group = 0;               ///< which failed

@@ -11,10 +11,6 @@ namespace {
 constexpr int kMaxSteps = 60;
 constexpr double kMaxTurn = 0.3;  // of the normal in one step [rad]
 
-bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
 Vector2d foot_on(const PlacedCurve<double>& line, const Vector2d& p_W) {
   return p_W - (p_W - line.vertex_W).dot(line.axis_W) * line.axis_W;
 }

@@ -205,7 +205,7 @@ struct Finder {
   }
 
   [[nodiscard]] CurveContact contact(const Tangency& tangency) const {
-    const ContactShape shape = shape_at(problem, tangency);
+    const TangencyShape shape = shape_at(problem, tangency);
     const bool point1 = norm(shape.G1) == 0;
     const bool point2 = norm(shape.G2) == 0;
     CurveContact contact;

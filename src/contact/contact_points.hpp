@@ -8,10 +8,6 @@
 
 namespace higherpair {
 
-[[nodiscard]] inline bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
 /// Both curves as they stand, in ground.
 struct PlacedPair {
   PlacedCurve<double> first;

@@ -7,10 +7,6 @@
 namespace higherpair {
 namespace {
 
-bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
 // `sense`: +1 if t of body 1 is the outward normal n_W of this body turned +90°, else -1.
 ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W, double rho,
                     double normal_angle, double sense) {

@@ -18,10 +18,6 @@ constexpr double kRankTolerance = 1e-9;
 
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
 
-bool is_line(const Curve& curve) {
-  return curve.kind == CurveKind::kLine;
-}
-
 double size_of(const ContactPair& pair, const ContactPosition& at) {
   return (at.p1_W - pair.motion1.p_WO).norm() + (at.p2_W - pair.motion2.p_WO).norm() + 1e-300;
 }

@@ -114,7 +114,7 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
 }
 
 bool touches(const TangencyProblem& problem, const Tangency& tangency) {
-  const ContactShape shape = shape_at(problem, tangency);
+  const TangencyShape shape = shape_at(problem, tangency);
   const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
   return shape.distance <= kTouching * reach && shape.misalignment <= kAligned;
 }
@@ -177,9 +177,9 @@ Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at) {
   return form;
 }
 
-ContactShape shape_at(const TangencyProblem& problem, const Tangency& tangency) {
+TangencyShape shape_at(const TangencyProblem& problem, const Tangency& tangency) {
   const Form<Extended> second = moved(problem, tangency.at);
-  ContactShape shape;
+  TangencyShape shape;
   const auto look = [&](const Form<Extended>& form, Complex<Extended>& G, double& kappa) {
     if (form.kind == FormKind::kPoint) {
       const double off = to_double(Extended(sqrt(norm(tangency.w - form.v[0]))));

@@ -36,14 +36,14 @@ struct Tangency {
 };
 
 /// How well a point and position satisfy the conditions of contact, in units of the problem.
-struct ContactShape {
+struct TangencyShape {
   double distance = 0;       ///< of the point from the curves, the larger one
   double misalignment = 0;   ///< |sine| of the angle between the normals
   Complex<Extended> G1, G2;  ///< gradients, out of the bodies; 0 for a point
   double kappa1 = 0, kappa2 = 0;
 };
 
-[[nodiscard]] ContactShape shape_at(const TangencyProblem& problem, const Tangency& tangency);
+[[nodiscard]] TangencyShape shape_at(const TangencyProblem& problem, const Tangency& tangency);
 
 /// λ₀ of the pencil's double root at a coordinate, and the degenerate conic λ₀ S1 + S2. \pre two conics
 struct DoubleMember {

@@ -1,6 +1,6 @@
 #include "higherpair/dynamics/reactions.hpp"
 
-#include "../analysis/group_solver.hpp"
+#include "../analysis/step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,9 +119,7 @@ void InverseDynamics::add_virtual_power(const Run& run) {
     for (std::size_t k = 0; k < unit_motions_.size(); ++k) {
       unit_motions_[k] = {run.drivers[k], k == i ? 1.0 : 0.0, 0};
     }
-    for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-      set_group_rates({run.mechanism, run.plan}, g, unit_motions_, unit_);
-    }
+    set_rates(run, unit_motions_, unit_);
     reactions_.drivers[i].by_power = -power(unit_.bodies);
   }
 }

@@ -28,7 +28,7 @@ Eigen::Vector3d scaled(const Eigen::Vector3d& wrench, double size) {
 
 }  // namespace
 
-Statics::Statics(const Run& run) : size_(run.plan.size > 0 ? run.plan.size : 1) {
+Statics::Statics(const Run& run) : size_(run.plan.size) {
   joint_rows_.resize(run.mechanism.joints.size());
   contact_rows_.resize(run.mechanism.contacts.size());
   driver_rows_.resize(run.mechanism.drivers.size());

@@ -71,6 +71,11 @@ tl::expected<MotionTable, std::string> MotionTable::make(const Profile& profile,
   for (std::size_t i = 0; i < profile.mechanism.bodies.size(); ++i) {
     table.grounded_.push_back(grounded_freedom(profile.mechanism, static_cast<int>(i)));
   }
+  for (std::size_t i = 0; i < profile.mechanism.joints.size(); ++i) {
+    if (!is_driven(profile.mechanism, static_cast<int>(i))) {
+      table.moved_.push_back(&profile.mechanism.joints[i]);
+    }
+  }
   table.arc_starts_.resize(profile.mechanism.contacts.size());
   table.add_names(profile);
   std::set<std::string> seen;
@@ -102,15 +107,12 @@ void MotionTable::add_names(const Profile& profile) {
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     add_body_names(mechanism.bodies[i], units);
   }
-  for (const Joint& joint : mechanism.joints) {
-    if (is_driven(joint)) {
-      continue;
-    }
-    const bool turns = has_angle(joint.type);
-    add(columns_, joint.name, {".position"}, unit(turns ? dimension::kAngle : dimension::kLength));
-    add(columns_, joint.name, {".velocity"},
+  for (const Joint* joint : moved_) {
+    const bool turns = has_angle(joint->type);
+    add(columns_, joint->name, {".position"}, unit(turns ? dimension::kAngle : dimension::kLength));
+    add(columns_, joint->name, {".velocity"},
         unit(turns ? dimension::kAngularVelocity : dimension::kVelocity));
-    add(columns_, joint.name, {".acceleration"},
+    add(columns_, joint->name, {".acceleration"},
         unit(turns ? dimension::kAngularAcceleration : dimension::kAcceleration));
   }
   for (const Contact& contact : mechanism.contacts) {
@@ -150,12 +152,6 @@ void MotionTable::add_contact_names(const Contact& contact, const Units& units) 
   add(columns_, prefix, {"sliding"}, unit_text(dimension::kVelocity, units));
   add(columns_, prefix, {"arc1", "arc2"}, length);
   add(columns_, prefix, {"pressure", "transmission"}, angle);
-}
-
-bool MotionTable::is_driven(const Joint& joint) const {
-  return std::any_of(mechanism_->drivers.begin(), mechanism_->drivers.end(), [&](const Driver& driver) {
-    return &mechanism_->joints[static_cast<std::size_t>(driver.joint)] == &joint;
-  });
 }
 
 void MotionTable::number(double value) {
@@ -203,10 +199,8 @@ const std::vector<Cell>& MotionTable::cells(const MotionRow& row, const std::vec
     for (std::size_t i = 1; i < row.bodies.size(); ++i) {
       add_body(row, i);
     }
-    for (const Joint& joint : mechanism_->joints) {
-      if (!is_driven(joint)) {
-        add_joint(row, joint);
-      }
+    for (const Joint* joint : moved_) {
+      add_joint(row, *joint);
     }
     for (std::size_t i = 0; i < row.contacts.size(); ++i) {
       add_contact(row, i);
@@ -244,8 +238,8 @@ void MotionTable::add_joint(const MotionRow& row, const Joint& joint) {
   const bool turns = has_angle(joint.type);
   const JointMotion motion = joint_motion(*mechanism_, joint, row.bodies);
   number((turns ? scale_.angle : scale_.length).apply(motion.position));
-  if (!row.has_rates[static_cast<std::size_t>(joint.first.body)] ||
-      !row.has_rates[static_cast<std::size_t>(joint.second.body)]) {
+  const auto has_rates = [&](int body) { return row.has_rates[static_cast<std::size_t>(body)]; };
+  if (!has_rates(joint.first.body) || !has_rates(joint.second.body) || !has_rates(joint.carrier)) {
     cells_.resize(cells_.size() + 2);
     return;
   }

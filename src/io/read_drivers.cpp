@@ -1,4 +1,5 @@
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "reading.hpp"
 
 #include <algorithm>
@@ -111,11 +112,6 @@ void skip_motion(TableReader& table) {
   }
 }
 
-bool is_driven_already(const Mechanism& mechanism, int joint) {
-  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                     [&](const Driver& driver) { return driver.joint == joint; });
-}
-
 std::optional<int> read_joint(TableReader& table, const Mechanism& mechanism,
                               const std::vector<bool>& joint_type_known) {
   const auto item = table.need("joint", "the name of a joint");
@@ -131,7 +127,7 @@ std::optional<int> read_joint(TableReader& table, const Mechanism& mechanism,
                        slot ? "a slot leaves" : "gears and belts leave"));
     return std::nullopt;
   }
-  if (is_driven_already(mechanism, *joint)) {
+  if (is_driven(mechanism, *joint)) {
     report(table.reading(), *item, "another driver drives this joint already");
   }
   return joint_type_known[index] ? joint : std::nullopt;

@@ -1,5 +1,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 
+#include <algorithm>
+
 namespace higherpair {
 
 JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
@@ -23,6 +25,11 @@ JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
   return {r.dot(d), v.dot(d) + omega * r.dot(across),
           (B.a_W - A.a_W).dot(d) + 2 * omega * v.dot(across) +
               r.dot(Vector2d(first.alpha * across - omega * omega * d))};
+}
+
+bool is_driven(const Mechanism& mechanism, int joint) {
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                     [&](const Driver& driver) { return driver.joint == joint; });
 }
 
 std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism) {

@@ -54,10 +54,10 @@ std::vector<double> depths(const Mechanism& mechanism) {
     changed = false;
     for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
       const Joint& joint = mechanism.joints[i];
-      const bool driven =
-          std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                      [&](const Driver& driver) { return driver.joint == static_cast<int>(i); });
-      const double step = driven ? 0.5 : 1;
+      if (couples_turning(joint.type)) {
+        continue;
+      }
+      const double step = is_driven(mechanism, static_cast<int>(i)) ? 0.5 : 1;
       changed = reach(joint.first.body, joint.second.body, step) || changed;
       changed = reach(joint.second.body, joint.first.body, step) || changed;
     }

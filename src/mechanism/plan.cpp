@@ -132,7 +132,8 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   }
   plan.surplus = structure.surplus;
   plan.phase_bodies = phase_bodies(mechanism);
-  plan.size = size_of(mechanism);
+  const double size = size_of(mechanism);
+  plan.size = size > 0 ? size : 1;
   for (Group& group : plan.groups) {
     if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
       dyad->size = plan.size;

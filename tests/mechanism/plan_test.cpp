@@ -21,8 +21,8 @@ using Settings = std::vector<std::string>;
 
 std::string name_of(const GroupKind& kind) {
   static const std::vector<std::string> names = {"driven",  "RRR",      "RRP",  "RPR",    "slides",
-                                                 "tracked", "touching", "idle", "coupled"};
-  return names[kind.index()];
+                                                 "tracked", "touching", "idle", "geared", "coupled"};
+  return names.at(kind.index());
 }
 
 // "kind: bodies" in the order of solution.
@@ -50,6 +50,40 @@ Mechanism shipped(const std::string& name, const Settings& settings = {}) {
     return {};
   }
   return profile->mechanism;
+}
+
+// Wheels on an arm that turns on ground; the first is driven against it.
+TEST(Plan, TurnsAWheelByItsGearsOnceArmAndOtherWheelStand) {
+  const auto profile = read_profile_text(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.arm]
+points.O = [0, 0]
+points.P = [40, 0]
+[bodies.sun]
+points.O = [0, 0]
+[bodies.planet]
+points.P = [40, 0]
+[joints.mesh]
+type = "gears"
+between = ["sun.O", "planet.P"]
+ratio = 1.5
+[joints.arm_pivot]
+type = "revolute"
+between = ["ground.O", "arm.O"]
+[joints.sun_pivot]
+type = "revolute"
+between = ["arm.O", "sun.O"]
+[joints.planet_pivot]
+type = "revolute"
+between = ["arm.P", "planet.P"]
+[drivers.arm]
+joint = "arm_pivot"
+[drivers.sun]
+joint = "sun_pivot"
+)",
+                                         "wheels.toml");
+  ASSERT_TRUE(profile) << to_string(profile.error().front());
+  EXPECT_THAT(groups_of(profile->mechanism), ElementsAre("driven: arm", "driven: sun", "geared: planet"));
 }
 
 TEST(Plan, SolvesAFourBarAsADriverAndADyad) {

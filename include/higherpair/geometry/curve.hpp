@@ -80,6 +80,11 @@ using CurveResult = tl::expected<Curve, CurveError>;
 /// its squared distance.
 [[nodiscard]] std::array<double, 6> implicit_coefficients(const Curve& curve);
 
+/// Whether the curve is a straight line, a flat face.
+[[nodiscard]] inline bool is_line(const Curve& curve) {
+  return curve.kind == CurveKind::kLine;
+}
+
 [[nodiscard]] inline bool is_conic(const Curve& curve) {
   return curve.kind != CurveKind::kLine && curve.kind != CurveKind::kPoint;
 }

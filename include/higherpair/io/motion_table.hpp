@@ -46,7 +46,6 @@ private:
   void add_names(const Profile& profile);
   void add_body_names(const Body& body, const Units& units);
   void add_contact_names(const Contact& contact, const Units& units);
-  [[nodiscard]] bool is_driven(const Joint& joint) const;
   void add_body(const MotionRow& row, std::size_t index);
   void add_joint(const MotionRow& row, const Joint& joint);
   void add_contact(const MotionRow& row, std::size_t index);
@@ -58,6 +57,7 @@ private:
 
   const Mechanism* mechanism_ = nullptr;
   std::vector<std::optional<OneFreedom>> grounded_;  ///< how each body moves on its joint to ground
+  std::vector<const Joint*> moved_;                  ///< joints that no driver moves
   bool timed_ = false;
   Scale scale_;
   std::vector<Column> columns_;

@@ -19,8 +19,8 @@ enum class ContactShape {
 /// append_driver_row append, in their order; the motions of `bodies` must fulfil those rows, up to
 /// accelerations.
 
-/// Revolute, prismatic, slot, gears and belts; a line that turns with its body A has the derivatives ω_A d⊥, α_A d⊥ - ω_A² d
-/// and (α̇_A - ω_A³) d⊥ - 3 ω_A α_A d of its direction.
+/// Revolute, prismatic, slot, gears and belts; a line that turns with its body A has the derivatives ω_A d⊥,
+/// α_A d⊥ - ω_A² d and (α̇_A - ω_A³) d⊥ - 3 ω_A α_A d of its direction.
 void append_jerk_terms(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                        std::vector<double>& deltas);
 

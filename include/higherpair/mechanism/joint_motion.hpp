@@ -23,6 +23,9 @@ struct JointMotion {
 [[nodiscard]] JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
                                        const std::vector<BodyMotion>& bodies);
 
+/// Whether a driver moves the joint. \param joint  index of Mechanism::joints
+[[nodiscard]] bool is_driven(const Mechanism& mechanism, int joint);
+
 /// The poses of the description as motions at rest.
 [[nodiscard]] std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism);
 

@@ -158,7 +158,7 @@ struct Plan {
   std::vector<int>
       phase_bodies;  ///< whose angle nothing but a rolling contact sets: they start in that of their pose
   int surplus = 0;   ///< conditions more than coordinates
-  double size = 0;  ///< largest distance between joint points and curve centres or vertices, in the poses [m]
+  double size = 1;   ///< size_of the mechanism, or 1 m where all its points coincide [m]
 };
 
 /// Largest distance between joint points and curve centres or vertices, in the poses [m].

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace higherpair {
+
+/// The root of f between 0 and h, to rounding; h may be negative. None where the values at the two ends have
+/// one sign.
+template <class F>
+[[nodiscard]] std::optional<double> root_between(const F& f, double at_0, double h, double at_h) {
+  if (at_0 == 0) {
+    return 0.0;
+  }
+  if (at_h == 0) {
+    return h;
+  }
+  if (!(std::signbit(at_0) != std::signbit(at_h)) || !std::isfinite(at_0) || !std::isfinite(at_h)) {
+    return std::nullopt;
+  }
+  std::uintmax_t calls = 200;
+  const bool forward = h > 0;
+  const auto bracket = boost::math::tools::toms748_solve(
+      f, forward ? 0.0 : h, forward ? h : 0.0, forward ? at_0 : at_h, forward ? at_h : at_0,
+      boost::math::tools::eps_tolerance<double>(52), calls);
+  return (bracket.first + bracket.second) / 2;
+}
+
+}  // namespace higherpair
