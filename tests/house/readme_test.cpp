@@ -1,13 +1,16 @@
-// Whatever the README shows is real: its commands run, its profile is analysed, its C++ is the program that
-// the install test compiles, the paths that it names exist. Blocks are told apart by their language:
-//   sh, console   commands; those of higherpair are run, in console with the output that is shown
-//   toml          a whole profile
-//   cpp, cmake    parts of tests/install
-//   text          nothing to run
+// Whatever the README and the pages of docs/ show is real: commands run, profiles are analysed, the README's
+// C++ is the program that the install test compiles, paths and links lead somewhere. Blocks are told apart by
+// their language:
+//   sh, console    commands; those of higherpair are run, in console with the output that is shown
+//   toml           a whole profile
+//   toml fragment  a part of one
+//   cpp, cmake     parts of tests/install
+//   text           nothing to run
 #include "house/readme.hpp"
 
 #include "house/tree.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +18,7 @@
 #include <set>
 #include <sstream>
 #include <sys/wait.h>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -30,9 +34,34 @@ std::string readme() {
   return read_file(root() / "README.md");
 }
 
-std::vector<Block> blocks_in(const std::set<std::string>& languages) {
-  std::vector<Block> chosen;
-  for (const Block& block : fenced_blocks(readme())) {
+// The README and the pages of docs/, relative to the root.
+std::vector<fs::path> pages() {
+  std::vector<fs::path> pages = {"README.md"};
+  for (const fs::path& file : project_files()) {
+    if (file.parent_path() == "docs" && file.extension() == ".md") {
+      pages.push_back(file);
+    }
+  }
+  return pages;
+}
+
+struct ShownBlock : Block {
+  std::string place;  // page and line
+};
+
+std::vector<ShownBlock> all_blocks() {
+  std::vector<ShownBlock> blocks;
+  for (const fs::path& page : pages()) {
+    for (const Block& block : fenced_blocks(read_file(root() / page))) {
+      blocks.push_back({block, page.string() + ":" + std::to_string(block.line)});
+    }
+  }
+  return blocks;
+}
+
+std::vector<ShownBlock> blocks_in(const std::set<std::string>& languages) {
+  std::vector<ShownBlock> chosen;
+  for (const ShownBlock& block : all_blocks()) {
     if (languages.contains(block.language)) {
       chosen.push_back(block);
     }
@@ -50,7 +79,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-// A folder in which the commands of the README work as in the root of the tree, but leave nothing there.
+// A folder in which the commands of the pages work as in the root of the tree, but leave nothing there.
 class ReadmeCommands : public testing::Test {
 protected:
   void SetUp() override {
@@ -83,17 +112,17 @@ protected:
 };
 
 TEST_F(ReadmeCommands, OfHigherpairRunAndPrintWhatIsShown) {
-  for (const Block& block : blocks_in({"sh", "console"})) {
+  for (const ShownBlock& block : blocks_in({"sh", "console"})) {
     for (const Command& command : commands_of(block)) {
       if (words_of(command.line).front() != "higherpair") {
         continue;
       }
       const Outcome outcome = run(command.line);
-      EXPECT_EQ(outcome.exit_code, 0) << command.line << "\n" << outcome.errors;
+      EXPECT_EQ(outcome.exit_code, 0) << block.place << ": " << command.line << "\n" << outcome.errors;
       if (block.language == "console") {
         EXPECT_TRUE(matches_with_gaps(outcome.output, command.output))
             << command.line << "\nprints\n"
-            << outcome.output << "and the README shows\n"
+            << outcome.output << "and " << block.place << " shows\n"
             << command.output;
       }
     }
@@ -101,17 +130,30 @@ TEST_F(ReadmeCommands, OfHigherpairRunAndPrintWhatIsShown) {
 }
 
 TEST_F(ReadmeCommands, AnalyseTheProfilesThatAreShown) {
-  for (const Block& block : blocks_in({"toml"})) {
+  for (const ShownBlock& block : blocks_in({"toml"})) {
     std::ofstream(folder_ / "shown.toml") << block.text;
-    const Outcome outcome = run("higherpair analyze shown.toml");
-    EXPECT_EQ(outcome.exit_code, 0) << "README.md:" << block.line << "\n" << outcome.errors;
+    const Outcome outcome = run("higherpair analyze shown.toml --quiet");
+    EXPECT_EQ(outcome.exit_code, 0) << block.place;
+    EXPECT_EQ(outcome.errors, "") << block.place;
   }
 }
 
-TEST(Readme, EveryBlockIsOfAKindThatIsChecked) {
-  const std::set<std::string> known = {"sh", "console", "toml", "cpp", "cmake", "text"};
-  for (const Block& block : fenced_blocks(readme())) {
-    EXPECT_TRUE(known.contains(block.language)) << "README.md:" << block.line << ": " << block.language;
+TEST(Pages, AreTheReadmeAndThoseOfDocs) {
+  EXPECT_THAT(pages(), testing::IsSupersetOf({fs::path("README.md"), fs::path("docs/profiles.md"),
+                                              fs::path("docs/results.md"), fs::path("docs/method.md")}));
+}
+
+TEST(Pages, HaveBlocksOfAKindThatIsChecked) {
+  const std::set<std::string> known = {"sh", "console", "toml", "toml fragment", "cpp", "cmake", "text"};
+  for (const ShownBlock& block : all_blocks()) {
+    EXPECT_TRUE(known.contains(block.language)) << block.place << ": " << block.language;
+  }
+}
+
+TEST(Pages, ShowAsciiInTheirBlocks) {
+  for (const ShownBlock& block : all_blocks()) {
+    EXPECT_TRUE(std::all_of(block.text.begin(), block.text.end(), [](unsigned char c) { return c < 128; }))
+        << block.place;
   }
 }
 
@@ -123,13 +165,13 @@ TEST(Readme, ShowsTheTwoCommandsOnItsFirstScreen) {
   EXPECT_THAT(blocks.front().text, HasSubstr("tools/test"));
 }
 
-TEST(Readme, CommandsNameScriptsAndPresetsThatExist) {
+TEST(Pages, CommandsNameScriptsAndPresetsThatExist) {
   const auto presets = nlohmann::json::parse(read_file(root() / "CMakePresets.json"));
   std::set<std::string> names;
   for (const auto& preset : presets["configurePresets"]) {
     names.insert(preset["name"].get<std::string>());
   }
-  for (const Block& block : blocks_in({"sh", "console"})) {
+  for (const ShownBlock& block : blocks_in({"sh", "console"})) {
     for (const Command& command : commands_of(block)) {
       const std::vector<std::string> words = words_of(command.line);
       const std::string& program = words.front();
@@ -147,28 +189,53 @@ TEST(Readme, CommandsNameScriptsAndPresetsThatExist) {
 }
 
 TEST(Readme, ShowsTheProgramThatTheInstallTestCompiles) {
-  const std::vector<Block> examples = blocks_in({"cpp"});
+  const std::vector<ShownBlock> examples = blocks_in({"cpp"});
   ASSERT_EQ(examples.size(), 1U);
   EXPECT_EQ(examples.front().text, read_file(root() / "tests/install/main.cpp"));
 }
 
 TEST(Readme, ShowsCMakeLinesThatTheInstallTestRuns) {
   const std::string project = read_file(root() / "tests/install/CMakeLists.txt");
-  for (const Block& block : blocks_in({"cmake"})) {
-    EXPECT_THAT(project, HasSubstr(block.text)) << "README.md:" << block.line;
+  for (const ShownBlock& block : blocks_in({"cmake"})) {
+    EXPECT_THAT(project, HasSubstr(block.text)) << block.place;
   }
 }
 
-TEST(Readme, PathsInBackticksExist) {
-  const std::string text = readme();
-  const std::regex path("`((include|src|tests|tools|profiles|cmake)/[\\w./-]*)`");
-  int count = 0;
-  for (auto match = std::sregex_iterator(text.begin(), text.end(), path); match != std::sregex_iterator();
-       ++match) {
-    ++count;
-    EXPECT_TRUE(fs::exists(root() / (*match)[1].str())) << (*match)[1];
+// What `pattern` catches on the pages, with the page.
+std::vector<std::pair<fs::path, std::string>> catches(const std::regex& pattern) {
+  std::vector<std::pair<fs::path, std::string>> caught;
+  for (const fs::path& page : pages()) {
+    const std::string text = read_file(root() / page);
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern);
+         match != std::sregex_iterator(); ++match) {
+      caught.emplace_back(page, (*match)[1].str());
+    }
   }
-  EXPECT_GT(count, 5);
+  return caught;
+}
+
+TEST(Pages, PathsInBackticksExist) {
+  const auto paths = catches(std::regex("`((include|src|tests|tools|profiles|cmake|docs)/[\\w./-]*)`"));
+  EXPECT_GT(paths.size(), 10U);
+  for (const auto& [page, path] : paths) {
+    EXPECT_TRUE(fs::exists(root() / path)) << page << ": " << path;
+  }
+}
+
+TEST(Pages, HeadersInBackticksExist) {
+  const auto headers = catches(std::regex("`(\\w+/\\w+\\.hpp)`"));
+  EXPECT_GT(headers.size(), 5U);
+  for (const auto& [page, header] : headers) {
+    EXPECT_TRUE(fs::exists(root() / "include/higherpair" / header)) << page << ": " << header;
+  }
+}
+
+TEST(Pages, LinksToEachOtherLeadSomewhere) {
+  const auto links = catches(std::regex("\\]\\(([\\w./-]+)\\)"));
+  EXPECT_GT(links.size(), 5U);
+  for (const auto& [page, link] : links) {
+    EXPECT_TRUE(fs::exists(root() / page.parent_path() / link)) << page << ": " << link;
+  }
 }
 
 TEST(FencedBlocks, AreFoundWithLanguageAndLine) {
