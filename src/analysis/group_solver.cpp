@@ -22,6 +22,11 @@ void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, 
 void move_driven(const DrivenBody& driven, const std::vector<DriverMotion>& drivers, State& state) {
   const CarriedBody& carried = driven.carried;
   const DriverMotion& driver = drivers[static_cast<std::size_t>(driven.driver)];
+  if (carried.carrier == 0) {
+    set_rates_at(carried.freedom, carried.sign * driver.velocity, carried.sign * driver.acceleration,
+                 body_in(state, carried.body));
+    return;
+  }
   body_in(state, carried.body) =
       carried_motion(carried, body_in(state, carried.carrier), carried.sign * driver.position,
                      carried.sign * driver.velocity, carried.sign * driver.acceleration);

@@ -8,17 +8,24 @@
 namespace higherpair {
 namespace {
 
+// The largest so far, squared.
 struct Errors {
-  double distance = 0;  // [m]
-  double speed = 0;     // [m/s]
-  double fastest = 0;   // [m/s]
+  double distance2 = 0;  // [m²]
+  double speed2 = 0;     // [m²/s²]
+  double fastest2 = 0;   // [m²/s²]
 
-  void add(double length, double velocity) {
+  void add(double length2, double velocity2) {
     // A value that is not a number must not get lost.
-    distance = length <= distance ? distance : length;
-    speed = velocity <= speed ? speed : velocity;
+    distance2 = length2 <= distance2 ? distance2 : length2;
+    speed2 = velocity2 <= speed2 ? speed2 : velocity2;
   }
+
+  void compare(double velocity2) { fastest2 = std::max(fastest2, velocity2); }
 };
+
+double square(double x) {
+  return x * x;
+}
 
 void add_gears(const Run& run, const Joint& joint, Errors& errors) {
   const ConstraintRow row = gear_row(joint, run.row.bodies, run.plan.size);
@@ -28,9 +35,9 @@ void add_gears(const Run& run, const Joint& joint, Errors& errors) {
     const auto body = static_cast<std::size_t>(row.body[k]);
     rates = rates && run.row.has_rates[body];
     speed += row.coefficient[k].z() * run.row.bodies[body].omega;
-    errors.fastest = std::max(errors.fastest, std::abs(row.coefficient[k].z() * run.row.bodies[body].omega));
+    errors.compare(square(row.coefficient[k].z() * run.row.bodies[body].omega));
   }
-  errors.add(std::abs(row.value), rates ? std::abs(speed) : 0);
+  errors.add(square(row.value), rates ? square(speed) : 0);
 }
 
 void add_joint(const Run& run, const Joint& joint, Errors& errors) {
@@ -49,20 +56,20 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
   const Vector2d r = (b.X_WB.p_WB - a.X_WB.p_WB) + (r_b - r_a);
   const Vector2d v_a = a.v_WB + a.omega * perp(r_a);
   const Vector2d v = b.v_WB + b.omega * perp(r_b) - v_a;
-  errors.fastest =
-      std::max({errors.fastest, v_a.lpNorm<Eigen::Infinity>(), (v + v_a).lpNorm<Eigen::Infinity>()});
+  errors.compare(v_a.squaredNorm());
   if (joint.type == JointType::kRevolute) {
-    errors.add(r.lpNorm<Eigen::Infinity>(), rates ? v.lpNorm<Eigen::Infinity>() : 0);
+    errors.add(r.squaredNorm(), rates ? v.squaredNorm() : 0);
     return;
   }
   const Vector2d across = perp(Vector2d(a.X_WB.R_WB * joint.direction_A));
-  errors.add(std::abs(r.dot(across)), rates ? std::abs((v - a.omega * perp(r)).dot(across)) : 0);
+  errors.compare((v + v_a).squaredNorm());
+  errors.add(square(r.dot(across)), rates ? square((v - a.omega * perp(r)).dot(across)) : 0);
   if (joint.type == JointType::kPrismatic) {
     const Rotation<double> relative = b.X_WB.R_WB * a.X_WB.R_WB.inverse();
     const Rotation<double> wanted = Rotation<double>::from_angle(joint.relative_angle);
     const double size = run.plan.size;
-    errors.add(size * std::abs((relative * wanted.inverse()).sin),
-               rates ? size * std::abs(b.omega - a.omega) : 0);
+    errors.add(square(size * (relative * wanted.inverse()).sin),
+               rates ? square(size * (b.omega - a.omega)) : 0);
   }
 }
 
@@ -77,12 +84,14 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
   };
   const Vector2d v1 = velocity(body_a, motion.at.p1_W);
   const Vector2d v = velocity(body_b, motion.at.p2_W) - v1;
-  errors.fastest =
-      std::max({errors.fastest, v1.lpNorm<Eigen::Infinity>(), (v + v1).lpNorm<Eigen::Infinity>()});
+  errors.compare(v1.squaredNorm());
+  errors.compare((v + v1).squaredNorm());
   const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
-  const double along_normal = std::abs(v.dot(motion.at.n_W));
-  const double slip = contact.rolling ? std::abs(v.dot(perp(motion.at.n_W))) : 0;
-  errors.add((motion.at.p2_W - motion.at.p1_W).norm(), rates ? std::max(along_normal, slip) : 0);
+  const double along_normal = v.dot(motion.at.n_W);
+  errors.add((motion.at.p2_W - motion.at.p1_W).squaredNorm(),
+             !rates            ? 0
+             : contact.rolling ? v.squaredNorm()
+                               : square(along_normal));
 }
 
 }  // namespace
@@ -95,8 +104,9 @@ double residual_of(const Run& run) {
   for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
     add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
   }
-  const double scaled = errors.fastest > 0 ? errors.speed * run.plan.size / errors.fastest : 0;
-  return errors.distance >= scaled ? errors.distance : scaled;
+  const double scaled2 =
+      errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan.size) : 0;
+  return std::sqrt(errors.distance2 >= scaled2 ? errors.distance2 : scaled2);
 }
 
 }  // namespace higherpair

@@ -77,7 +77,9 @@ void Statics::set_layout(const Run& run) {
       held_rows_.push_back(rows_.size() - i);
     }
     redundant_ = redundant_ || block.row_count != 3 * group.bodies.size();
-    if (group.bodies.size() == 2) {
+    if (std::holds_alternative<RrrDyad>(group.kind)) {
+      block.factors = pinned_dyad(block);
+    } else if (group.bodies.size() == 2) {
       block.factors.emplace<Factors<Matrix6d>>(Matrix6d::Identity());
     } else if (group.bodies.size() > 2) {
       block.factors.emplace<Factors<Eigen::MatrixXd>>();
@@ -108,7 +110,66 @@ void Statics::stand(const Run& run) {
     return;
   }
   for (Block& block : blocks_) {
-    std::visit([&](auto& factors) { factorise(block, factors); }, block.factors);
+    std::visit(
+        [&](auto& factors) {
+          if constexpr (!std::is_same_v<decltype(factors), PinnedDyad&>) {
+            factorise(block, factors);
+          }
+        },
+        block.factors);
+  }
+}
+
+Statics::PinnedDyad Statics::pinned_dyad(const Block& block) const {
+  PinnedDyad dyad;
+  for (std::size_t pin = block.first_row; pin < block.first_row + block.row_count; pin += 2) {
+    const auto side_of = [&](int body) { return rows_[pin].body[0] == body ? 0U : 1U; };
+    const auto joins = [&](int body) { return rows_[pin].body[side_of(body)] == body; };
+    const bool is_inner = joins(block.bodies[0]) && joins(block.bodies[1]);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (joins(block.bodies[i])) {
+        (is_inner ? dyad.inner : dyad.outer)[i] = {pin, side_of(block.bodies[i])};
+      }
+    }
+  }
+  return dyad;
+}
+
+void Statics::solve(const Block& block, const PinnedDyad& dyad, std::vector<Wrench>& wrenches) {
+  // The force of a condition on the dyad's body is `sign` times the multipliers, at `r` from its frame.
+  struct Pin {
+    double sign;
+    Vector2d r;
+  };
+  const auto pin_at = [&](const PinnedDyad::Pin& pin) {
+    const Eigen::Vector3d& along_x = rows_[pin.row].coefficient[pin.side];
+    const Eigen::Vector3d& along_y = rows_[pin.row + 1].coefficient[pin.side];
+    return Pin{along_x.x(), along_x.x() * Vector2d(along_y.z(), -along_x.z())};
+  };
+  std::array<Vector2d, 2> arm, force;
+  std::array<double, 2> moment{};  // arm × inner force
+  std::array<double, 2> sign{}, outer_sign{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Wrench& wrench = wrenches[static_cast<std::size_t>(block.bodies[i])];
+    const Pin outer = pin_at(dyad.outer[i]);
+    const Pin inner = pin_at(dyad.inner[i]);
+    force[i] = wrench.head<2>();
+    arm[i] = inner.r - outer.r;
+    sign[i] = inner.sign;
+    outer_sign[i] = outer.sign;
+    moment[i] = -inner.sign * (wrench.z() - cross(outer.r, force[i]));
+  }
+  const Vector2d at_inner = (moment[0] * arm[1] - moment[1] * arm[0]) / cross(arm[0], arm[1]);
+  multipliers_[dyad.inner[0].row] = at_inner.x();
+  multipliers_[dyad.inner[0].row + 1] = at_inner.y();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t row = dyad.outer[i].row;
+    const std::size_t known = 1 - dyad.outer[i].side;
+    const Vector2d at_outer = -outer_sign[i] * (force[i] + sign[i] * at_inner);
+    multipliers_[row] = at_outer.x();
+    multipliers_[row + 1] = at_outer.y();
+    wrenches[static_cast<std::size_t>(rows_[row].body[known])] +=
+        at_outer.x() * rows_[row].coefficient[known] + at_outer.y() * rows_[row + 1].coefficient[known];
   }
 }
 

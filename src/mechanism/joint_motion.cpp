@@ -42,14 +42,4 @@ std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism) {
   return bodies;
 }
 
-Vector2d point_of(const Mechanism& mechanism, const PointRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
-}
-
-const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)]
-      .curves[static_cast<std::size_t>(ref.curve)]
-      .curve;
-}
-
 }  // namespace higherpair

@@ -2,8 +2,10 @@
 // checked before anything is timed.
 #include "checks.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/motion_table.hpp"
 #include "higherpair/linkage/four_bar.hpp"
+#include "linkages.hpp"
 
 #include <algorithm>
 #include <array>
@@ -141,6 +143,43 @@ void register_rows(const Case& reference, double floor) {
   }
 }
 
+void register_watt_by_hand(const SixBarByHand& by_hand, double floor) {
+  const auto nothing = [] {};
+  add("watt_sixbar/by_hand", [=](benchmark::State& state) {
+    const auto step = [&](int k) { benchmark::DoNotOptimize(by_hand.motion_at(driver_position(k))); };
+    run_turns(state, floor, step, nothing);
+  });
+  add("watt_sixbar/by_hand_with_forces", [=](benchmark::State& state) {
+    const auto step = [&](int k) {
+      const SixBarByHand::Motion motion = by_hand.motion_at(driver_position(k));
+      benchmark::DoNotOptimize(motion);
+      benchmark::DoNotOptimize(by_hand.forces_of(motion));
+    };
+    run_turns(state, floor, step, nothing);
+  });
+}
+
+// Through the general plan: the motion of all bodies, and the reactions of all joints with it.
+void register_plan(const std::string& name, const Run& start, double floor) {
+  const auto measure = [=](benchmark::State& state, bool with_forces) {
+    Run run = start;
+    InverseDynamics dynamics(run);
+    const double from = start.drivers.front();
+    std::vector<DriverMotion> motions(1);
+    const auto step = [&](int k) {
+      motions[0] = {from + driver_position(k), 1, 0};
+      move_to(run, motions);
+      benchmark::DoNotOptimize(run.row.bodies.data());
+      if (with_forces) {
+        benchmark::DoNotOptimize(dynamics.solve(run));
+      }
+    };
+    run_turns(state, floor, step, [&] { run = start; });
+  };
+  add("plan/" + name, [=](benchmark::State& state) { measure(state, false); });
+  add("plan_with_forces/" + name, [=](benchmark::State& state) { measure(state, true); });
+}
+
 // Returns the exit code.
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
@@ -154,6 +193,8 @@ int run(int argc, char** argv) {
     check_tracking(reference);
     check_rows(reference);
   }
+  const LinkageCase<FourBarByHand> four_bar = checked_four_bar();
+  const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -161,6 +202,9 @@ int run(int argc, char** argv) {
 
   const double floor = measure_floor();
   register_four_bars(floor);
+  register_watt_by_hand(watt.by_hand, floor);
+  register_plan("four_bar", four_bar.run, floor);
+  register_plan("watt_sixbar", watt.run, floor);
   for (const Case& reference : cases) {
     register_tracking(reference, floor);
   }

@@ -59,12 +59,22 @@ private:
   template <class Matrix>
   using Factors = Eigen::PartialPivLU<Matrix>;
 
+  // Two bodies between three pins: the moments about the outer pins give the force at the inner one.
+  struct PinnedDyad {
+    struct Pin {
+      std::size_t row = 0;   // its condition along x; that along y follows
+      std::size_t side = 0;  // of the row: the dyad's body
+    };
+    std::array<Pin, 2> outer;  // of the two bodies
+    std::array<Pin, 2> inner;
+  };
+
   // The conditions and bodies of a group; a square system of equations, transposed.
   struct Block {
     std::size_t first_row = 0;
     std::size_t row_count = 0;
     std::vector<int> bodies;
-    std::variant<Factors<Eigen::Matrix3d>, Factors<Matrix6d>, Factors<Eigen::MatrixXd>> factors;
+    std::variant<Factors<Eigen::Matrix3d>, Factors<Matrix6d>, Factors<Eigen::MatrixXd>, PinnedDyad> factors;
   };
 
   void append_rows_of(const Run& run, std::size_t g);
@@ -73,6 +83,8 @@ private:
   void factorise(const Block& block, Factors<Matrix>& factors) const;
   template <class Matrix>
   void solve(const Block& block, const Factors<Matrix>& factors, std::vector<Wrench>& wrenches);
+  [[nodiscard]] PinnedDyad pinned_dyad(const Block& block) const;
+  void solve(const Block& block, const PinnedDyad& dyad, std::vector<Wrench>& wrenches);
   void factorise_all();
   [[nodiscard]] bool solve_all(const std::vector<Wrench>& wrenches);
 

@@ -33,16 +33,21 @@ struct OneFreedom {
   return freedom.turns ? Vector2d(freedom.p_WO - p_W) : Vector2d::Zero();
 }
 
-/// Motion of the body's frame for the coordinate q and its first two time derivatives.
-[[nodiscard]] inline BodyMotion motion_at(const OneFreedom& freedom, double q, double q_dot, double q_ddot) {
-  BodyMotion body;
-  body.X_WB = pose_at(freedom, q);
-  body.theta = freedom.turns ? q : freedom.theta;
+/// Sets the rates of a body whose pose stands, from the first two time derivatives of its coordinate.
+inline void set_rates_at(const OneFreedom& freedom, double q_dot, double q_ddot, BodyMotion& body) {
   body.omega = freedom.turns ? q_dot : 0;
   body.alpha = freedom.turns ? q_ddot : 0;
   const Vector2d per_q = velocity_per_q(freedom, body.X_WB.p_WB);
   body.v_WB = q_dot * per_q;
   body.a_WB = q_ddot * per_q + q_dot * q_dot * acceleration_per_q(freedom, body.X_WB.p_WB);
+}
+
+/// Motion of the body's frame for the coordinate q and its first two time derivatives.
+[[nodiscard]] inline BodyMotion motion_at(const OneFreedom& freedom, double q, double q_dot, double q_ddot) {
+  BodyMotion body;
+  body.X_WB = pose_at(freedom, q);
+  body.theta = freedom.turns ? q : freedom.theta;
+  set_rates_at(freedom, q_dot, q_ddot, body);
   return body;
 }
 

@@ -30,9 +30,15 @@ struct JointMotion {
 [[nodiscard]] std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism);
 
 /// The point that a reference names, in its body's frame [m].
-[[nodiscard]] Vector2d point_of(const Mechanism& mechanism, const PointRef& ref);
+[[nodiscard]] inline const Vector2d& point_of(const Mechanism& mechanism, const PointRef& ref) {
+  return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
+}
 
 /// The curve that a reference names, in its body's frame.
-[[nodiscard]] const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref);
+[[nodiscard]] inline const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref) {
+  return mechanism.bodies[static_cast<std::size_t>(ref.body)]
+      .curves[static_cast<std::size_t>(ref.curve)]
+      .curve;
+}
 
 }  // namespace higherpair

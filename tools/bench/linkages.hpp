@@ -1,0 +1,22 @@
+#pragma once
+
+#include "floor.hpp"
+#include "higherpair/analysis/run.hpp"
+#include "sixbar_by_hand.hpp"
+
+namespace higherpair::bench {
+
+/// A shipped linkage and the same one by hand.
+template <class ByHand>
+struct LinkageCase {
+  ByHand by_hand;
+  Run run;  ///< standing at the driver's start
+};
+
+/// Both end the program where the library's answers over a turn differ from those by hand, or where those
+/// contradict themselves (closure; rates against differences; power of the driving torque against that of the
+/// loads and inertias).
+[[nodiscard]] LinkageCase<FourBarByHand> checked_four_bar();
+[[nodiscard]] LinkageCase<SixBarByHand> checked_watt_sixbar();
+
+}  // namespace higherpair::bench
