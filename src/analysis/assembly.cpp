@@ -28,8 +28,8 @@ const Contact& contact_of(const Mechanism& mechanism, int index) {
   return mechanism.contacts[static_cast<std::size_t>(index)];
 }
 
-std::string explain(FindStatus status, const std::string& contact) {
-  const std::string name = "contacts." + contact + ": ";
+std::string explain(FindStatus status, const Contact& contact) {
+  const std::string name = "contacts." + contact.name + ": ";
   switch (status) {
     case FindStatus::kOverlapAtStart:
       return name +
@@ -42,10 +42,11 @@ std::string explain(FindStatus status, const std::string& contact) {
     case FindStatus::kFound:
       break;
   }
-  return name +
-         "the two bodies do not touch at the first driver position, wherever the follower stands; change "
-         "driver.start "
-         "or the pose of the follower";
+  return name + "the two bodies do not touch at the first driver position, " +
+         (contact.approach == Approach::kNearest
+              ? "wherever the follower stands; change driver.start or the pose of the follower"
+              : "however far the follower is moved that way from its pose; change its approach or pose, or "
+                "driver.start");
 }
 
 FindResult first_contact(const ContactPair& pair, Approach approach, double u, double q, double sign) {
@@ -241,7 +242,7 @@ private:
         return false;
       }
     } else if (found.status != FindStatus::kFound) {
-      fail(g, explain(found.status, contact.name));
+      fail(g, explain(found.status, contact));
       return false;
     } else {
       state_.tracks[g] = start_track(tracked.pair, found.at, found.branch);
@@ -262,12 +263,12 @@ private:
       state_.tracks[g] = track;
       return true;
     }
-    const std::string& name = contact_of(run_.mechanism, tracked.contact).name;
+    const Contact& contact = contact_of(run_.mechanism, tracked.contact);
     if (found.status != FindStatus::kFound) {
-      fail(g, explain(found.status, name));
+      fail(g, explain(found.status, contact));
       return false;
     }
-    fail(g, "contacts." + name +
+    fail(g, "contacts." + contact.name +
                 ": this pair cannot roll; set rolling = false, or choose curves and joints whose contact "
                 "point stays "
                 "at the instant centre");
@@ -290,7 +291,7 @@ private:
     const FindResult found =
         first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
     if (found.status != FindStatus::kFound) {
-      fail(g, explain(found.status, contact.name));
+      fail(g, explain(found.status, contact));
       return false;
     }
     state_.groups[g].mode = found.branch;

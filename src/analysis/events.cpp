@@ -44,7 +44,7 @@ void note_stroke_ends(Run& run, const Path& path, double s, double h) {
     if (x) {
       RunEvent event;
       event.type = EventType::kStrokeEnd;
-      event.driver = driver_at(path, s + *x);
+      set_place(event, path, s + *x);
       event.joint = output.joint;
       event.cause = "the motion of this joint reverses";
       run.events.push_back(std::move(event));
@@ -77,7 +77,7 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
     if (x) {
       RunEvent event;
       event.type = EventType::kConforming;
-      event.driver = driver_at(path, s + *x);
+      set_place(event, path, s + *x);
       event.contact = static_cast<int>(i);
       event.cause =
           "both curves have the same curvature at the contact: beyond, the bodies cut into each other there";
@@ -130,7 +130,7 @@ void note_dead_points(Run& run, const Path& path, double s, double h) {
     run.trial = kept;
     RunEvent event;
     event.type = EventType::kDeadPoint;
-    event.driver = driver_at(path, s + x);
+    set_place(event, path, s + x);
     name_item(run, g, event);
     event.cause =
         "branches cross here: the input cannot tell which way the mechanism goes on; it is taken straight on";

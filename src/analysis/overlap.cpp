@@ -138,7 +138,7 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
     }
     RunEvent event;
     event.type = EventType::kOverlap;
-    event.driver = driver_at(path, s + closing_between(run, path, contact, s, h, here.n_W));
+    set_place(event, path, s + closing_between(run, path, contact, s, h, here.n_W));
     event.contact = static_cast<int>(i);
     event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
     const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;

@@ -29,10 +29,10 @@ double largest_step(const Run& run, const Path& path) {
   return std::abs(path.length) / parts;
 }
 
-void add_limit(Run& run, std::size_t g, double driver) {
+void add_limit(Run& run, std::size_t g, const Path& path, double s) {
   RunEvent event;
   event.type = EventType::kLimitPosition;
-  event.driver = driver;
+  set_place(event, path, s);
   name_item(run, g, event);
   event.cause =
       event.contact
@@ -48,6 +48,16 @@ std::optional<double> locate_limit(Run& run, const Path& path, std::size_t g, do
   const auto slack = [&](double x) { return slack_after(run, path, g, s, x); };
   const auto x = root_between(slack, here, h, there);
   return x ? std::optional(s + *x) : std::nullopt;
+}
+
+// The limit of a tracked pair, in the coordinate of the driver that moves it.
+void add_limit(Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
+  const auto driver = static_cast<std::size_t>(std::get<TrackedPair>(run.plan.groups[g].kind).driver);
+  const double way = limit.u - path.from[driver];
+  add_limit(run, g, path, path.is_single() ? way : way / (path.to[driver] - path.from[driver]));
+  if (driver == 0) {
+    run.events.back().driver = limit.u;
+  }
 }
 
 void accept(Run& run) {
@@ -69,6 +79,11 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
   } else if (!group.joints.empty()) {
     event.joint = group.joints.front();
   }
+}
+
+void set_place(RunEvent& event, const Path& path, double s) {
+  event.driver = driver_at(path, s);
+  event.share = path.length == 0 ? 1 : s / path.length;
 }
 
 double driver_at(const Path& path, double s) {
@@ -113,7 +128,7 @@ bool follow(Run& run, const Path& path) {
     const double step = last ? rest : std::copysign(h, rest);
     const StepResult result = try_step(run, path, s, step);
     if (result.limit) {
-      add_limit(run, result.group, result.limit->u);
+      add_limit(run, result.group, path, *result.limit);
     }
     if (result.kind == StepResult::kOk && !last && is_near_crossing(run, run.trial) &&
         std::abs(step) > 0.02 * scale) {
@@ -142,12 +157,12 @@ bool follow(Run& run, const Path& path) {
     h = std::abs(step) / 2;
     if (++halvings >= kHalvingsToLimit) {
       if (const auto limit = locate_limit(run, path, result.group, s, step)) {
-        add_limit(run, result.group, driver_at(path, *limit));
+        add_limit(run, result.group, path, *limit);
         return lose(run, path);
       }
     }
     if (h < kSmallestStep * scale * (1 + std::abs(driver_at(path, s)) / scale)) {
-      add_limit(run, result.group, driver_at(path, s));
+      add_limit(run, result.group, path, s);
       return lose(run, path);
     }
   }
@@ -166,7 +181,9 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   run.between = false;
   run.drivers = drivers;
   if (result.limit) {
-    add_limit(run, result.group, result.limit->u);
+    Path way;
+    set_path(way, lost_at, drivers);
+    add_limit(run, result.group, way, *result.limit);
     return true;
   }
   // Where this stretch begins: the limit on the way back.
@@ -175,8 +192,12 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   Path way_back;
   set_path(way_back, drivers, lost_at);
   if (!follow(back, way_back)) {
-    std::copy_if(back.events.begin(), back.events.end(), std::back_inserter(run.events),
-                 [](const RunEvent& event) { return event.type == EventType::kLimitPosition; });
+    for (RunEvent& event : back.events) {
+      if (event.type == EventType::kLimitPosition) {
+        event.share = 1 - event.share;
+        run.events.push_back(event);
+      }
+    }
   }
   return true;
 }

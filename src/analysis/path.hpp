@@ -13,6 +13,9 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 /// The first driver's coordinate at s.
 [[nodiscard]] double driver_at(const Path& path, double s);
 
+/// Says where on the path an event happens.
+void set_place(RunEvent& event, const Path& path, double s);
+
 /// Names the joint or contact at which an event of a group happens.
 void name_item(const Run& run, std::size_t g, RunEvent& event);
 

@@ -248,6 +248,23 @@ double DriverSchedule::time(std::int64_t row) const {
   return time_step_ > 0 ? static_cast<double>(row) * time_step_ : between(0, duration_, row, size_ - 1);
 }
 
+double DriverSchedule::passing_time(std::int64_t row, double position, double share) const {
+  if (row == 0) {
+    return time(0);
+  }
+  const double before = time(row - 1);
+  const double after = time(row);
+  double t = std::lerp(before, after, std::clamp(share, 0.0, 1.0));
+  // A parabola: Newton's method has all digits after a few steps, and is at once there on a straight line.
+  for (int i = 0; drivers_.size() == 1 && i < 6; ++i) {
+    const OneDriver& driver = drivers_.front();
+    const double error = driver.start - position + t * (driver.velocity + t * driver.acceleration / 2);
+    const double velocity = driver.velocity + t * driver.acceleration;
+    t = velocity == 0 ? t : std::clamp(t - error / velocity, before, after);
+  }
+  return t;
+}
+
 DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {
   if (timed_) {
     const double t = time(row);

@@ -79,6 +79,31 @@ TEST_F(Program, ReportsTheLimitPositionsToTheLastDigits) {
   EXPECT_EQ(json.at("rows").size(), 361U);
 }
 
+// The driver starts with 60 deg/s and speeds up with 20 deg/s²: t = (√(3600 + 40 θ) - 60)/20, θ in degrees.
+TEST_F(Program, TellsTheTimeOfEventsBetweenTheRowsOfAStep) {
+  const Outcome outcome =
+      run("step " + profile("lock_up.toml") +
+          " --set driver.velocity=60 --set driver.acceleration=20 --set driver.duration=4"
+          " --set driver.time_step=0.07 --json -");
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  int limits = 0;
+  for (const nlohmann::json& event : json.at("events")) {
+    const double theta = event.at("driver").get<double>();
+    EXPECT_NEAR(event.at("time").get<double>(), (std::sqrt(3600 + 40 * theta) - 60) / 20, 1e-13);
+    limits += event.at("type") == "limit_position" ? 1 : 0;
+  }
+  EXPECT_EQ(limits, 2);
+  EXPECT_THAT(outcome.err, HasSubstr(", time = "));
+}
+
+TEST_F(Program, SummarisesARunWithJerk) {
+  const Outcome outcome = run("analyze " + profile("ellipse_cam_roller.toml") + " --jerk --summary");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("rows: 361 ok"));
+  EXPECT_THAT(outcome.out, HasSubstr("follower.jerk"));
+}
+
 TEST_F(Program, SaysWhereTheFileIsWrongAndWritesNothing) {
   const fs::path table = folder_ / "table.csv";
   const Outcome outcome = run("analyze " + profile("knife_edge.toml") +

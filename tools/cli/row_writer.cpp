@@ -75,7 +75,7 @@ void RowWriter::end(const std::vector<Event>& events) {
           {"type", event.type},
           {"driver", event.driver},
           {"time", event.time ? nlohmann::json(*event.time) : nlohmann::json()},
-          {"item", event.item},
+          {"item", event.item.empty() ? nlohmann::json() : nlohmann::json(event.item)},
           {"cause", event.cause}};
       buffer_ += (i > 0 ? ",\n  " : "\n  ") + json.dump();
     }

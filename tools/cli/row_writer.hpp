@@ -15,7 +15,7 @@ struct Event {
   std::string type;
   double driver = 0;
   std::optional<double> time;
-  std::string item;
+  std::string item;  ///< empty: none
   std::string cause;
 };
 

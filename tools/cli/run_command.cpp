@@ -3,14 +3,13 @@
 #include "force_rows.hpp"
 #include "higherpair/io/jerk_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "progress.hpp"
 #include "row_writer.hpp"
+#include "summary.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <ctime>
-#include <map>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -47,74 +46,6 @@ bool failed(const std::vector<RowWriter>& writers) {
   return false;
 }
 
-// Smallest and largest value of every column, and how many rows have which status (the column of that
-// number).
-struct Summary {
-  struct Range {
-    double low = INFINITY;
-    double high = -INFINITY;
-  };
-  std::vector<Range> ranges;
-  std::map<std::string, std::int64_t> statuses;
-
-  void add(const std::vector<Cell>& cells, std::size_t status) {
-    ranges.resize(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (const auto* number = std::get_if<double>(&cells[i])) {
-        ranges[i].low = std::min(ranges[i].low, *number);
-        ranges[i].high = std::max(ranges[i].high, *number);
-      }
-    }
-    ++statuses[std::string(std::get<std::string_view>(cells[status]))];
-  }
-
-  void print(const std::string& title, const std::vector<Column>& columns) const {
-    fmt::print("{}\n\n{:<28}{:>16}{:>16}  unit\n", title, "column", "smallest", "largest");
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (columns[i].unit.empty() || ranges[i].low > ranges[i].high) {
-        continue;
-      }
-      fmt::print("{:<28}{:>16.7g}{:>16.7g}  {}\n", columns[i].name, ranges[i].low, ranges[i].high,
-                 columns[i].unit);
-    }
-    fmt::print("\nrows:");
-    for (const auto& [status, count] : statuses) {
-      fmt::print(" {} {}", count, status);
-    }
-    fmt::print("\n");
-  }
-};
-
-void print_progress(std::int64_t row, std::int64_t size) {
-  fmt::print(stderr, "\r{:3}%", 100 * row / size);
-  std::fflush(stderr);
-}
-
-class Progress {
-public:
-  explicit Progress(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) == 1), start_(std::clock()) {}
-  ~Progress() {
-    if (shown_) {
-      fmt::print(stderr, "\r    \r");
-    }
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void at(std::int64_t row, std::int64_t size) {
-    if (!wanted_ || row % 4096 != 0 || std::clock() - start_ < CLOCKS_PER_SEC) {
-      return;
-    }
-    shown_ = true;
-    print_progress(row, size);
-  }
-
-private:
-  bool wanted_;
-  bool shown_ = false;
-  std::clock_t start_;
-};
-
 const Joint& driven_joint(const Profile& profile) {
   const Mechanism& mechanism = profile.mechanism;
   return mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
@@ -124,7 +55,8 @@ Dimension driver_dimension(const Profile& profile) {
   return driven_joint(profile).type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
 }
 
-Event printed(const RunEvent& event, const Profile& profile) {
+// An event on the way to row k.
+Event printed(const RunEvent& event, const Profile& profile, const DriverSchedule& schedule, std::int64_t k) {
   const Mechanism& mechanism = profile.mechanism;
   std::string item;
   if (event.contact) {
@@ -132,9 +64,12 @@ Event printed(const RunEvent& event, const Profile& profile) {
   } else if (event.joint) {
     item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
   }
-  return {std::string(name_of(event.type)),
-          from_si(driver_dimension(profile), profile.units).apply(event.driver), std::nullopt, item,
-          event.cause};
+  const double driver = from_si(driver_dimension(profile), profile.units).apply(event.driver);
+  std::optional<double> time;
+  if (schedule.is_timed()) {
+    time = schedule.passing_time(k, driver, event.share);
+  }
+  return {std::string(name_of(event.type)), driver, time, item, event.cause};
 }
 
 // Driver positions over the whole run, at most a thousand, in SI units.
@@ -180,6 +115,122 @@ std::vector<double> first_positions(const DriverSchedule& schedule) {
   return positions;
 }
 
+// The tables of a run side by side.
+struct Tables {
+  MotionTable motion;
+  std::optional<ForceRows> forces;
+  std::optional<JerkTable> jerk;
+  std::vector<Column> columns;
+
+  [[nodiscard]] std::size_t status_column() const {
+    const auto found = std::find_if(columns.begin(), columns.end(),
+                                    [](const Column& column) { return column.name == "status"; });
+    return static_cast<std::size_t>(found - columns.begin());
+  }
+};
+
+tl::expected<Tables, Diagnostics> make_tables(const RunOptions& options, const Profile& profile,
+                                              const Run& run) {
+  auto motion = MotionTable::make(profile, options.timed);
+  if (!motion) {
+    return tl::unexpected(Diagnostics{about(options.profile, motion.error())});
+  }
+  Tables tables{*std::move(motion), std::nullopt, std::nullopt, {}};
+  tables.columns = tables.motion.columns();
+  if (options.forces) {
+    auto forces = ForceTable::make(profile, tables.columns);
+    if (!forces) {
+      return tl::unexpected(Diagnostics{about(options.profile, forces.error())});
+    }
+    tables.forces.emplace(profile, run, *std::move(forces));
+    tables.columns = tables.forces->columns();
+  }
+  if (options.jerk) {
+    tables.jerk.emplace(profile, run.plan);
+    tables.columns.insert(tables.columns.end(), tables.jerk->columns().begin(), tables.jerk->columns().end());
+  }
+  return tables;
+}
+
+// The mechanism at its first position; else the message is printed.
+tl::expected<Run, int> start(const RunOptions& options, const Profile& profile,
+                             const DriverSchedule& schedule) {
+  auto run = start_run(profile.mechanism, first_positions(schedule), options.tolerance);
+  const auto slip = run ? find_slip(*run, some_positions(schedule)) : run.error().slip;
+  if (slip) {
+    return tl::unexpected(report_slip(*slip, options, profile));
+  }
+  if (!run) {
+    fmt::print(stderr, "{}: {}\n", options.profile, run.error().reason);
+    return tl::unexpected(kExitMechanism);
+  }
+  return *std::move(run);
+}
+
+void print_events(const std::vector<Event>& events) {
+  for (const Event& event : events) {
+    const std::string item = event.item.empty() ? "" : ": " + event.item;
+    const std::string time = event.time ? fmt::format(", time = {}", *event.time) : "";
+    fmt::print(stderr, "{} at driver = {}{}{}: {}\n", event.type, event.driver, time, item, event.cause);
+  }
+}
+
+// Runs through the schedule and writes; returns the exit code.
+int write_rows(const RunOptions& options, const Profile& profile, const DriverSchedule& schedule, Run& run,
+               Tables& tables) {
+  std::vector<RowWriter> writers = open_outputs(options);
+  for (RowWriter& writer : writers) {
+    writer.begin(profile.mechanism.title, tables.columns);
+  }
+  Summary summary(tables.status_column());
+  std::vector<Event> events;
+  std::vector<DriverState> states;
+  std::vector<DriverMotion> motions;
+  bool all_ok = true;
+  Progress progress(!options.quiet);
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    if (k % 4096 == 0 && failed(writers)) {
+      return kExitMachine;
+    }
+    if (interrupted != 0) {
+      return kExitInterrupted;
+    }
+    read_row(schedule, k, states, motions);
+    move_to(run, motions);
+    for (const RunEvent& event : run.events) {
+      events.push_back(printed(event, profile, schedule, k));
+    }
+    all_ok = all_ok && run.row.status == RowStatus::kOk;
+    const auto& motion = tables.motion.cells(run.row, states, schedule.time(k));
+    const auto& with_forces = tables.forces ? tables.forces->row(run, motions, motion, events) : motion;
+    const auto& cells = tables.jerk ? tables.jerk->behind(with_forces, run) : with_forces;
+    for (RowWriter& writer : writers) {
+      writer.row(cells);
+    }
+    if (options.summary) {
+      summary.add(cells);
+    }
+    progress.at(k, schedule.size());
+  }
+  if (tables.forces) {
+    tables.forces->finish(events);
+    all_ok = all_ok && !tables.forces->opened();
+  }
+  for (RowWriter& writer : writers) {
+    writer.end(events);
+  }
+  if (failed(writers)) {
+    return kExitMachine;
+  }
+  if (options.summary) {
+    summary.print(profile.mechanism.title, tables.columns);
+  }
+  if (!options.quiet) {
+    print_events(events);
+  }
+  return all_ok ? kExitOk : kExitRows;
+}
+
 }  // namespace
 
 int report_input(const Diagnostics& diagnostics) {
@@ -199,93 +250,16 @@ int run_command(const RunOptions& options) {
   if (!schedule) {
     return report_input(schedule.error());
   }
-  auto run = start_run(profile->mechanism, first_positions(*schedule), options.tolerance);
-  if (!run && run.error().slip) {
-    return report_slip(*run.error().slip, options, *profile);
-  }
+  auto run = start(options, *profile, *schedule);
   if (!run) {
-    fmt::print(stderr, "{}: {}\n", options.profile, run.error().reason);
-    return kExitMechanism;
+    return run.error();
   }
-  if (const auto slip = find_slip(*run, some_positions(*schedule))) {
-    return report_slip(*slip, options, *profile);
+  auto tables = make_tables(options, *profile, *run);
+  if (!tables) {
+    return report_input(tables.error());
   }
-  auto table = MotionTable::make(*profile, options.timed);
-  if (!table) {
-    return report_input({about(options.profile, table.error())});
-  }
-  std::optional<ForceRows> forces;
-  if (options.forces) {
-    auto force_table = ForceTable::make(*profile, table->columns());
-    if (!force_table) {
-      return report_input({about(options.profile, force_table.error())});
-    }
-    forces.emplace(*profile, *run, *std::move(force_table));
-  }
-  std::vector<Column> columns = forces ? forces->columns() : table->columns();
-  std::optional<JerkTable> jerk;
-  if (options.jerk) {
-    jerk.emplace(*profile, run->plan);
-    columns.insert(columns.end(), jerk->columns().begin(), jerk->columns().end());
-  }
-
   std::signal(SIGINT, on_interrupt);
-  std::vector<RowWriter> writers = open_outputs(options);
-  if (failed(writers)) {
-    return kExitMachine;
-  }
-  for (RowWriter& writer : writers) {
-    writer.begin(profile->mechanism.title, columns);
-  }
-  Summary summary;
-  std::vector<Event> events;
-  std::vector<DriverState> states;
-  std::vector<DriverMotion> motions;
-  bool all_ok = true;
-  Progress progress(!options.quiet);
-  for (std::int64_t k = 0; k < schedule->size(); ++k) {
-    if (interrupted != 0) {
-      return kExitInterrupted;
-    }
-    read_row(*schedule, k, states, motions);
-    move_to(*run, motions);
-    for (const RunEvent& event : run->events) {
-      events.push_back(printed(event, *profile));
-    }
-    all_ok = all_ok && run->row.status == RowStatus::kOk;
-    const auto& motion = table->cells(run->row, states, options.timed ? schedule->time(k) : 0);
-    const auto& with_forces = forces ? forces->row(*run, motions, motion, events) : motion;
-    const auto& cells = jerk ? jerk->behind(with_forces, *run) : with_forces;
-    for (RowWriter& writer : writers) {
-      writer.row(cells);
-    }
-    if (options.summary) {
-      summary.add(cells, columns.size() - 2);
-    }
-    if (k % 4096 == 0 && failed(writers)) {
-      return kExitMachine;
-    }
-    progress.at(k, schedule->size());
-  }
-  if (forces) {
-    forces->finish(events);
-    all_ok = all_ok && !forces->opened();
-  }
-  for (RowWriter& writer : writers) {
-    writer.end(events);
-  }
-  if (failed(writers)) {
-    return kExitMachine;
-  }
-  if (options.summary) {
-    summary.print(profile->mechanism.title, columns);
-  }
-  if (!options.quiet) {
-    for (const Event& event : events) {
-      fmt::print(stderr, "{} at driver = {}: {}: {}\n", event.type, event.driver, event.item, event.cause);
-    }
-  }
-  return all_ok ? kExitOk : kExitRows;
+  return write_rows(options, *profile, *schedule, *run, *tables);
 }
 
 }  // namespace higherpair::cli

@@ -40,6 +40,7 @@ enum class EventType {
 struct RunEvent {
   EventType type = EventType::kLimitPosition;
   double driver = 0;         ///< coordinate of the first driven joint [rad or m]
+  double share = 0;          ///< of the drivers' way from the row before to this one
   std::optional<int> joint;  ///< what it happens at, if one can be named
   std::optional<int> contact;
   std::string cause;  ///< a sentence
