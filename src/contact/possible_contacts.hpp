@@ -1,0 +1,21 @@
+#pragma once
+
+#include "contact_equations.hpp"
+
+#include <vector>
+
+namespace higherpair {
+
+/// A small box that may hold contacts.
+struct PossiblePlace {
+  Place place;
+  bool opposed = false;
+};
+
+/// The boxes, each set of touching ones merged. Boxes touch if both normals do, up to whole turns, and they are
+/// of the same or neighbouring pieces. \param range  of a sliding follower: the bounds of q are cut by it
+[[nodiscard]] std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interval& theta1,
+                                                        const std::vector<PossiblePlace>& places,
+                                                        const Bounds& range);
+
+}  // namespace higherpair
