@@ -68,10 +68,13 @@ template <int N>
   return true;
 }
 
+/// Whether K(X) proves a single root in X, and the iteration goes on fast: K(X) lies in the interior of X and
+/// is at most half as wide.
 template <int N>
-[[nodiscard]] bool is_strictly_inside(const Box<N>& inner, const Box<N>& outer) {
+[[nodiscard]] bool is_contraction(const Box<N>& K, const Box<N>& X) {
   for (std::size_t k = 0; k < N; ++k) {
-    if (!(outer[k].lower() < inner[k].lower() && inner[k].upper() < outer[k].upper())) return false;
+    const bool interior = X[k].lower() < K[k].lower() && K[k].upper() < X[k].upper();
+    if (!interior || !(boost::numeric::width(K[k]) <= boost::numeric::width(X[k]) / 2)) return false;
   }
   return true;
 }
@@ -129,38 +132,52 @@ template <int N>
   return larger;
 }
 
-/// Cuts the side along which F changes most, of those wider than the tolerance.
+/// How far a box is to be cut.
+struct Finest {
+  double width = 0;   ///< no side longer than this, ...
+  double change = 0;  ///< ... and F changes along no side by more, ...
+  double least = 0;   ///< ... but no side is cut below this
+};
+
+/// The side to cut next: the one along which F changes most, of those that are not fine enough; none if all are.
 template <int N>
-[[nodiscard]] std::array<Box<N>, 2> halves(const Box<N>& box, const Expansion<N>& e, double tolerance) {
-  std::size_t longest = 0;
+[[nodiscard]] std::optional<std::size_t> coarsest_side(const Box<N>& box, const Expansion<N>& e,
+                                                       const Finest& finest) {
+  std::optional<std::size_t> coarsest;
   double most = -1;
   for (std::size_t k = 0; k < N; ++k) {
     const double width = boost::numeric::width(box[k]);
     double slope = 0;
     for (std::size_t i = 0; i < N; ++i) slope = std::max(slope, boost::numeric::norm(e.J[i][k]));
     const double change = width * std::clamp(slope, 1e-300, 1e300);
-    if (width > tolerance && change > most) {
+    const bool fine = (width <= finest.width && change <= finest.change) || width <= finest.least;
+    if (!fine && change > most) {
       most = change;
-      longest = k;
+      coarsest = k;
     }
   }
+  return coarsest;
+}
+
+template <int N>
+[[nodiscard]] std::array<Box<N>, 2> halves(const Box<N>& box, std::size_t side) {
   std::array<Box<N>, 2> parts{box, box};
-  const double m = boost::numeric::median(box[longest]);
-  parts[0][longest].assign(box[longest].lower(), m);
-  parts[1][longest].assign(m, box[longest].upper());
+  const double m = boost::numeric::median(box[side]);
+  parts[0][side].assign(box[side].lower(), m);
+  parts[1][side].assign(m, box[side].upper());
   return parts;
 }
 
 /// Krawczyk's iteration down to rounding.
 template <int N, class Expand>
 [[nodiscard]] Box<N> tightened(Box<N> box, const Expand& expand) {
-  for (int pass = 0; pass < 20; ++pass) {
+  for (int pass = 0; pass < 60; ++pass) {
     const auto K = krawczyk<N>(box, expand(box));
     const auto smaller = K ? common<N>(*K, box) : std::nullopt;
     if (!smaller) {
       return box;
     }
-    const bool done = widest<N>(*smaller) > 0.7 * widest<N>(box);
+    const bool done = widest<N>(*smaller) > 0.9 * widest<N>(box);
     box = *smaller;
     if (done) {
       return box;
@@ -177,13 +194,13 @@ struct SearchProblem {
   std::vector<Box<N>> start;
   Box<N> limits;                          ///< the boxes of which F is asked lie in these
   std::array<bool, N> is_periodic = {};   ///< F has the period 2π in this unknown
-  double tolerance = 0;
-  std::size_t budget = 0;                 ///< boxes to look at
+  box_search::Finest finest;
+  std::size_t budget = 0;  ///< boxes to look at
 };
 
 /// All roots of F in the boxes `start`, by bisection, largest boxes first: a box is dropped if F has no zero in
 /// it by its enclosure or by Krawczyk's operator, or if it lies where a known root is the only one; it is
-/// decided if the operator certifies its root, and left undecided when no side is longer than the tolerance.
+/// decided if the operator certifies its root, and left undecided when it is as fine as wanted.
 /// \param expand  Box -> Expansion
 template <int N, class Expand>
 [[nodiscard]] SearchResult<N> search_boxes(const SearchProblem<N>& problem, const Expand& expand) {
@@ -205,13 +222,14 @@ template <int N, class Expand>
     if (!std::all_of(e.range.begin(), e.range.end(), holds_zero)) {
       continue;
     }
+    const std::optional<std::size_t> side = coarsest_side<N>(box, e, problem.finest);
     const double width = widest<N>(box);
     if (const auto K = krawczyk<N>(larger, e)) {
       const auto rest = common<N>(*K, box);
       if (!rest) {
         continue;
       }
-      if (is_strictly_inside<N>(*K, larger)) {
+      if (is_contraction<N>(*K, larger)) {
         const Root<N> root{tightened<N>(*K, expand), larger};
         if (!is_known(root.at)) {
           result.roots.push_back(root);
@@ -220,12 +238,12 @@ template <int N, class Expand>
       }
       box = *rest;
     }
-    if (width <= problem.tolerance) {
+    if (!side) {
       result.undecided.push_back(box);
     } else if (widest<N>(box) < width / 2) {
       queue.push_back(box);
     } else {
-      const auto parts = halves<N>(box, e, problem.tolerance);
+      const auto parts = halves<N>(box, *side);
       queue.insert(queue.end(), parts.begin(), parts.end());
     }
   }

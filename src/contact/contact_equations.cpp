@@ -85,7 +85,42 @@ Verdict is_between(const Interval& x, const Bounds& bounds) {
   return bounds.low <= x.lower() && x.upper() <= bounds.high ? Verdict::kYes : Verdict::kUnclear;
 }
 
+double size_of_curve(const SupportCurve& curve, const IntervalVector& about) {
+  double size = kInfinity;
+  for (std::size_t piece = 0; piece < curve.pieces().size(); ++piece) {
+    for (const Interval& tile : tiles_of(curve.pieces()[piece])) {
+      const ArcBounds at = arc_bounds(curve, piece, about, boost::numeric::median(tile));
+      const double distance = std::hypot(boost::numeric::median(at.h), boost::numeric::median(at.dh));
+      size = std::min(size, distance + boost::numeric::norm(at.rho));
+    }
+  }
+  return size;
+}
+
 }  // namespace
+
+std::vector<Interval> tiles_of(const Interval& psi) {
+  constexpr double kWidest = kPi / 4;
+  const double low = psi.lower();
+  const double width = psi.upper() - low;
+  const double count = std::max(1.0, std::ceil(width / kWidest - 1e-9));
+  std::vector<Interval> tiles;
+  double from = low;
+  for (double k = 1; k <= count; ++k) {
+    const double to = k == count ? psi.upper() : low + width * (k / count);
+    tiles.emplace_back(from, to);
+    from = to;
+  }
+  return tiles;
+}
+
+std::vector<Interval> tiles_of(const SupportPiece& piece) {
+  return tiles_of(piece.kind == PieceKind::kClosed ? Interval(-kPi, kPi + 1e-15) : to_interval(piece.phi));
+}
+
+double size_of(const Arrangement& a) {
+  return std::max(size_of_curve(a.curve1, a.about1), size_of_curve(a.curve2, a.about2));
+}
 
 Arrangement make_arrangement(const SupportPair& pair, double u, bool opposed) {
   Arrangement a{pair.curve1, pair.curve2, pair.motion2.turns, opposed ? -1.0 : 1.0, {}, {}, {}, {}, {}};

@@ -18,6 +18,10 @@ struct Arrangement {
   IntervalVector slide1;  ///< sliding: direction in the driver's frame
 };
 
+/// A length that is typical of the pair: of each curve, the least sum of distance from the follower's joint and
+/// radius of curvature that is met on a walk along it; the larger of the two.
+[[nodiscard]] double size_of(const Arrangement& arrangement);
+
 [[nodiscard]] Arrangement make_arrangement(const SupportPair& pair, double u, bool opposed);
 
 /// A piece of each curve.
@@ -25,6 +29,10 @@ struct PiecePair {
   std::size_t first = 0;
   std::size_t second = 0;
 };
+
+/// Intervals of at most 45° that cover the normals of a piece, with common ends; all round for a closed curve.
+[[nodiscard]] std::vector<Interval> tiles_of(const SupportPiece& piece);
+[[nodiscard]] std::vector<Interval> tiles_of(const Interval& psi);
 
 /// H1 - σ H2 = 0, H1′ - σ H2′ = 0 in (ψ1, ψ2): two arcs, turning follower.
 [[nodiscard]] Expansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Box<2>& X);

@@ -28,8 +28,8 @@ struct OutwardRounding {
   }
   static double up(double x) { return -down(-x); }
 
-  static double conv_down(int x) { return x; }
-  static double conv_up(int x) { return x; }
+  static double conv_down(double x) { return x; }
+  static double conv_up(double x) { return x; }
   static double add_down(double x, double y) { return down(x + y); }
   static double add_up(double x, double y) { return up(x + y); }
   static double sub_down(double x, double y) { return down(x - y); }
@@ -140,7 +140,7 @@ struct ArcBounds {
   const Interval from_middle = phi - m;
   const double half = std::max(-from_middle.lower(), from_middle.upper());
   const Interval sin_delta(-half, half);
-  const Interval versine(0, OutwardRounding::mul_up(half, half) / 2);
+  const Interval versine(0.0, OutwardRounding::mul_up(half, half) / 2);
   const Interval bend = arc.rho - arc.middle_h;
   arc.h = arc.middle_h + arc.middle_dh * sin_delta + bend * versine;
   arc.dh = arc.middle_dh * (1.0 - versine) + bend * sin_delta;

@@ -13,15 +13,17 @@ using boost::numeric::median;
 // Neighbours share an edge up to rounding.
 constexpr double kSlack = 1e-13;
 
-// x moved by whole turns to next to y.
-Interval next_to(const Interval& x, const Interval& y) {
-  const double turns = std::round((median(y) - median(x)) / (2 * kPi));
+Interval moved(const Interval& x, double turns) {
   return turns == 0 ? x : x + 2 * turns * half_turn();
 }
 
+// x moved by whole turns to next to y.
+Interval next_to(const Interval& x, double y) {
+  return moved(x, std::round((y - median(x)) / (2 * kPi)));
+}
+
 bool touch(const Interval& a, const Interval& b) {
-  const Interval near = next_to(a, b);
-  return near.lower() <= b.upper() + kSlack && b.lower() <= near.upper() + kSlack;
+  return a.lower() <= b.upper() + kSlack && b.lower() <= a.upper() + kSlack;
 }
 
 bool are_neighbours(std::size_t a, std::size_t b, std::size_t count) {
@@ -29,75 +31,109 @@ bool are_neighbours(std::size_t a, std::size_t b, std::size_t count) {
   return apart <= 1 || apart + 1 == count;
 }
 
-struct Merger {
-  const SupportPair& pair;
-  Interval theta1;
-  const std::vector<PossiblePlace>& places;
-  bool turns;
+// A box of normals with the angles in one turn. One at the lower end of the turn appears at the upper end too.
+struct Image {
+  std::size_t of = 0;
+  Interval psi1;
+  Interval psi2;
 
-  [[nodiscard]] bool belong_together(const PossiblePlace& a, const PossiblePlace& b) const {
-    return a.opposed == b.opposed && touch(a.place.psi1, b.place.psi1) && touch(a.place.psi2, b.place.psi2) &&
-           are_neighbours(a.place.pieces.first, b.place.pieces.first, pair.curve1.pieces().size()) &&
-           are_neighbours(a.place.pieces.second, b.place.pieces.second, pair.curve2.pieces().size());
-  }
-
-  // The bounds of a box next to those of another one that it touches.
-  [[nodiscard]] Place unrolled(const PossiblePlace& one, const Place& other) const {
-    Place place = one.place;
-    place.psi1 = next_to(place.psi1, other.psi1);
-    place.q = turns ? next_to(place.q, other.q) : place.q;
-    return place;
-  }
-
-  // All boxes that hang together with `start`, which are taken off `left`.
-  [[nodiscard]] PossibleContact cluster(std::size_t start, std::vector<std::size_t>& left) const {
-    const PossiblePlace& first = places[start];
-    Place all = first.place;
-    std::vector<Place> front{all};
-    PossibleContact merged{{}, {}, first.opposed, all.pieces.first, all.pieces.second, 1};
-    std::vector<std::size_t> members{start};
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      const auto rest = std::partition(left.begin(), left.end(), [&](std::size_t other) {
-        return !belong_together(places[members[i]], places[other]);
-      });
-      for (auto next = rest; next != left.end(); ++next) {
-        front.push_back(unrolled(places[*next], front[i]));
-        all.psi1 = hull(all.psi1, front.back().psi1);
-        all.q = hull(all.q, front.back().q);
-        members.push_back(*next);
-      }
-      left.erase(rest, left.end());
-    }
-    merged.boxes = members.size();
-    merged.phi = whole_turn_at_most(to_bounds(all.psi1 + theta1));
-    merged.q = turns ? whole_turn_at_most(to_bounds(all.q)) : to_bounds(all.q);
-    return merged;
-  }
-
-  static Bounds whole_turn_at_most(const Bounds& bounds) {
-    if (bounds.width() >= 2 * kPi) {
-      return {-kPi, kPi + 1e-15};
-    }
-    const double low = std::remainder(bounds.low, 2 * kPi);
-    const double error = 1e-15 * (1 + std::abs(bounds.low));
-    return bounds.low == low ? bounds : Bounds{low - error, low + bounds.width() + error};
-  }
+  // Boxes that touch overlap in this direction, few others do.
+  [[nodiscard]] double low() const { return psi1.lower() + 0.618 * psi2.lower(); }
+  [[nodiscard]] double high() const { return psi1.upper() + 0.618 * psi2.upper() + 2 * kSlack; }
 };
+
+std::vector<Image> images_of(const std::vector<PossiblePlace>& places) {
+  std::vector<Image> images;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Interval psi1 = next_to(places[i].place.psi1, 0);
+    const Interval psi2 = next_to(places[i].place.psi2, 0);
+    for (int k1 = 0; k1 <= (psi1.lower() <= -kPi + kSlack ? 1 : 0); ++k1) {
+      for (int k2 = 0; k2 <= (psi2.lower() <= -kPi + kSlack ? 1 : 0); ++k2) {
+        images.push_back({i, moved(psi1, k1), moved(psi2, k2)});
+      }
+    }
+  }
+  std::sort(images.begin(), images.end(), [](const Image& a, const Image& b) { return a.low() < b.low(); });
+  return images;
+}
+
+// Which boxes hang together: each points to another one of its set, the first to itself.
+class Sets {
+public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t first_of(std::size_t i) {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    const auto [low, high] = std::minmax(first_of(a), first_of(b));
+    parent_[high] = low;
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+Sets touching_sets(const SupportPair& pair, const std::vector<PossiblePlace>& places) {
+  const std::vector<Image> images = images_of(places);
+  Sets sets(places.size());
+  const auto belong_together = [&](const Image& a, const Image& b) {
+    const PossiblePlace& one = places[a.of];
+    const PossiblePlace& other = places[b.of];
+    return one.opposed == other.opposed && touch(a.psi1, b.psi1) && touch(a.psi2, b.psi2) &&
+           are_neighbours(one.place.pieces.first, other.place.pieces.first, pair.curve1.pieces().size()) &&
+           are_neighbours(one.place.pieces.second, other.place.pieces.second, pair.curve2.pieces().size());
+  };
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    for (std::size_t k = i + 1; k < images.size() && images[k].low() <= images[i].high(); ++k) {
+      if (belong_together(images[i], images[k])) sets.join(images[i].of, images[k].of);
+    }
+  }
+  return sets;
+}
+
+Bounds whole_turn_at_most(const Interval& x) {
+  if (!(boost::numeric::width(x) < 2 * kPi)) {
+    return {-kPi, kPi + 1e-15};
+  }
+  return to_bounds(moved(x, -std::round(x.lower() / (2 * kPi))));
+}
 
 }  // namespace
 
 std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interval& theta1,
                                           const std::vector<PossiblePlace>& places, const Bounds& range) {
-  const Merger merger{pair, theta1, places, pair.motion2.turns};
-  std::vector<std::size_t> left(places.size());
-  std::iota(left.begin(), left.end(), std::size_t{0});
+  const bool turns = pair.motion2.turns;
+  Sets sets = touching_sets(pair, places);
+  std::vector<Place> hulls(places.size());
+  std::vector<std::size_t> boxes(places.size(), 0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place& place = places[i].place;
+    const std::size_t first = sets.first_of(i);
+    Place& all = hulls[first];
+    if (boxes[first]++ == 0) {
+      all = place;
+      continue;
+    }
+    const Place& start = places[first].place;
+    all.psi1 = hull(all.psi1, next_to(place.psi1, median(start.psi1)));
+    all.q = hull(all.q, turns ? next_to(place.q, median(start.q)) : place.q);
+  }
   std::vector<PossibleContact> clusters;
-  while (!left.empty()) {
-    const std::size_t start = left.back();
-    left.pop_back();
-    clusters.push_back(merger.cluster(start, left));
-    Bounds& q = clusters.back().q;
-    q = merger.turns ? q : Bounds{std::max(q.low, range.low), std::min(q.high, range.high)};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (boxes[i] == 0) {
+      continue;
+    }
+    const Bounds q = turns ? whole_turn_at_most(hulls[i].q)
+                           : Bounds{std::max(hulls[i].q.lower(), range.low),
+                                    std::min(hulls[i].q.upper(), range.high)};
+    clusters.push_back({q, whole_turn_at_most(hulls[i].psi1 + theta1), places[i].opposed,
+                        hulls[i].pieces.first, hulls[i].pieces.second, boxes[i]});
   }
   std::sort(clusters.begin(), clusters.end(),
             [](const PossibleContact& a, const PossibleContact& b) { return a.q.low < b.q.low; });

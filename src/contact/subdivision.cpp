@@ -14,9 +14,10 @@ using boost::numeric::median;
 using boost::numeric::overlap;
 using boost::numeric::subset;
 
-constexpr double kWidestTile = kPi / 4;
 // A closed curve is asked at any angle; its boxes stay near one turn.
 constexpr double kAnyAngle = 100;
+// [rad] Below this normals have no more digits to be told apart by.
+constexpr double kLeastWidth = 4e-15;
 
 struct Domain {
   Interval limits;
@@ -24,24 +25,11 @@ struct Domain {
   bool is_periodic = false;
 };
 
-// Tiles of at most kWidestTile that cover the interval, with common ends.
-std::vector<Interval> tiles_of(double low, double high) {
-  const double count = std::max(1.0, std::ceil((high - low) / kWidestTile - 1e-9));
-  std::vector<Interval> tiles;
-  double from = low;
-  for (double k = 1; k <= count; ++k) {
-    const double to = k == count ? high : low + (high - low) * (k / count);
-    tiles.emplace_back(from, to);
-    from = to;
-  }
-  return tiles;
-}
-
 Domain domain_of(const SupportPiece& piece) {
   if (piece.kind == PieceKind::kClosed) {
-    return {{-kAnyAngle, kAnyAngle}, tiles_of(-kPi, kPi + 1e-15), true};
+    return {{-kAnyAngle, kAnyAngle}, tiles_of(piece), true};
   }
-  return {to_interval(piece.phi), tiles_of(piece.phi.low, piece.phi.high), false};
+  return {to_interval(piece.phi), tiles_of(piece), false};
 }
 
 bool is_point(const SupportCurve& curve) {
@@ -58,6 +46,7 @@ struct Enumeration {
   double u;
   const SubdivisionOptions& options;
   std::size_t searches_left = 0;
+  double size = 0;  // of the pair [m]
   SubdivisionContacts result{};
   std::vector<PossiblePlace> places{};
   bool exhausted = false;
@@ -114,7 +103,7 @@ struct Enumeration {
 
   template <int N, class Expand, class PlaceOf>
   void search(const Arrangement& a, SearchProblem<N> problem, const Expand& expand, const PlaceOf& place_of) {
-    problem.tolerance = options.tolerance;
+    problem.finest = {options.tolerance, options.tolerance * size, kLeastWidth};
     problem.budget = next_budget();
     const SearchResult<N> found = search_boxes<N>(problem, expand);
     result.boxes += found.boxes;
@@ -127,7 +116,7 @@ struct Enumeration {
     const Domain first = domain_of(a.curve1.pieces()[pieces.first]);
     const Domain second = domain_of(a.curve2.pieces()[pieces.second]);
     SearchProblem<2> problem{
-        {}, {first.limits, second.limits}, {first.is_periodic, second.is_periodic}, 0, 0};
+        {}, {first.limits, second.limits}, {first.is_periodic, second.is_periodic}, {}, 0};
     for (const Interval& x : first.tiles) {
       for (const Interval& y : second.tiles) problem.start.push_back({x, y});
     }
@@ -143,7 +132,7 @@ struct Enumeration {
     const SupportPiece& piece2 = a.curve2.pieces()[pieces.second];
     const Interval face = to_interval(face_is_first ? piece1.phi : piece2.phi);
     const Domain domain = domain_of(face_is_first ? piece2 : piece1);
-    SearchProblem<1> problem{{}, {domain.limits}, {domain.is_periodic}, 0, 0};
+    SearchProblem<1> problem{{}, {domain.limits}, {domain.is_periodic}, {}, 0};
     for (const Interval& x : domain.tiles) problem.start.push_back({x});
     search<1>(
         a, problem, [&](const Box<1>& X) { return expand_face(a, pieces, face_is_first, X); },
@@ -155,7 +144,7 @@ struct Enumeration {
   }
 
   void sliding_domain(const Arrangement& a, const PiecePair& pieces, const Interval& turn, const Domain& domain) {
-    SearchProblem<1> problem{{}, {domain.limits}, {domain.is_periodic}, 0, 0};
+    SearchProblem<1> problem{{}, {domain.limits}, {domain.is_periodic}, {}, 0};
     for (const Interval& x : domain.tiles) problem.start.push_back({x});
     search<1>(
         a, problem, [&](const Box<1>& X) { return expand_slide(a, pieces, turn, X); },
@@ -173,7 +162,7 @@ struct Enumeration {
     }
     const Interval part = to_interval(piece2.phi) - a.turn;
     if (piece1.kind == PieceKind::kClosed) {
-      return sliding_domain(a, pieces, a.turn, {part, tiles_of(part.lower(), part.upper()), false});
+      return sliding_domain(a, pieces, a.turn, {part, tiles_of(part), false});
     }
     const double first_turn = std::ceil((piece1.phi.low - part.upper()) / (2 * kPi) - 1e-9);
     const double last_turn = std::floor((piece1.phi.high - part.lower()) / (2 * kPi) + 1e-9);
@@ -182,7 +171,7 @@ struct Enumeration {
       const Interval moved = part + whole_turns;
       if (overlap(moved, to_interval(piece1.phi))) {
         const Interval both = intersect(moved, to_interval(piece1.phi));
-        sliding_domain(a, pieces, a.turn - whole_turns, {both, tiles_of(both.lower(), both.upper()), false});
+        sliding_domain(a, pieces, a.turn - whole_turns, {both, tiles_of(both), false});
       }
     }
   }
@@ -247,7 +236,8 @@ SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double
   const std::size_t count1 = pair.curve1.pieces().size();
   const std::size_t count2 = pair.curve2.pieces().size();
   const bool only_opposed = is_point(pair.curve1) || is_point(pair.curve2);
-  Enumeration enumeration{pair, u, options, (only_opposed ? 1 : 2) * count1 * count2};
+  Enumeration enumeration{pair, u, options, (only_opposed ? 1 : 2) * count1 * count2,
+                          size_of(make_arrangement(pair, u, true))};
   for (const bool opposed : {true, false}) {
     const Arrangement a = make_arrangement(pair, u, opposed);
     for (std::size_t i = 0; i < count1 && (opposed || !only_opposed); ++i) {
