@@ -10,9 +10,6 @@ namespace {
 using boost::numeric::hull;
 using boost::numeric::median;
 
-// Neighbours share an edge up to rounding.
-constexpr double kSlack = 1e-13;
-
 Interval moved(const Interval& x, double turns) {
   return turns == 0 ? x : x + 2 * turns * half_turn();
 }
@@ -22,8 +19,8 @@ Interval next_to(const Interval& x, double y) {
   return moved(x, std::round((y - median(x)) / (2 * kPi)));
 }
 
-bool touch(const Interval& a, const Interval& b) {
-  return a.lower() <= b.upper() + kSlack && b.lower() <= a.upper() + kSlack;
+bool are_near(const Interval& a, const Interval& b, double slack) {
+  return a.lower() <= b.upper() + slack && b.lower() <= a.upper() + slack;
 }
 
 bool are_neighbours(std::size_t a, std::size_t b, std::size_t count) {
@@ -37,18 +34,18 @@ struct Image {
   Interval psi1;
   Interval psi2;
 
-  // Boxes that touch overlap in this direction, few others do.
+  // Boxes that are near each other are so in this direction, few others are.
   [[nodiscard]] double low() const { return psi1.lower() + 0.618 * psi2.lower(); }
-  [[nodiscard]] double high() const { return psi1.upper() + 0.618 * psi2.upper() + 2 * kSlack; }
+  [[nodiscard]] double high() const { return psi1.upper() + 0.618 * psi2.upper(); }
 };
 
-std::vector<Image> images_of(const std::vector<PossiblePlace>& places) {
+std::vector<Image> images_of(const std::vector<PossiblePlace>& places, double slack) {
   std::vector<Image> images;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Interval psi1 = next_to(places[i].place.psi1, 0);
     const Interval psi2 = next_to(places[i].place.psi2, 0);
-    for (int k1 = 0; k1 <= (psi1.lower() <= -kPi + kSlack ? 1 : 0); ++k1) {
-      for (int k2 = 0; k2 <= (psi2.lower() <= -kPi + kSlack ? 1 : 0); ++k2) {
+    for (int k1 = 0; k1 <= (psi1.lower() <= -kPi + slack ? 1 : 0); ++k1) {
+      for (int k2 = 0; k2 <= (psi2.lower() <= -kPi + slack ? 1 : 0); ++k2) {
         images.push_back({i, moved(psi1, k1), moved(psi2, k2)});
       }
     }
@@ -71,7 +68,7 @@ public:
     return i;
   }
   void join(std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax(first_of(a), first_of(b));
+    const auto [low, high] = std::minmax({first_of(a), first_of(b)});  // of a list: by value
     parent_[high] = low;
   }
 
@@ -79,18 +76,19 @@ private:
   std::vector<std::size_t> parent_;
 };
 
-Sets touching_sets(const SupportPair& pair, const std::vector<PossiblePlace>& places) {
-  const std::vector<Image> images = images_of(places);
+Sets near_sets(const SupportPair& pair, const std::vector<PossiblePlace>& places, double slack) {
+  const std::vector<Image> images = images_of(places, slack);
   Sets sets(places.size());
   const auto belong_together = [&](const Image& a, const Image& b) {
     const PossiblePlace& one = places[a.of];
     const PossiblePlace& other = places[b.of];
-    return one.opposed == other.opposed && touch(a.psi1, b.psi1) && touch(a.psi2, b.psi2) &&
+    return one.opposed == other.opposed && are_near(a.psi1, b.psi1, slack) &&
+           are_near(a.psi2, b.psi2, slack) &&
            are_neighbours(one.place.pieces.first, other.place.pieces.first, pair.curve1.pieces().size()) &&
            are_neighbours(one.place.pieces.second, other.place.pieces.second, pair.curve2.pieces().size());
   };
   for (std::size_t i = 0; i < images.size(); ++i) {
-    for (std::size_t k = i + 1; k < images.size() && images[k].low() <= images[i].high(); ++k) {
+    for (std::size_t k = i + 1; k < images.size() && images[k].low() <= images[i].high() + 2 * slack; ++k) {
       if (belong_together(images[i], images[k])) sets.join(images[i].of, images[k].of);
     }
   }
@@ -107,9 +105,10 @@ Bounds whole_turn_at_most(const Interval& x) {
 }  // namespace
 
 std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interval& theta1,
-                                          const std::vector<PossiblePlace>& places, const Bounds& range) {
+                                          const std::vector<PossiblePlace>& places, const Bounds& range,
+                                          double tolerance) {
   const bool turns = pair.motion2.turns;
-  Sets sets = touching_sets(pair, places);
+  Sets sets = near_sets(pair, places, tolerance);
   std::vector<Place> hulls(places.size());
   std::vector<std::size_t> boxes(places.size(), 0);
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -12,10 +12,11 @@ struct PossiblePlace {
   bool opposed = false;
 };
 
-/// The boxes, each set of touching ones merged. Boxes touch if both normals do, up to whole turns, and they are
-/// of the same or neighbouring pieces. \param range  of a sliding follower: the bounds of q are cut by it
+/// The boxes, each set of those that hang together merged: whose normals are, up to whole turns, nearer to each
+/// other than the tolerance [rad], on the same or on neighbouring pieces. \param range  of a sliding follower: the
+/// bounds of q are cut by it
 [[nodiscard]] std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interval& theta1,
                                                         const std::vector<PossiblePlace>& places,
-                                                        const Bounds& range);
+                                                        const Bounds& range, double tolerance);
 
 }  // namespace higherpair

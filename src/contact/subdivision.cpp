@@ -245,7 +245,8 @@ SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double
     }
   }
   SubdivisionContacts& result = enumeration.result;
-  result.possible = merge_places(pair, make_arrangement(pair, u, true).theta1, enumeration.places, options.range);
+  result.possible = merge_places(pair, make_arrangement(pair, u, true).theta1, enumeration.places, options.range,
+                                 options.tolerance);
   std::sort(result.contacts.begin(), result.contacts.end(),
             [](const CertifiedContact& a, const CertifiedContact& b) { return a.q < b.q; });
   result.status = enumeration.exhausted      ? SubdivisionStatus::kExhausted
