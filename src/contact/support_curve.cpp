@@ -2,6 +2,7 @@
 
 #include "interval.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,9 @@ namespace higherpair {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Next to the end of the cone of normals, w² -> 0, rounding of the normal's angle moves the point by 1e-16/w² of
+// its distance.
+constexpr double kLeastW2 = 1e-10;
 
 IntervalVector exactly(const Vector2d& v) {
   return {Interval(v.x()), Interval(v.y())};
@@ -53,9 +57,11 @@ public:
       : conic_(conic), vertex_B_(exactly(conic.vertex_B)), axis_angle_(angle_around(conic.axis_B)) {
     SupportPiece piece{PieceKind::kClosed, {}, {}};
     if (conic.q <= 0) {
-      // |y| = reach at tan(ν) = |N_y/N_x| = reach/√(ℓ² - q reach²).
+      // |y| = reach at tan(ν) = |N_y/N_x| = reach/√(ℓ² - q reach²), w² = 1/(1+tan²) + q tan²/(1+tan²).
       const double ratio = reach / conic.semi_latus;
-      const double half = std::atan(ratio / std::sqrt(1 - conic.q * ratio * ratio));
+      const double of_reach = ratio / std::sqrt(1 - conic.q * ratio * ratio);
+      const double of_w = std::sqrt((1 - kLeastW2) / (kLeastW2 - conic.q));
+      const double half = std::atan(std::min(of_reach, of_w));
       const double at_vertex = angle_of(-sign() * conic.axis_B);
       piece = {PieceKind::kArc, {at_vertex - half, at_vertex + half}, {}};
     }

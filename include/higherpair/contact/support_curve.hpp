@@ -70,10 +70,11 @@ struct SupportBounds {
 /// square of the interval.
 [[nodiscard]] SupportBounds bounds_over(const SupportCurve& curve, std::size_t piece, const Bounds& phi);
 
-/// A conic, line or point of the library as such a curve. Of a parabola or branch of a hyperbola, on which h
-/// grows without bound towards the ends of its cone of normals, the part is taken that is no farther across
-/// from its axis than `reach` [m], > 0: it holds every point within that distance of the vertex. Errors are
-/// those of an evaluation in intervals.
+/// A conic, line or point of the library as such a curve, its errors those of an evaluation in intervals. Of a
+/// parabola or a branch of a hyperbola, on which h grows without bound towards the ends of the cone of normals,
+/// the part is taken that is no farther across from its axis than `reach` [m], > 0: it holds every point within
+/// that distance of the vertex. Beyond 1e5 semi-latera recta (for a narrow hyperbola: semi-axes across) it ends
+/// in any case, since there angles of normals have too few digits left.
 [[nodiscard]] std::unique_ptr<SupportCurve> make_support_curve(const Curve& curve, double reach);
 
 }  // namespace higherpair
