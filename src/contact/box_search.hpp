@@ -249,6 +249,7 @@ template <int N, class Expand>
   }
   result.exhausted = !queue.empty();
   result.undecided.insert(result.undecided.end(), queue.begin(), queue.end());
+  std::erase_if(result.undecided, is_known);  // by roots that were found later
   return result;
 }
 

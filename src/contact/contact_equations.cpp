@@ -180,15 +180,28 @@ Interval turning_coordinate(const Arrangement& a, const Interval& psi1, const In
   return psi1 + a.theta1 + a.turn - psi2;
 }
 
-Interval sliding_coordinate(const Arrangement& a, const PiecePair& pieces, const Interval& psi1,
-                            const Interval& psi2) {
+Interval sliding_coordinate(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
+                            const Interval& psi1) {
+  const Interval m = boost::numeric::median(psi1);
+  const SlideTerms all = slide_terms(a, pieces, psi1, psi1 + turn);
+  const SlideTerms middle = slide_terms(a, pieces, m, m + turn);
+  return -(middle.B * middle.c + middle.dB * middle.dc) + all.rho * all.dc * (psi1 - m);
+}
+
+Interval sliding_coordinate_of_face(const Arrangement& a, const PiecePair& pieces, const Interval& psi1,
+                                    const Interval& psi2) {
   const SlideTerms s = slide_terms(a, pieces, psi1, psi2);
-  const bool face = first_piece(a, pieces).kind == PieceKind::kFace ||
-                    second_piece(a, pieces).kind == PieceKind::kFace;
-  if (!face) {
-    return -(s.B * s.c + s.dB * s.dc);
-  }
   return holds_zero(s.c) ? Interval(-kInfinity, kInfinity) : -s.B / s.c;
+}
+
+double polished_turning_coordinate(const Arrangement& a, const PiecePair& pieces, double psi1, double q) {
+  using boost::numeric::median;
+  const Interval psi2 = Interval(psi1) + a.theta1 + a.turn - q;
+  const ArcBounds first = first_over(a, pieces, psi1);
+  const ArcBounds second = second_over(a, pieces, psi2);
+  const double gap = median(a.sigma * second.middle_h - first.middle_h);
+  const double slope = -a.sigma * median(second.middle_dh);
+  return slope == 0 ? q : q - gap / slope;
 }
 
 Verdict is_within(const Arrangement& a, const Place& place, const Bounds& range) {

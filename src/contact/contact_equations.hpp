@@ -57,9 +57,18 @@ struct Place {
 /// φ (+ π) - ψ2
 [[nodiscard]] Interval turning_coordinate(const Arrangement& a, const Interval& psi1, const Interval& psi2);
 
-/// -(B d·n + B′ d·t), or -B/d·n where a piece is a face; all numbers where d·n may be 0 then.
-[[nodiscard]] Interval sliding_coordinate(const Arrangement& a, const PiecePair& pieces, const Interval& psi1,
-                                          const Interval& psi2);
+/// -(B d·n + B′ d·t) over an interval of normals: from its middle and the derivative (ρ1 - σ ρ2) d·t.
+[[nodiscard]] Interval sliding_coordinate(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
+                                          const Interval& psi1);
+
+/// -B/d·n, of a face; all numbers where d·n may be 0.
+[[nodiscard]] Interval sliding_coordinate_of_face(const Arrangement& a, const PiecePair& pieces,
+                                                  const Interval& psi1, const Interval& psi2);
+
+/// The turning coordinate next to a root in doubles that makes the gap 0 for the normal given: errors of the
+/// normal count by their squares only.
+[[nodiscard]] double polished_turning_coordinate(const Arrangement& a, const PiecePair& pieces, double psi1,
+                                                 double q);
 
 enum class Verdict { kNo, kUnclear, kYes };
 

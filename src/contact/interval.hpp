@@ -3,6 +3,7 @@
 #include "higherpair/contact/support_curve.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -136,7 +137,9 @@ struct ArcBounds {
   ArcBounds arc;
   arc.middle_h = around(value.h, value.error) - about.dot(n);
   arc.middle_dh = around(value.dh, value.error) - about.dot(n.turned());
-  arc.rho = to_interval(curve.radius(piece, to_bounds(phi)));
+  const Bounds rho = curve.radius(piece, to_bounds(phi));
+  assert(value.error >= 0 && rho.low <= rho.high);
+  arc.rho = to_interval(rho);
   const Interval from_middle = phi - m;
   const double half = std::max(-from_middle.lower(), from_middle.upper());
   const Interval sin_delta(-half, half);

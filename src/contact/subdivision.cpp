@@ -80,8 +80,10 @@ struct Enumeration {
       contact.q_bounds = to_bounds(turns == 0 ? place.q : place.q - 2 * turns * half_turn());
     }
     contact.q = median(to_interval(contact.q_bounds));
-    if (a.turns && contact.q <= -kPi) {
-      contact.q = kPi;
+    if (a.turns) {
+      const double polished = polished_turning_coordinate(a, place.pieces, median(place.psi1), contact.q);
+      contact.q = std::clamp(polished, contact.q_bounds.low, contact.q_bounds.high);
+      contact.q = contact.q <= -kPi ? kPi : contact.q;
     }
     contact.n_W = unit_vector(median(place.psi1 + a.theta1));
     const SupportValue first = a.curve1.at(contact.piece1, median(place.psi1));
@@ -149,7 +151,7 @@ struct Enumeration {
     search<1>(
         a, problem, [&](const Box<1>& X) { return expand_slide(a, pieces, turn, X); },
         [&](const Box<1>& X) {
-          return Place{pieces, X[0], X[0] + turn, sliding_coordinate(a, pieces, X[0], X[0] + turn)};
+          return Place{pieces, X[0], X[0] + turn, sliding_coordinate(a, pieces, turn, X[0])};
         });
   }
 
@@ -194,7 +196,7 @@ struct Enumeration {
     }
     const Interval psi1 = face1 ? to_interval(piece1.phi) : psi;
     const Interval psi2 = face1 ? psi : to_interval(piece2.phi);
-    const Interval q = sliding_coordinate(a, pieces, psi1, psi2);
+    const Interval q = sliding_coordinate_of_face(a, pieces, psi1, psi2);
     const bool along = !std::isfinite(boost::numeric::width(q));
     if (!along || may_touch(a, pieces, psi1, psi2)) {
       add(a, {pieces, psi1, psi2, q}, certain && !along);

@@ -36,7 +36,8 @@ public:
   [[nodiscard]] Bounds radius(std::size_t, const Bounds& phi) const override {
     const Bounds c = cosine_over(3 * phi.low, 3 * phi.high);
     const double s = ring_ ? -1 : 1;
-    return {s * a_ - 8 * b_ * c.high - 1e-15 * a_, s * a_ - 8 * b_ * c.low + 1e-15 * a_};
+    const auto [low, high] = std::minmax({-8 * b_ * c.low, -8 * b_ * c.high});
+    return {s * a_ + low - 1e-15 * a_, s * a_ + high + 1e-15 * a_};
   }
 
 private:
