@@ -16,10 +16,11 @@ namespace higherpair {
 template <int N>
 using Box = std::array<Interval, N>;
 
-/// N equations F = 0 over a box: enclosures of F at its middle, of F and of the Jacobian over all of it.
+/// N equations F = 0 over a box: enclosures of F at its center, of F and of the Jacobian over all of it.
 template <int N>
 struct Expansion {
-  Box<N> middle;
+  std::array<double, N> center = {};
+  Box<N> at_center;
   Box<N> range;
   std::array<Box<N>, N> J;  ///< J[i][k] = ∂F_i/∂x_k
 };
@@ -42,20 +43,13 @@ struct SearchResult {
 namespace box_search {
 
 template <int N>
-[[nodiscard]] Eigen::Matrix<double, N, 1> middle_of(const Box<N>& box) {
-  Eigen::Matrix<double, N, 1> m;
-  for (std::size_t k = 0; k < N; ++k) m[static_cast<int>(k)] = boost::numeric::median(box[k]);
-  return m;
-}
-
-template <int N>
 [[nodiscard]] double widest(const Box<N>& box) {
   double widest = 0;
   for (const Interval& x : box) widest = std::max(widest, boost::numeric::width(x));
   return widest;
 }
 
-/// Whether the one lies in the other, some unknowns meaning the same a whole turn farther.
+/// Whether the one box lies in the other, some unknowns meaning the same a whole turn farther.
 template <int N>
 [[nodiscard]] bool is_same_place(const Box<N>& inner, const Box<N>& outer,
                                  const std::array<bool, N>& is_periodic) {
@@ -90,9 +84,9 @@ template <int N>
   return both;
 }
 
-/// Krawczyk's operator K(X) = m - Y F(m) + (1 - Y J(X))(X - m), Y the inverse of the middle Jacobian. Every
-/// root in X is in K(X); if K(X) lies in the interior of X, there is one root in X and no second. None where
-/// the middle Jacobian has no inverse.
+/// Krawczyk's operator K(X) = m - Y F(m) + (1 - Y J(X))(X - m), m the center, Y the inverse of the middle
+/// Jacobian. Every root in X is in K(X); if K(X) lies in the interior of X, there is one root in X and no
+/// second. None where the middle Jacobian has no inverse.
 template <int N>
 [[nodiscard]] std::optional<Box<N>> krawczyk(const Box<N>& X, const Expansion<N>& e) {
   Eigen::Matrix<double, N, N> J;
@@ -105,28 +99,28 @@ template <int N>
   if (!Y.allFinite()) {
     return std::nullopt;
   }
-  const Eigen::Matrix<double, N, 1> m = middle_of<N>(X);
   Box<N> K;
   for (std::size_t i = 0; i < N; ++i) {
     const auto y = [&](std::size_t j) { return Y(static_cast<int>(i), static_cast<int>(j)); };
-    K[i] = Interval(m[static_cast<int>(i)]);
-    for (std::size_t j = 0; j < N; ++j) K[i] -= y(j) * e.middle[j];
+    K[i] = Interval(e.center[i]);
+    for (std::size_t j = 0; j < N; ++j) K[i] -= y(j) * e.at_center[j];
     for (std::size_t k = 0; k < N; ++k) {
       Interval rest = i == k ? 1 : 0;
       for (std::size_t j = 0; j < N; ++j) rest -= y(j) * e.J[j][k];
-      K[i] += rest * (X[k] - m[static_cast<int>(k)]);
+      K[i] += rest * (X[k] - e.center[k]);
     }
   }
   return K;
 }
 
-/// The box and an eighth of its width more on each side, within the limits: a root on the seam of two boxes is
-/// in the interior of either.
+/// The box and an eighth of its width more on each side, within the limits: a root on the seam of two boxes
+/// is in the interior of either. A little [rad] is added to a side that is known to rounding already, where
+/// no operator could lie in the interior.
 template <int N>
 [[nodiscard]] Box<N> inflated(const Box<N>& box, const Box<N>& limits) {
   Box<N> larger;
   for (std::size_t k = 0; k < N; ++k) {
-    const double more = boost::numeric::width(box[k]) / 8;
+    const double more = boost::numeric::width(box[k]) / 8 + 1e-13;
     larger[k] = boost::numeric::intersect(Interval(box[k].lower() - more, box[k].upper() + more), limits[k]);
   }
   return larger;
@@ -139,7 +133,8 @@ struct Finest {
   double least = 0;   ///< ... but no side is cut below this
 };
 
-/// The side to cut next: the one along which F changes most, of those that are not fine enough; none if all are.
+/// The side to cut next: the one along which F changes most, of those that are not fine enough; none if all
+/// are.
 template <int N>
 [[nodiscard]] std::optional<std::size_t> coarsest_side(const Box<N>& box, const Expansion<N>& e,
                                                        const Finest& finest) {
@@ -192,14 +187,14 @@ template <int N, class Expand>
 template <int N>
 struct SearchProblem {
   std::vector<Box<N>> start;
-  Box<N> limits;                          ///< the boxes of which F is asked lie in these
-  std::array<bool, N> is_periodic = {};   ///< F has the period 2π in this unknown
+  Box<N> limits;                         ///< the boxes of which F is asked lie in these
+  std::array<bool, N> is_periodic = {};  ///< F has the period 2π in this unknown
   box_search::Finest finest;
   std::size_t budget = 0;  ///< boxes to look at
 };
 
-/// All roots of F in the boxes `start`, by bisection, largest boxes first: a box is dropped if F has no zero in
-/// it by its enclosure or by Krawczyk's operator, or if it lies where a known root is the only one; it is
+/// All roots of F in the boxes `start`, by bisection, largest boxes first: a box is dropped if F has no zero
+/// in it by its enclosure or by Krawczyk's operator, or if it lies where a known root is the only one; it is
 /// decided if the operator certifies its root, and left undecided when it is as fine as wanted.
 /// \param expand  Box -> Expansion
 template <int N, class Expand>
@@ -208,8 +203,9 @@ template <int N, class Expand>
   SearchResult<N> result;
   std::deque<Box<N>> queue(problem.start.begin(), problem.start.end());
   const auto is_known = [&](const Box<N>& box) {
-    return std::any_of(result.roots.begin(), result.roots.end(),
-                       [&](const Root<N>& root) { return is_same_place<N>(box, root.unique, problem.is_periodic); });
+    return std::any_of(result.roots.begin(), result.roots.end(), [&](const Root<N>& root) {
+      return is_same_place<N>(box, root.unique, problem.is_periodic);
+    });
   };
   for (; !queue.empty() && result.boxes < problem.budget; queue.pop_front()) {
     Box<N> box = queue.front();

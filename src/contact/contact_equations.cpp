@@ -6,6 +6,9 @@ namespace higherpair {
 namespace {
 
 using boost::numeric::hull;
+using boost::numeric::intersect;
+using boost::numeric::median;
+using boost::numeric::overlap;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -89,8 +92,8 @@ double size_of_curve(const SupportCurve& curve, const IntervalVector& about) {
   double size = kInfinity;
   for (std::size_t piece = 0; piece < curve.pieces().size(); ++piece) {
     for (const Interval& tile : tiles_of(curve.pieces()[piece])) {
-      const ArcBounds at = arc_bounds(curve, piece, about, boost::numeric::median(tile));
-      const double distance = std::hypot(boost::numeric::median(at.h), boost::numeric::median(at.dh));
+      const ArcBounds at = arc_bounds(curve, piece, about, median(tile));
+      const double distance = std::hypot(median(at.h), median(at.dh));
       size = std::min(size, distance + boost::numeric::norm(at.rho));
     }
   }
@@ -135,32 +138,66 @@ Arrangement make_arrangement(const SupportPair& pair, double u, bool opposed) {
   a.about1 = {joint2_1.x + driver.p_BO.x(), joint2_1.y + driver.p_BO.y()};
   a.about2 = exactly(pair.motion2.p_BO);
   a.turn = opposed ? half_turn() : Interval(0);
+  a.turn += a.theta1;
   if (!a.turns) {
-    a.turn += a.theta1 - angle_of_body(pair.motion2, 0);
+    a.turn -= angle_of_body(pair.motion2, 0);
     a.slide1 = in_frame(a.theta1, exactly(pair.motion2.direction_W));
   }
   return a;
+}
+
+Interval turning_partner(const Arrangement& a, const Interval& psi1, const Interval& x) {
+  return psi1 + a.turn - x;
+}
+
+bool may_touch(const Arrangement& a, const PiecePair& pieces, const Interval& psi1, const Interval& psi2) {
+  return holds_zero(first_over(a, pieces, psi1).h - a.sigma * second_over(a, pieces, psi2).h);
 }
 
 Expansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Box<2>& X) {
   const ArcBounds first = first_over(a, pieces, X[0]);
   const ArcBounds second = second_over(a, pieces, X[1]);
   Expansion<2> e;
-  e.middle = {first.middle_h - a.sigma * second.middle_h, first.middle_dh - a.sigma * second.middle_dh};
+  e.center = {median(X[0]), median(X[1])};
+  e.at_center = {first.middle_h - a.sigma * second.middle_h, first.middle_dh - a.sigma * second.middle_dh};
   e.range = {first.h - a.sigma * second.h, first.dh - a.sigma * second.dh};
   e.J[0] = {first.dh, -a.sigma * second.dh};
   e.J[1] = {first.rho - first.h, -a.sigma * (second.rho - second.h)};
   return e;
 }
 
-Expansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first,
-                         const Box<1>& X) {
+Expansion<2> expand_closed(const Arrangement& a, const PiecePair& pieces, const Box<2>& X) {
+  const ArcBounds first = first_over(a, pieces, X[0]);
+  const ArcBounds second = second_over(a, pieces, turning_partner(a, X[0], X[1]));
+  Expansion<2> e;
+  e.center = {median(X[0]), median(X[1])};
+  const ArcBounds second_m = second_over(a, pieces, turning_partner(a, e.center[0], e.center[1]));
+  e.at_center = {first.middle_h - a.sigma * second_m.h, first.middle_dh - a.sigma * second_m.dh};
+  e.range = {first.h - a.sigma * second.h, first.dh - a.sigma * second.dh};
+  const Interval rho = first.rho - a.sigma * second.rho;
+  e.J[0][1] = a.sigma * second.dh;
+  e.J[1][1] = a.sigma * (second.rho - second.h);
+  // Each of F1 and F2 is in the derivative of the other: closer bounds make closer bounds.
+  for (int pass = 0; pass < 3; ++pass) {
+    e.J[0][0] = e.range[1];
+    e.J[1][0] = rho - e.range[0];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Interval mean =
+          e.at_center[i] + e.J[i][0] * (X[0] - e.center[0]) + e.J[i][1] * (X[1] - e.center[1]);
+      e.range[i] = overlap(mean, e.range[i]) ? intersect(mean, e.range[i]) : e.range[i];
+    }
+  }
+  return e;
+}
+
+Expansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first, const Box<1>& X) {
   const Interval face = to_interval((face_is_first ? first_piece(a, pieces) : second_piece(a, pieces)).phi);
   const ArcBounds first = first_over(a, pieces, face_is_first ? face : X[0]);
   const ArcBounds second = second_over(a, pieces, face_is_first ? X[0] : face);
   Expansion<1> e;
   e.range = {first.h - a.sigma * second.h};
-  e.middle = {face_is_first ? first.h - a.sigma * second.middle_h : first.middle_h - a.sigma * second.h};
+  e.center = {median(X[0])};
+  e.at_center = {face_is_first ? first.h - a.sigma * second.middle_h : first.middle_h - a.sigma * second.h};
   e.J[0] = {face_is_first ? -a.sigma * second.dh : first.dh};
   return e;
 }
@@ -168,21 +205,18 @@ Expansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool fac
 Expansion<1> expand_slide(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
                           const Box<1>& X) {
   const SlideTerms all = slide_terms(a, pieces, X[0], X[0] + turn);
-  const Interval m = boost::numeric::median(X[0]);
+  const Interval m = median(X[0]);
   Expansion<1> e;
+  e.center = {m.lower()};
   e.range = {all.equation()};
-  e.middle = {slide_terms(a, pieces, m, m + turn).equation()};
+  e.at_center = {slide_terms(a, pieces, m, m + turn).equation()};
   e.J[0] = {all.rho * all.c};
   return e;
 }
 
-Interval turning_coordinate(const Arrangement& a, const Interval& psi1, const Interval& psi2) {
-  return psi1 + a.theta1 + a.turn - psi2;
-}
-
 Interval sliding_coordinate(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
                             const Interval& psi1) {
-  const Interval m = boost::numeric::median(psi1);
+  const Interval m = median(psi1);
   const SlideTerms all = slide_terms(a, pieces, psi1, psi1 + turn);
   const SlideTerms middle = slide_terms(a, pieces, m, m + turn);
   return -(middle.B * middle.c + middle.dB * middle.dc) + all.rho * all.dc * (psi1 - m);
@@ -195,8 +229,7 @@ Interval sliding_coordinate_of_face(const Arrangement& a, const PiecePair& piece
 }
 
 double polished_turning_coordinate(const Arrangement& a, const PiecePair& pieces, double psi1, double q) {
-  using boost::numeric::median;
-  const Interval psi2 = Interval(psi1) + a.theta1 + a.turn - q;
+  const Interval psi2 = turning_partner(a, psi1, q);
   const ArcBounds first = first_over(a, pieces, psi1);
   const ArcBounds second = second_over(a, pieces, psi2);
   const double gap = median(a.sigma * second.middle_h - first.middle_h);
@@ -216,8 +249,7 @@ Verdict is_within(const Arrangement& a, const Place& place, const Bounds& range)
   }
   if (piece2.kind == PieceKind::kFace && piece1.kind != PieceKind::kFace) {
     const IntervalVector t2 = unit_interval(place.psi2).turned();
-    const Interval along =
-        a.about2.dot(t2) + a.sigma * (first_over(a, place.pieces, place.psi1).dh - moved);
+    const Interval along = a.about2.dot(t2) + a.sigma * (first_over(a, place.pieces, place.psi1).dh - moved);
     verdict = std::min(verdict, is_between(along, piece2.along));
   }
   return verdict;

@@ -11,16 +11,14 @@
 
 namespace higherpair {
 
-/// Rounding of intervals outwards without touching the processor's rounding mode: the nearest double is within
-/// half a unit of the last place, and one to two units are taken off or added. So no compiler flag is needed,
-/// a call of foreign code in between cannot spoil it, and it works where there are no rounding modes.
+/// Rounding of intervals outwards without touching the processor's rounding mode: the nearest double is
+/// within half a unit of the last place, and one to two units are taken off or added. So no compiler flag is
+/// needed, a call of foreign code in between cannot spoil it, and it works where there are no rounding modes.
 struct OutwardRounding {
   using unprotected_rounding = OutwardRounding;
 
   // The last summand covers underflow; subnormal numbers are kept away, they are slow.
-  static double margin(double x) {
-    return std::abs(x) * std::numeric_limits<double>::epsilon() + 0x1p-960;
-  }
+  static double margin(double x) { return std::abs(x) * std::numeric_limits<double>::epsilon() + 0x1p-960; }
   // A NaN (∞ - ∞, 0·∞) may be any number; what has overflowed was finite.
   static double down(double x) {
     const double y = x - margin(x);
@@ -115,8 +113,8 @@ struct IntervalVector {
   return {cosine(angle), sine(angle)};
 }
 
-/// What lies between a curve's support h and slope h′ about a reference point, and its radius, over an interval
-/// of normals; and h, h′ at its middle.
+/// What lies between a curve's support h and slope h′ about a reference point, and its radius, over an
+/// interval of normals; and h, h′ at its middle.
 struct ArcBounds {
   Interval middle_h;
   Interval middle_dh;
@@ -125,8 +123,8 @@ struct ArcBounds {
   Interval rho;
 };
 
-/// \param about  the reference point in the body's frame \param phi  at most a half turn wide. With δ the angle
-/// from the middle m and ρ the bounds of the radius over the interval,
+/// \param about  the reference point in the body's frame \param phi  at most a half turn wide. With δ the
+/// angle from the middle m and ρ the bounds of the radius over the interval,
 ///     h = h_m + h′_m sin δ + (ρ - h_m)(1 - cos δ),   h′ = h′_m cos δ + (ρ - h_m) sin δ,
 /// since h + h″ = ρ: h = h_m cos δ + h′_m sin δ + ∫ ρ(m+τ) sin(δ-τ) dτ, τ from 0 to δ. |δ| <= π/2.
 [[nodiscard]] inline ArcBounds arc_bounds(const SupportCurve& curve, std::size_t piece,

@@ -28,25 +28,26 @@ bool are_neighbours(std::size_t a, std::size_t b, std::size_t count) {
   return apart <= 1 || apart + 1 == count;
 }
 
-// A box of normals with the angles in one turn. One at the lower end of the turn appears at the upper end too.
+// A box, by ψ1 and the other angle (a turning q, or ψ2), brought into one turn. One at the lower end of the
+// turn appears at the upper end too.
 struct Image {
   std::size_t of = 0;
   Interval psi1;
-  Interval psi2;
+  Interval other;
 
   // Boxes that are near each other are so in this direction, few others are.
-  [[nodiscard]] double low() const { return psi1.lower() + 0.618 * psi2.lower(); }
-  [[nodiscard]] double high() const { return psi1.upper() + 0.618 * psi2.upper(); }
+  [[nodiscard]] double low() const { return psi1.lower() + 0.618 * other.lower(); }
+  [[nodiscard]] double high() const { return psi1.upper() + 0.618 * other.upper(); }
 };
 
-std::vector<Image> images_of(const std::vector<PossiblePlace>& places, double slack) {
+std::vector<Image> images_of(const std::vector<PossiblePlace>& places, bool turns, double slack) {
   std::vector<Image> images;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Interval psi1 = next_to(places[i].place.psi1, 0);
-    const Interval psi2 = next_to(places[i].place.psi2, 0);
+    const Interval other = next_to(turns ? places[i].place.q : places[i].place.psi2, 0);
     for (int k1 = 0; k1 <= (psi1.lower() <= -kPi + slack ? 1 : 0); ++k1) {
-      for (int k2 = 0; k2 <= (psi2.lower() <= -kPi + slack ? 1 : 0); ++k2) {
-        images.push_back({i, moved(psi1, k1), moved(psi2, k2)});
+      for (int k2 = 0; k2 <= (other.lower() <= -kPi + slack ? 1 : 0); ++k2) {
+        images.push_back({i, moved(psi1, k1), moved(other, k2)});
       }
     }
   }
@@ -77,13 +78,13 @@ private:
 };
 
 Sets near_sets(const SupportPair& pair, const std::vector<PossiblePlace>& places, double slack) {
-  const std::vector<Image> images = images_of(places, slack);
+  const std::vector<Image> images = images_of(places, pair.motion2.turns, slack);
   Sets sets(places.size());
   const auto belong_together = [&](const Image& a, const Image& b) {
     const PossiblePlace& one = places[a.of];
     const PossiblePlace& other = places[b.of];
     return one.opposed == other.opposed && are_near(a.psi1, b.psi1, slack) &&
-           are_near(a.psi2, b.psi2, slack) &&
+           are_near(a.other, b.other, slack) &&
            are_neighbours(one.place.pieces.first, other.place.pieces.first, pair.curve1.pieces().size()) &&
            are_neighbours(one.place.pieces.second, other.place.pieces.second, pair.curve2.pieces().size());
   };
@@ -128,9 +129,9 @@ std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interva
     if (boxes[i] == 0) {
       continue;
     }
-    const Bounds q = turns ? whole_turn_at_most(hulls[i].q)
-                           : Bounds{std::max(hulls[i].q.lower(), range.low),
-                                    std::min(hulls[i].q.upper(), range.high)};
+    const Bounds q =
+        turns ? whole_turn_at_most(hulls[i].q)
+              : Bounds{std::max(hulls[i].q.lower(), range.low), std::min(hulls[i].q.upper(), range.high)};
     clusters.push_back({q, whole_turn_at_most(hulls[i].psi1 + theta1), places[i].opposed,
                         hulls[i].pieces.first, hulls[i].pieces.second, boxes[i]});
   }

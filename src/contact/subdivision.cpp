@@ -19,6 +19,10 @@ constexpr double kAnyAngle = 100;
 // [rad] Below this normals have no more digits to be told apart by.
 constexpr double kLeastWidth = 4e-15;
 
+Interval any_angle() {
+  return {-kAnyAngle, kAnyAngle};
+}
+
 struct Domain {
   Interval limits;
   std::vector<Interval> tiles;
@@ -27,7 +31,7 @@ struct Domain {
 
 Domain domain_of(const SupportPiece& piece) {
   if (piece.kind == PieceKind::kClosed) {
-    return {{-kAnyAngle, kAnyAngle}, tiles_of(piece), true};
+    return {any_angle(), tiles_of(piece), true};
   }
   return {to_interval(piece.phi), tiles_of(piece), false};
 }
@@ -122,11 +126,19 @@ struct Enumeration {
     for (const Interval& x : first.tiles) {
       for (const Interval& y : second.tiles) problem.start.push_back({x, y});
     }
-    search<2>(
-        a, problem, [&](const Box<2>& X) { return expand_arcs(a, pieces, X); },
-        [&](const Box<2>& X) {
-          return Place{pieces, X[0], X[1], turning_coordinate(a, X[0], X[1])};
-        });
+    if (first.is_periodic && second.is_periodic) {
+      search<2>(
+          a, problem, [&](const Box<2>& X) { return expand_closed(a, pieces, X); },
+          [&](const Box<2>& X) {
+            return Place{pieces, X[0], turning_partner(a, X[0], X[1]), X[1]};
+          });
+    } else {
+      search<2>(
+          a, problem, [&](const Box<2>& X) { return expand_arcs(a, pieces, X); },
+          [&](const Box<2>& X) {
+            return Place{pieces, X[0], X[1], turning_partner(a, X[0], X[1])};
+          });
+    }
   }
 
   void turning_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first) {
@@ -141,11 +153,12 @@ struct Enumeration {
         [&](const Box<1>& X) {
           const Interval& psi1 = face_is_first ? face : X[0];
           const Interval& psi2 = face_is_first ? X[0] : face;
-          return Place{pieces, psi1, psi2, turning_coordinate(a, psi1, psi2)};
+          return Place{pieces, psi1, psi2, turning_partner(a, psi1, psi2)};
         });
   }
 
-  void sliding_domain(const Arrangement& a, const PiecePair& pieces, const Interval& turn, const Domain& domain) {
+  void sliding_domain(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
+                      const Domain& domain) {
     SearchProblem<1> problem{{}, {domain.limits}, {domain.is_periodic}, {}, 0};
     for (const Interval& x : domain.tiles) problem.start.push_back({x});
     search<1>(
@@ -203,17 +216,11 @@ struct Enumeration {
     }
   }
 
-  // Whether the supports may be equal, for one normal each.
-  static bool may_touch(const Arrangement& a, const PiecePair& pieces, const Interval& psi1,
-                        const Interval& psi2) {
-    return holds_zero(expand_arcs(a, pieces, {psi1, psi2}).range[0]);
-  }
-
   void turning_faces(const Arrangement& a, const PiecePair& pieces) {
     const Interval psi1 = to_interval(a.curve1.pieces()[pieces.first].phi);
     const Interval psi2 = to_interval(a.curve2.pieces()[pieces.second].phi);
     if (may_touch(a, pieces, psi1, psi2)) {
-      add(a, {pieces, psi1, psi2, turning_coordinate(a, psi1, psi2)}, false);
+      add(a, {pieces, psi1, psi2, turning_partner(a, psi1, psi2)}, false);
     }
   }
 
@@ -247,11 +254,11 @@ SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double
     }
   }
   SubdivisionContacts& result = enumeration.result;
-  result.possible = merge_places(pair, make_arrangement(pair, u, true).theta1, enumeration.places, options.range,
-                                 options.tolerance);
+  result.possible = merge_places(pair, make_arrangement(pair, u, true).theta1, enumeration.places,
+                                 options.range, options.tolerance);
   std::sort(result.contacts.begin(), result.contacts.end(),
             [](const CertifiedContact& a, const CertifiedContact& b) { return a.q < b.q; });
-  result.status = enumeration.exhausted      ? SubdivisionStatus::kExhausted
+  result.status = enumeration.exhausted     ? SubdivisionStatus::kExhausted
                   : result.possible.empty() ? SubdivisionStatus::kComplete
                                             : SubdivisionStatus::kUndecided;
   return std::move(result);

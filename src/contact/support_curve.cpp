@@ -11,8 +11,8 @@ namespace higherpair {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Next to the end of the cone of normals, w² -> 0, rounding of the normal's angle moves the point by 1e-16/w² of
-// its distance.
+// Next to the end of the cone of normals, w² -> 0, rounding of the normal's angle moves the point by 1e-16/w²
+// of its distance.
 constexpr double kLeastW2 = 1e-10;
 
 IntervalVector exactly(const Vector2d& v) {

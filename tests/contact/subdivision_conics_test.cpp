@@ -20,7 +20,8 @@ bool is_same(const CurveContact& algebraic, const CertifiedContact& certified, b
   const double off = difference(algebraic.q, (certified.q_bounds.low + certified.q_bounds.high) / 2, turns);
   // Both are rounded to a double.
   const double rounding = 1e-15 * (1 + std::abs(algebraic.q));
-  return algebraic.opposed == certified.opposed && std::abs(off) <= certified.q_bounds.width() / 2 + rounding &&
+  return algebraic.opposed == certified.opposed &&
+         std::abs(off) <= certified.q_bounds.width() / 2 + rounding &&
          (algebraic.p_W - certified.p_W).norm() <= 1e-3 * (1 + algebraic.p_W.norm());
 }
 
@@ -71,14 +72,13 @@ TEST_P(RandomConics, HaveTheContactsOfTheAlgebraicList) {
     SCOPED_TRACE(random.text);
     const SubdivisionContacts found = find_contacts_by_subdivision(random.pair, random.u, kReach);
     EXPECT_EQ(found.status, SubdivisionStatus::kComplete);
-    const double worst =
-        expect_same_contacts(random, found, find_curve_contacts(random.pair, random.u));
+    const double worst = expect_same_contacts(random, found, find_curve_contacts(random.pair, random.u));
     EXPECT_LE(worst, 1e-12);
   }
 }
 
-// Small whole numbers: limits, coincidences, contacts at infinity. What is not certified is possible, in a few
-// small places.
+// Small whole numbers: limits, coincidences, contacts at infinity. What is not certified is possible, in a
+// few small places.
 TEST_P(RandomConics, MissNoContactOfADegeneratePair) {
   for (int i = 0; i < 36; ++i) {
     const auto random = testing::grid_pair(static_cast<unsigned>(36 * GetParam() + i));
@@ -93,10 +93,11 @@ TEST_P(RandomConics, MissNoContactOfADegeneratePair) {
     EXPECT_NE(found.status, SubdivisionStatus::kExhausted);
     expect_same_contacts(random, found, algebraic);
     for (const PossibleContact& p : found.possible) {
-      EXPECT_TRUE(std::any_of(algebraic.contacts.begin(), algebraic.contacts.end(), [&](const CurveContact& c) {
-        return std::abs(difference(c.q, p.q.low, random.pair.motion2.turns)) <= 1e-4;
-      })) << "no contact near q = "
-          << p.q.low;
+      EXPECT_TRUE(std::any_of(algebraic.contacts.begin(), algebraic.contacts.end(),
+                              [&](const CurveContact& c) {
+                                return std::abs(difference(c.q, p.q.low, random.pair.motion2.turns)) <= 1e-4;
+                              }))
+          << "no contact near q = " << p.q.low;
     }
   }
 }

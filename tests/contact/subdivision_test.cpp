@@ -108,8 +108,8 @@ TEST(SubdivisionOfALobedCam, FindsTheSameRollerInARing) {
   for (const CertifiedContact& c : found.contacts) EXPECT_LT(c.rho1, -(a - 8 * b) + 16 * b);
 }
 
-// A roller on an arm: its centre meets the curve at the distance ±r, walked in small steps; |x - pivot|² - arm²
-// changes its sign there.
+// A roller on an arm: its centre meets the curve at the distance ±r, walked in small steps; |x - pivot|² -
+// arm² changes its sign there.
 int crossings_on_a_walk(double a, double b, double u, double r, double arm, const Vector2d& pivot) {
   const auto excess = [&](int i) {
     const double phi = 2 * kPi * (i + 0.4711) / 60000;
@@ -135,7 +135,8 @@ TEST(SubdivisionOfALobedCam, FindsAsManyContactsOfAnOscillatingRollerAsAWalkAlon
       const SubdivisionContacts found = find_contacts_by_subdivision({cam, {}, *roller, motion2}, u);
       EXPECT_EQ(found.status, SubdivisionStatus::kComplete);
       EXPECT_EQ(static_cast<int>(positions(found, true).size()), crossings_on_a_walk(a, b, u, r, arm, pivot));
-      EXPECT_EQ(static_cast<int>(positions(found, false).size()), crossings_on_a_walk(a, b, u, -r, arm, pivot));
+      EXPECT_EQ(static_cast<int>(positions(found, false).size()),
+                crossings_on_a_walk(a, b, u, -r, arm, pivot));
       for (const CertifiedContact& c : found.contacts) {
         const Vector2d center = pivot + arm * unit_vector(c.q);
         EXPECT_NEAR((c.p_W - center).norm(), r, 1e-13);
@@ -203,8 +204,8 @@ TEST(SubdivisionOfARacetrack, FindsAnOscillatingRollerWhereItsArmReaches) {
   const double x = 0.5 - arm * std::cos(down);
   ASSERT_LT(std::abs(x), half);
   const std::vector<double> q = positions(found, true);
-  EXPECT_TRUE(std::any_of(q.begin(), q.end(),
-                          [&](double at) { return std::abs(at + kPi - down) <= 1e-14 * 4; }));
+  EXPECT_TRUE(
+      std::any_of(q.begin(), q.end(), [&](double at) { return std::abs(at + kPi - down) <= 1e-14 * 4; }));
   for (const CertifiedContact& c : found.contacts) {
     const Vector2d center = motion2.p_WO + arm * unit_vector(c.q);
     const Vector2d nearest(std::clamp(center.x(), -half, half), 0);
@@ -251,14 +252,16 @@ TEST(SubdivisionAtALimit, TellsThreeCloseContactsApartIfTheToleranceAsksForIt) {
     SubdivisionOptions options;
     options.range = {0, 10};
     options.tolerance = 10 * delta;
-    const SubdivisionContacts coarse = find_contacts_by_subdivision({cam, {}, *roller, slider(0)}, 0, options);
+    const SubdivisionContacts coarse =
+        find_contacts_by_subdivision({cam, {}, *roller, slider(0)}, 0, options);
     EXPECT_EQ(coarse.status, SubdivisionStatus::kUndecided);
     EXPECT_TRUE(positions(coarse, true).empty());
     std::vector<PossibleContact> opposed = coarse.possible;
     std::erase_if(opposed, [](const PossibleContact& p) { return !p.opposed; });
     ASSERT_EQ(opposed.size(), 1U);
     EXPECT_TRUE(opposed[0].q.contains(a + r + b));
-    EXPECT_TRUE(opposed[0].phi.contains(-delta) && opposed[0].phi.contains(0) && opposed[0].phi.contains(delta));
+    EXPECT_TRUE(opposed[0].phi.contains(-delta) && opposed[0].phi.contains(0) &&
+                opposed[0].phi.contains(delta));
     options.tolerance = delta / 100;
     const SubdivisionContacts fine = find_contacts_by_subdivision({cam, {}, *roller, slider(0)}, 0, options);
     EXPECT_EQ(fine.status, SubdivisionStatus::kComplete);
@@ -273,7 +276,7 @@ TEST(SubdivisionAtALimit, TellsThreeCloseContactsApartIfTheToleranceAsksForIt) {
   }
 }
 
-TEST(SubdivisionAtALimit, FindsTwoPositionsABillionthApart) {
+TEST(SubdivisionAtALimit, TellsTwoPositionsABillionthApart) {
   const double radius = 0.5e-9;
   const auto pin = circle({0.7, 0.2}, radius);
   const auto edge = make_support_curve(make_point({0, 0}).value(), 1);
@@ -283,11 +286,28 @@ TEST(SubdivisionAtALimit, FindsTwoPositionsABillionthApart) {
   OneFreedom motion2;
   motion2.p_WO = {0.7, 1.2};
   const auto swinging = make_support_curve(make_point({1, 0}).value(), 1);
-  SubdivisionOptions options;
-  options.max_boxes = 1000000;
-  const SubdivisionContacts swung = find_contacts_by_subdivision({*pin, {}, *swinging, motion2}, 0, options);
+  const SubdivisionContacts swung = find_contacts_by_subdivision({*pin, {}, *swinging, motion2}, 0);
   EXPECT_EQ(swung.status, SubdivisionStatus::kComplete);
   expect_positions({-kPi / 2 - radius, -kPi / 2 + radius}, positions(swung, true), 1e-15);
+}
+
+// A roller of radius r2 at the end of a lever, against a disc at the lever's end: cos between = 1 - ((r1 +
+// r2)² - (L - e)²)/(2 L e).
+TEST(SubdivisionAtALimit, TellsContactsOfALongLeverApart) {
+  const double r1 = 0.731, r2 = 0.447;
+  for (const double lever : {17.0, 1e3, 1e6}) {
+    const auto disc = circle({0, 0}, r1);
+    const auto roller = circle({lever, 0}, r2);
+    const double L = lever + 0.6;
+    OneFreedom motion2;
+    motion2.p_WO = {L, 0};
+    const SubdivisionContacts found = find_contacts_by_subdivision({*disc, {}, *roller, motion2}, 0.3);
+    EXPECT_EQ(found.status, SubdivisionStatus::kComplete);
+    const double one_minus_cos = (r1 + r2 - 0.6) * (r1 + r2 + 0.6) / (2 * L * lever);
+    const double angle = 2 * std::asin(std::sqrt(one_minus_cos / 2));
+    expect_positions({-(kPi - angle), kPi - angle}, positions(found, true), 4e-15);
+    EXPECT_LE(found.boxes, 10000U);
+  }
 }
 
 // Two circles whose centres pass each other at the distance r1 + r2: a limit, at q = 0.
@@ -346,7 +366,8 @@ TEST(Subdivision, SaysThatAContactMayBeAnywhereIfTheFollowerDoesNotMoveIt) {
   motion2.p_WO = {0.75, 0};
   SubdivisionOptions options;
   options.max_boxes = 4000;
-  const SubdivisionContacts touching = find_contacts_by_subdivision({*disc, {}, *roller, motion2}, 0, options);
+  const SubdivisionContacts touching =
+      find_contacts_by_subdivision({*disc, {}, *roller, motion2}, 0, options);
   EXPECT_EQ(touching.status, SubdivisionStatus::kExhausted);
   ASSERT_EQ(touching.possible.size(), 1U);
   EXPECT_GT(touching.possible[0].q.width(), 6.28);
@@ -365,7 +386,8 @@ TEST(Subdivision, FollowsAChangeOfScale) {
     motion2.p_WO = {2.3 * scale, 0.4 * scale};
     const SubdivisionContacts found = find_contacts_by_subdivision({cam, {}, *roller, motion2}, 0.37);
     const SubdivisionContacts plain = find_contacts_by_subdivision(
-        {LobedCurve(1.37, 0.25), {}, *circle({2.1, 0}, 0.23), {true, {2.3, 0.4}, {0, 0}, {1, 0}, 0, {}}}, 0.37);
+        {LobedCurve(1.37, 0.25), {}, *circle({2.1, 0}, 0.23), {true, {2.3, 0.4}, {0, 0}, {1, 0}, 0, {}}},
+        0.37);
     EXPECT_EQ(found.status, SubdivisionStatus::kComplete);
     expect_positions(positions(plain, true), positions(found, true), 1e-12);
     expect_positions(positions(plain, false), positions(found, false), 1e-12);

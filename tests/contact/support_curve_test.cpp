@@ -15,8 +15,8 @@ double between(double low, double high, std::mt19937& random) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// Intervals of all widths from a half turn to 1e-8, nine samples in each: h and h′ up to their stated error, ρ up
-// to the rounding of its sample, relative to w² of a hyperbola next to the end of its cone.
+// Intervals of all widths from a half turn to 1e-8, nine samples in each: h and h′ up to their stated error,
+// ρ up to the rounding of its sample, relative to w² of a hyperbola next to the end of its cone.
 void expect_samples_within_bounds(const SupportCurve& curve, std::mt19937& random) {
   for (std::size_t piece = 0; piece < curve.pieces().size(); ++piece) {
     const SupportPiece& part = curve.pieces()[piece];

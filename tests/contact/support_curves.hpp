@@ -19,8 +19,8 @@ inline Bounds cosine_over(double low, double high) {
   return {range.low - 1e-14, range.high + 1e-14};
 }
 
-/// h = a + b cos 3φ, a cam of three lobes: ρ = a - 8 b cos 3φ, convex if 8 b < a, else with swallowtails. As a
-/// ring its material is outside: the normal is turned round, h -> -h(φ + π).
+/// h = a + b cos 3φ, a cam of three lobes: ρ = a - 8 b cos 3φ, convex if 8 b < a, else with swallowtails. As
+/// a ring its material is outside: the normal is turned round, h -> -h(φ + π).
 class LobedCurve final : public SupportCurve {
 public:
   LobedCurve(double a, double b, bool ring = false) : a_(a), b_(b), ring_(ring) {}

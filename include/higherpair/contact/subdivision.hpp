@@ -32,17 +32,17 @@ struct SubdivisionOptions {
 struct CertifiedContact {
   double q = 0;     ///< follower's coordinate: in (-π, π] [rad], or a displacement [m]
   Bounds q_bounds;  ///< encloses it, for the given numbers; its width says how well the position is defined
-  Vector2d p_W = Vector2d::Zero();   ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of body 1
-  bool opposed = false;              ///< the outward normals are opposed: the bodies lie on different sides
-  int branch = 0;                    ///< of an opposed contact: sign of ∂gap/∂q; else 0
-  double rho1 = 0, rho2 = 0;         ///< radii of curvature [m]; of a face 0, without meaning
+  Vector2d p_W = Vector2d::Zero();     ///< the common point [m]
+  Vector2d n_W = Vector2d::UnitX();    ///< unit outward normal of body 1
+  bool opposed = false;                ///< the outward normals are opposed: the bodies lie on different sides
+  int branch = 0;                      ///< of an opposed contact: sign of ∂gap/∂q; else 0
+  double rho1 = 0, rho2 = 0;           ///< radii of curvature [m]; of a face 0, without meaning
   std::size_t piece1 = 0, piece2 = 0;  ///< of the curves
 };
 
-/// What is not decided: none, one or several contacts with q and the angle φ of the normal n_W in these bounds.
-/// So appear limit positions (two contacts merge), conforming contacts, curves that touch along a stretch,
-/// contacts at a seam of two pieces.
+/// What is not decided: none, one or several contacts with q and the angle φ of the normal n_W in these
+/// bounds. So appear limit positions (two contacts merge), conforming contacts, curves that touch along a
+/// stretch, contacts at a seam of two pieces.
 struct PossibleContact {
   Bounds q;    ///< [rad or m]; turning: `low` in (-π, π]
   Bounds phi;  ///< [rad], at most a turn wide
@@ -66,13 +66,14 @@ struct SubdivisionContacts {
 
 /// All positions of the follower at which the curves are tangent, the driver being held at u; none is missed.
 ///
-/// About the follower's joint, with H the supports and σ = -1 for opposed normals, +1 for equal ones, the gap is
+/// About the follower's joint, with H the supports and σ = -1 for opposed normals, +1 for equal ones, the gap
+/// is
 ///     g = σ H2(ψ2) - H1(ψ1) + q d·n,       ψ the normal's angle in either body,
 /// d = 0 for a turning follower. g = ∂g/∂φ = 0 says, turning: H1 = σ H2 and H1′ = σ H2′ in the unknowns (ψ1,
-/// ψ2), with q = φ (+ π) - ψ2; sliding, q eliminated: B d·t = B′ d·n with B = σ H2 - H1 in ψ1. A face gives one
-/// ψ and one equation g = 0. Boxes of the unknowns are halved until the equations are seen to have no root
-/// in them (interval enclosures, Krawczyk's operator) or exactly one (the same operator), or until they are as
-/// small as the tolerance. The rounding of every step, also of u and the joints, is inside the bounds.
+/// ψ2), with q = φ (+ π) - ψ2; sliding, q eliminated: B d·t = B′ d·n with B = σ H2 - H1 in ψ1. A face gives
+/// one ψ and one equation g = 0. Boxes of the unknowns are halved until the equations are seen to have no
+/// root in them (interval enclosures, Krawczyk's operator) or exactly one (the same operator), or until they
+/// are as small as the tolerance. The rounding of every step, also of u and the joints, is inside the bounds.
 /// A corner (ρ = 0) has all normals of its cone, so that at a point only opposed normals are taken.
 /// Cost: 1-2 µs a box, some thousand boxes.
 /// \pre u and all numbers are finite; options.range.low <= options.range.high
@@ -81,7 +82,8 @@ struct SubdivisionContacts {
 
 /// The same for curves of the library. \param reach  of parabolas and hyperbolas, see make_support_curve [m]:
 /// contacts at points farther than this from their vertices are not looked for
-[[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double u, double reach,
+[[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double u,
+                                                               double reach,
                                                                const SubdivisionOptions& options = {});
 
 /// What the status means, as a sentence.

@@ -26,7 +26,8 @@ enum class PieceKind {
 /// A part of a boundary, in the body's frame.
 struct SupportPiece {
   PieceKind kind = PieceKind::kArc;
-  Bounds phi;  ///< normals [rad]; of a face: encloses the angle of its normal; of a closed curve without meaning
+  Bounds
+      phi;  ///< normals [rad]; of a face: encloses the angle of its normal; of a closed curve without meaning
   Bounds along;  ///< of a face: p·t of its ends, t = normal turned +90° [m]; ±infinity: no end
 };
 
@@ -53,8 +54,8 @@ public:
   [[nodiscard]] virtual const std::vector<SupportPiece>& pieces() const = 0;
   /// The support at one normal of the piece; any angle of a closed curve, else one between its bounds.
   [[nodiscard]] virtual SupportValue at(std::size_t piece, double phi) const = 0;
-  /// Bounds of ρ over an interval of normals of the piece: the closer, the faster the search; they may be wide,
-  /// never too narrow.
+  /// Bounds of ρ over an interval of normals of the piece: the closer, the faster the search; they may be
+  /// wide, never too narrow.
   [[nodiscard]] virtual Bounds radius(std::size_t piece, const Bounds& phi) const = 0;
 };
 
@@ -66,15 +67,15 @@ struct SupportBounds {
 };
 
 /// Bounds of a piece over at most a half turn of normals, rounded outwards: from h and h′ at the
-/// middle and the bounds of ρ, h + h″ = ρ integrated. Their width beyond the change of h and h′ falls with the
-/// square of the interval.
+/// middle and the bounds of ρ, h + h″ = ρ integrated. Their width beyond the change of h and h′ falls with
+/// the square of the interval.
 [[nodiscard]] SupportBounds bounds_over(const SupportCurve& curve, std::size_t piece, const Bounds& phi);
 
-/// A conic, line or point of the library as such a curve, its errors those of an evaluation in intervals. Of a
-/// parabola or a branch of a hyperbola, on which h grows without bound towards the ends of the cone of normals,
-/// the part is taken that is no farther across from its axis than `reach` [m], > 0: it holds every point within
-/// that distance of the vertex. Beyond 1e5 semi-latera recta (for a narrow hyperbola: semi-axes across) it ends
-/// in any case, since there angles of normals have too few digits left.
+/// A conic, line or point of the library as such a curve, its errors those of an evaluation in intervals. Of
+/// a parabola or a branch of a hyperbola, on which h grows without bound towards the ends of the cone of
+/// normals, the part is taken that is no farther across from its axis than `reach` [m], > 0: it holds every
+/// point within that distance of the vertex. Beyond 1e5 semi-latera recta (for a narrow hyperbola: semi-axes
+/// across) it ends in any case, since there angles of normals have too few digits left.
 [[nodiscard]] std::unique_ptr<SupportCurve> make_support_curve(const Curve& curve, double reach);
 
 }  // namespace higherpair
