@@ -2,7 +2,9 @@
 
 #include "interval.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <optional>

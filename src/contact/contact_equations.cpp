@@ -1,6 +1,8 @@
 #include "contact_equations.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {

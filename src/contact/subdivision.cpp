@@ -3,9 +3,10 @@
 #include "contact_equations.hpp"
 #include "possible_contacts.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -74,26 +75,16 @@ struct Enumeration {
   }
 
   [[nodiscard]] CertifiedContact contact_at(const Arrangement& a, const Place& place) const {
-    CertifiedContact contact;
+    const auto [i, j] = place.pieces;
+    const bool face1 = a.curve1.pieces()[i].kind == PieceKind::kFace;
+    const bool face2 = a.curve2.pieces()[j].kind == PieceKind::kFace;
+    CertifiedContact contact = positioned(a, place, !face1 && !face2);
     contact.opposed = a.sigma < 0;
-    contact.piece1 = place.pieces.first;
-    contact.piece2 = place.pieces.second;
-    contact.q_bounds = to_bounds(place.q);
-    if (a.turns) {
-      const double turns = std::round(median(place.q) / (2 * kPi));
-      contact.q_bounds = to_bounds(turns == 0 ? place.q : place.q - 2 * turns * half_turn());
-    }
-    contact.q = median(to_interval(contact.q_bounds));
-    if (a.turns) {
-      const double polished = polished_turning_coordinate(a, place.pieces, median(place.psi1), contact.q);
-      contact.q = std::clamp(polished, contact.q_bounds.low, contact.q_bounds.high);
-      contact.q = contact.q <= -kPi ? kPi : contact.q;
-    }
+    contact.piece1 = i;
+    contact.piece2 = j;
     contact.n_W = unit_vector(median(place.psi1 + a.theta1));
-    const SupportValue first = a.curve1.at(contact.piece1, median(place.psi1));
-    const SupportValue second = a.curve2.at(contact.piece2, median(place.psi2));
-    const bool face1 = a.curve1.pieces()[contact.piece1].kind == PieceKind::kFace;
-    const bool face2 = a.curve2.pieces()[contact.piece2].kind == PieceKind::kFace;
+    const SupportValue first = a.curve1.at(i, median(place.psi1));
+    const SupportValue second = a.curve2.at(j, median(place.psi2));
     const auto point = [](const SupportValue& value, const Interval& psi, const Pose<double>& X) {
       const Vector2d n = unit_vector(median(psi));
       return Vector2d(X * Vector2d(value.h * n + value.dh * perp(n)));
@@ -104,6 +95,22 @@ struct Enumeration {
     contact.rho2 = face2 ? 0 : second.rho;
     const double gap_q = contact.n_W.dot(velocity_per_q(pair.motion2, contact.p_W));
     contact.branch = !contact.opposed || gap_q == 0 ? 0 : (gap_q > 0 ? 1 : -1);
+    return contact;
+  }
+
+  // The coordinate and its bounds; a turning one in (-π, π], polished for two arcs.
+  [[nodiscard]] static CertifiedContact positioned(const Arrangement& a, const Place& place, bool arcs) {
+    CertifiedContact contact;
+    const double turns = a.turns ? std::round(median(place.q) / (2 * kPi)) : 0;
+    contact.q_bounds = to_bounds(turns == 0 ? place.q : place.q - 2 * turns * half_turn());
+    contact.q = median(to_interval(contact.q_bounds));
+    if (a.turns && arcs) {
+      const double polished = polished_turning_coordinate(a, place.pieces, median(place.psi1), contact.q);
+      contact.q = std::clamp(polished, contact.q_bounds.low, contact.q_bounds.high);
+    }
+    if (a.turns && contact.q <= -kPi) {
+      contact.q = kPi;
+    }
     return contact;
   }
 
@@ -258,9 +265,9 @@ SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double
                                  options.range, options.tolerance);
   std::sort(result.contacts.begin(), result.contacts.end(),
             [](const CertifiedContact& a, const CertifiedContact& b) { return a.q < b.q; });
-  result.status = enumeration.exhausted     ? SubdivisionStatus::kExhausted
-                  : result.possible.empty() ? SubdivisionStatus::kComplete
-                                            : SubdivisionStatus::kUndecided;
+  result.status = result.possible.empty() ? SubdivisionStatus::kComplete
+                  : enumeration.exhausted ? SubdivisionStatus::kExhausted
+                                          : SubdivisionStatus::kUndecided;
   return std::move(result);
 }
 

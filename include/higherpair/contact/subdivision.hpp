@@ -19,8 +19,9 @@ struct SupportPair {
 };
 
 struct SubdivisionOptions {
-  /// Normals are told apart down to this angle [rad], > 0. Where two contacts merge, rounding hides what is
-  /// closer than 1e-8 or so.
+  /// Normals and turning coordinates are told apart down to this angle [rad], points of the curves down to
+  /// this part of the pair's size, > 0. Where two contacts merge, rounding hides what is closer than 1e-8 or
+  /// so.
   double tolerance = 1e-6;
   std::size_t max_boxes = 40000;  ///< boxes looked at, > 0: bounds the work
   /// The follower's coordinates of interest [m] where it slides; a turning one is looked for all round.
@@ -44,7 +45,7 @@ struct CertifiedContact {
 /// bounds. So appear limit positions (two contacts merge), conforming contacts, curves that touch along a
 /// stretch, contacts at a seam of two pieces.
 struct PossibleContact {
-  Bounds q;    ///< [rad or m]; turning: `low` in (-π, π]
+  Bounds q;    ///< [rad or m]; turning: `low` in [-π, π]; sliding: ±infinity where nothing bounds it
   Bounds phi;  ///< [rad], at most a turn wide
   bool opposed = false;
   std::size_t piece1 = 0, piece2 = 0;  ///< of one of its boxes
@@ -69,14 +70,14 @@ struct SubdivisionContacts {
 /// About the follower's joint, with H the supports and σ = -1 for opposed normals, +1 for equal ones, the gap
 /// is
 ///     g = σ H2(ψ2) - H1(ψ1) + q d·n,       ψ the normal's angle in either body,
-/// d = 0 for a turning follower. g = ∂g/∂φ = 0 says, turning: H1 = σ H2 and H1′ = σ H2′ in the unknowns (ψ1,
-/// ψ2), with q = φ (+ π) - ψ2; sliding, q eliminated: B d·t = B′ d·n with B = σ H2 - H1 in ψ1. A face gives
-/// one ψ and one equation g = 0. Boxes of the unknowns are halved until the equations are seen to have no
-/// root in them (interval enclosures, Krawczyk's operator) or exactly one (the same operator), or until they
-/// are as small as the tolerance. The rounding of every step, also of u and the joints, is inside the bounds.
-/// A corner (ρ = 0) has all normals of its cone, so that at a point only opposed normals are taken.
-/// Cost: 1-2 µs a box, some thousand boxes.
-/// \pre u and all numbers are finite; options.range.low <= options.range.high
+/// d = 0 for a turning follower, ψ2 = ψ1 + θ1 (+ π) - θ2 with the bodies' angles θ. g = ∂g/∂φ = 0 says,
+/// turning: H1 = σ H2 and H1′ = σ H2′, in the unknowns ψ1 and q = θ2 for two closed curves, else ψ1 and ψ2;
+/// sliding, q eliminated: B d·t = B′ d·n with B = σ H2 - H1, in ψ1. A face gives one ψ and one equation g =
+/// 0. Boxes of the unknowns are halved until the equations are seen to have no root in them (interval
+/// enclosures, Krawczyk's operator) or exactly one (the same operator), or until they are as small as the
+/// tolerance. The rounding of every step, also of u and the joints, is inside the bounds. A corner (ρ = 0)
+/// has all normals of its cone, so that at a point only opposed normals are taken. Cost: 1-2 µs a box, some
+/// hundred boxes for two conics. \pre u and all numbers are finite; options.range.low <= options.range.high
 [[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double u,
                                                                const SubdivisionOptions& options = {});
 
