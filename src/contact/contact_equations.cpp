@@ -108,11 +108,12 @@ std::vector<Interval> tiles_of(const Interval& psi) {
   constexpr double kWidest = kPi / 4;
   const double low = psi.lower();
   const double width = psi.upper() - low;
-  const double count = std::max(1.0, std::ceil(width / kWidest - 1e-9));
+  const long count = std::max(1L, std::lround(std::ceil(width / kWidest - 1e-9)));
   std::vector<Interval> tiles;
   double from = low;
-  for (double k = 1; k <= count; ++k) {
-    const double to = k == count ? psi.upper() : low + width * (k / count);
+  for (long k = 1; k <= count; ++k) {
+    const double to =
+        k == count ? psi.upper() : low + width * (static_cast<double>(k) / static_cast<double>(count));
     tiles.emplace_back(from, to);
     from = to;
   }

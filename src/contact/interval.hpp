@@ -81,10 +81,10 @@ using Interval = boost::numeric::interval<
   double low = OutwardRounding::down(std::min(a, b));
   double high = OutwardRounding::up(std::max(a, b));
   const double slack = 1e-15 * (1 + std::max(std::abs(x.lower()), std::abs(x.upper())));
-  const double first = std::ceil((x.lower() - slack) / kPi - 0.5 * quarter);
-  const double last = std::floor((x.upper() + slack) / kPi - 0.5 * quarter);
-  for (double k = first; k <= last; ++k) {
-    const bool peak = std::fmod(k, 2) == 0;
+  const long first = std::lround(std::ceil((x.lower() - slack) / kPi - 0.5 * quarter));
+  const long last = std::lround(std::floor((x.upper() + slack) / kPi - 0.5 * quarter));
+  for (long k = first; k <= last; ++k) {
+    const bool peak = k % 2 == 0;
     low = peak ? low : -1;
     high = peak ? 1 : high;
   }

@@ -186,10 +186,10 @@ struct Enumeration {
     if (piece1.kind == PieceKind::kClosed) {
       return sliding_domain(a, pieces, a.turn, {part, tiles_of(part), false});
     }
-    const double first_turn = std::ceil((piece1.phi.low - part.upper()) / (2 * kPi) - 1e-9);
-    const double last_turn = std::floor((piece1.phi.high - part.lower()) / (2 * kPi) + 1e-9);
-    for (double k = first_turn; k <= last_turn; ++k) {
-      const Interval whole_turns = 2 * k * half_turn();
+    const long first_turn = std::lround(std::ceil((piece1.phi.low - part.upper()) / (2 * kPi) - 1e-9));
+    const long last_turn = std::lround(std::floor((piece1.phi.high - part.lower()) / (2 * kPi) + 1e-9));
+    for (long k = first_turn; k <= last_turn; ++k) {
+      const Interval whole_turns = 2.0 * static_cast<double>(k) * half_turn();
       const Interval moved = part + whole_turns;
       if (overlap(moved, to_interval(piece1.phi))) {
         const Interval both = intersect(moved, to_interval(piece1.phi));

@@ -12,9 +12,9 @@ namespace higherpair::testing {
 /// Smallest and largest cos(x) over an interval, from its ends and the multiples of π inside.
 inline Bounds cosine_over(double low, double high) {
   Bounds range{std::min(std::cos(low), std::cos(high)), std::max(std::cos(low), std::cos(high))};
-  for (double k = std::ceil(low / kPi); k <= std::floor(high / kPi); ++k) {
-    range.low = std::fmod(k, 2) == 0 ? range.low : -1;
-    range.high = std::fmod(k, 2) == 0 ? 1 : range.high;
+  for (long k = std::lround(std::ceil(low / kPi)); k <= std::lround(std::floor(high / kPi)); ++k) {
+    range.low = k % 2 == 0 ? range.low : -1;
+    range.high = k % 2 == 0 ? 1 : range.high;
   }
   return {range.low - 1e-14, range.high + 1e-14};
 }
