@@ -1,0 +1,103 @@
+#pragma once
+
+#include "higherpair/contact/support_curve.hpp"
+#include "higherpair/geometry/vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace higherpair::testing {
+
+/// Smallest and largest cos(x) over an interval, from its ends and the multiples of π inside.
+inline Bounds cosine_over(double low, double high) {
+  Bounds range{std::min(std::cos(low), std::cos(high)), std::max(std::cos(low), std::cos(high))};
+  for (long k = std::lround(std::ceil(low / kPi)); k <= std::lround(std::floor(high / kPi)); ++k) {
+    range.low = k % 2 == 0 ? range.low : -1;
+    range.high = k % 2 == 0 ? 1 : range.high;
+  }
+  return {range.low - 1e-14, range.high + 1e-14};
+}
+
+/// h = a + b cos 3φ, a cam of three lobes: ρ = a - 8 b cos 3φ, convex if 8 b < a, else with swallowtails. As
+/// a ring its material is outside: the normal is turned round, h -> -h(φ + π).
+class LobedCurve final : public SupportCurve {
+public:
+  LobedCurve(double a, double b, bool ring = false) : a_(a), b_(b), ring_(ring) {}
+
+  [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
+  [[nodiscard]] SupportValue at(std::size_t, double phi) const override {
+    // cos 3(φ + π) = -cos 3φ, so that the ring has -(a - b cos 3φ).
+    const double s = ring_ ? -1 : 1;
+    const double error = 1e-15 * (a_ + 5 * std::abs(b_) * (1 + std::abs(phi)));
+    return {s * a_ + b_ * std::cos(3 * phi), -3 * b_ * std::sin(3 * phi), s * a_ - 8 * b_ * std::cos(3 * phi),
+            error};
+  }
+  [[nodiscard]] Bounds radius(std::size_t, const Bounds& phi) const override {
+    const Bounds c = cosine_over(3 * phi.low, 3 * phi.high);
+    const double s = ring_ ? -1 : 1;
+    const auto [low, high] = std::minmax({-8 * b_ * c.low, -8 * b_ * c.high});
+    return {s * a_ + low - 1e-15 * a_, s * a_ + high + 1e-15 * a_};
+  }
+
+private:
+  double a_;
+  double b_;
+  bool ring_;
+  std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
+};
+
+/// An involute of the circle of radius r about the origin, h = r φ: its normals touch the circle (h′ = r).
+class Involute final : public SupportCurve {
+public:
+  Involute(double r, const Bounds& phi) : r_(r), pieces_{{PieceKind::kArc, phi, {}}} {}
+
+  [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
+  [[nodiscard]] SupportValue at(std::size_t, double phi) const override {
+    return {r_ * phi, r_, r_ * phi, 1e-15 * r_ * (1 + std::abs(phi))};
+  }
+  [[nodiscard]] Bounds radius(std::size_t, const Bounds& phi) const override {
+    return {r_ * phi.low * (1 - 1e-15), r_ * phi.high * (1 + 1e-15)};
+  }
+
+private:
+  double r_;
+  std::vector<SupportPiece> pieces_;
+};
+
+/// Two half circles of radius r about (±half, 0) and the two flats between, counter-clockwise.
+class Racetrack final : public SupportCurve {
+public:
+  Racetrack(double half, double r) : half_(half), r_(r) {
+    const auto flat = [&](double phi) {
+      return SupportPiece{PieceKind::kFace, {phi - 1e-15, phi + 1e-15}, {-half, half}};
+    };
+    pieces_ = {{PieceKind::kArc, {-kPi / 2, kPi / 2}, {}},
+               flat(kPi / 2),
+               {PieceKind::kArc, {kPi / 2, 3 * kPi / 2}, {}},
+               flat(3 * kPi / 2)};
+  }
+
+  [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
+  [[nodiscard]] SupportValue at(std::size_t piece, double phi) const override {
+    const double x = piece == 0 ? half_ : piece == 2 ? -half_ : 0;
+    const double error = 4e-15 * (half_ + r_);
+    if (pieces_[piece].kind == PieceKind::kFace) {
+      // The flat's middle (0, ±r), as a corner.
+      const double y = piece == 1 ? r_ : -r_;
+      return {y * std::sin(phi), y * std::cos(phi), 0, error};
+    }
+    return {x * std::cos(phi) + r_, -x * std::sin(phi), r_, error};
+  }
+  [[nodiscard]] Bounds radius(std::size_t piece, const Bounds&) const override {
+    const double rho = pieces_[piece].kind == PieceKind::kFace ? 0 : r_;
+    return {rho, rho};
+  }
+
+private:
+  double half_;
+  double r_;
+  std::vector<SupportPiece> pieces_;
+};
+
+}  // namespace higherpair::testing
