@@ -169,10 +169,10 @@ void hold_angles(const std::vector<int>& held, const State& from, const State& t
   }
 }
 
-Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
+Eigen::VectorXd column_of(const std::vector<ConstraintRow>& rows, double ConstraintRow::* member) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    values(static_cast<Eigen::Index>(i)) = rows[i].value;
+    values(static_cast<Eigen::Index>(i)) = rows[i].*member;
   }
   return values;
 }
@@ -219,7 +219,7 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
     append_idle_rows(model, group, rows);
     const System system = make_system(group, rows, size, [](int) { return Eigen::Vector3d::Zero().eval(); });
     const Solver solver(system.J);
-    Eigen::VectorXd step = solver.solve(-values_of(rows));
+    Eigen::VectorXd step = solver.solve(-column_of(rows, &ConstraintRow::value));
     if (!step.allFinite()) {
       return GroupStatus::kNotConverged;
     }
@@ -228,7 +228,7 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
     if (length == 0 || (length < 1e-9 && length >= last / 2)) {
       to.groups[g].sine = solver.determinant();
       to.groups[g].noise = 1e-14;
-      return values_of(rows).cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk
+      return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk
                                                                   : GroupStatus::kOutOfReach;
     }
     last = length;
@@ -258,17 +258,20 @@ void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMot
     return Eigen::Vector3d(body_at(body).v_WB.x(), body_at(body).v_WB.y(), body_at(body).omega);
   });
   const Solver solver(velocity.J);
-  Eigen::VectorXd rates = -velocity.known;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rates(static_cast<Eigen::Index>(i)) += rows[i].rate;
-  }
-  rates = solver.solve(rates);
-  hold_idle(model, group, rates);
-  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-    const auto column = static_cast<Eigen::Index>(3 * i);
-    body_at(group.bodies[i]).v_WB = rates.segment<2>(column);
-    body_at(group.bodies[i]).omega = rates(column + 2) / size;
-  }
+  // The rates of the group's bodies, from what the conditions want of them.
+  const auto solve = [&](const Eigen::VectorXd& wanted, const auto& set) {
+    Eigen::VectorXd rates = solver.solve(wanted);
+    hold_idle(model, group, rates);
+    for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(3 * i);
+      set(body_at(group.bodies[i]), rates.segment<2>(column), rates(column + 2) / size);
+    }
+  };
+  solve(column_of(rows, &ConstraintRow::rate) - velocity.known,
+        [](BodyMotion& body, const Vector2d& v_W, double omega) {
+          body.v_WB = v_W;
+          body.omega = omega;
+        });
   for (const int index : group.contacts) {
     set_contact_rates(model, index, state);
   }
@@ -277,17 +280,11 @@ void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMot
   const System acceleration = make_system(group, rows, size, [&](int body) {
     return Eigen::Vector3d(body_at(body).a_WB.x(), body_at(body).a_WB.y(), body_at(body).alpha);
   });
-  Eigen::VectorXd change = -acceleration.known;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    change(static_cast<Eigen::Index>(i)) -= rows[i].gamma;
-  }
-  change = solver.solve(change);
-  hold_idle(model, group, change);
-  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-    const auto column = static_cast<Eigen::Index>(3 * i);
-    body_at(group.bodies[i]).a_WB = change.segment<2>(column);
-    body_at(group.bodies[i]).alpha = change(column + 2) / size;
-  }
+  solve(-column_of(rows, &ConstraintRow::gamma) - acceleration.known,
+        [](BodyMotion& body, const Vector2d& a_W, double alpha) {
+          body.a_WB = a_W;
+          body.alpha = alpha;
+        });
 }
 
 }  // namespace higherpair

@@ -8,6 +8,10 @@
 namespace higherpair {
 namespace {
 
+constexpr double kLookEvery = kPi / 36;
+constexpr double kMostLooks = 10000;
+constexpr double kRounding = 1e-9;
+
 bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
@@ -48,6 +52,18 @@ void between(const std::vector<DriverMotion>& from, const std::vector<DriverMoti
     out[i] = {mix(from[i].position, to[i].position), mix(from[i].velocity, to[i].velocity),
               mix(from[i].acceleration, to[i].acceleration)};
   }
+}
+
+// How many parts of the way between two rows are looked at one by one.
+int parts_of(const Run& run, const std::vector<DriverMotion>& from, const std::vector<DriverMotion>& to) {
+  double parts = 1;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const auto joint = static_cast<std::size_t>(run.mechanism.drivers[i].joint);
+    const bool turns = run.mechanism.joints[joint].type == JointType::kRevolute;
+    const double most = turns ? kLookEvery : run.plan.size / 12;
+    parts = std::max(parts, std::abs(to[i].position - from[i].position) / most);
+  }
+  return static_cast<int>(std::ceil(std::min(parts, kMostLooks) - kRounding));
 }
 
 }  // namespace
@@ -97,6 +113,36 @@ const std::vector<ContactOpening>& ContactWatch::look(const Run& run,
                                                       const std::vector<DriverMotion>& drivers,
                                                       InverseDynamics& dynamics, const Reactions& reactions) {
   openings_.clear();
+  look_between(run, drivers);
+  look_at(run, drivers, dynamics, reactions);
+  return openings_;
+}
+
+void ContactWatch::look_between(const Run& run, const std::vector<DriverMotion>& drivers) {
+  const bool jumped = std::any_of(run.events.begin(), run.events.end(), [](const RunEvent& event) {
+    return event.type == EventType::kSecondContact || event.type == EventType::kLimitPosition;
+  });
+  // What lies on the other side of a gap or a jump is not on the way back.
+  if (!run.held || drivers_before_.empty() || jumped) {
+    return;
+  }
+  const int parts = parts_of(run, drivers_before_, drivers);
+  if (parts == 1) {
+    return;
+  }
+  Run probe = run;
+  InverseDynamics dynamics(probe);
+  const std::vector<DriverMotion> from = drivers_before_;
+  std::vector<DriverMotion> there;
+  for (int i = 1; i < parts; ++i) {
+    between(from, drivers, static_cast<double>(i) / parts, there);
+    move_to(probe, there);
+    look_at(probe, there, dynamics, dynamics.solve(probe));
+  }
+}
+
+void ContactWatch::look_at(const Run& run, const std::vector<DriverMotion>& drivers, InverseDynamics& dynamics,
+                           const Reactions& reactions) {
   for (std::size_t i = 0; i < reactions.contacts.size(); ++i) {
     const ContactReaction& contact = reactions.contacts[i];
     if (contact.pulls && !pulled_before_[i]) {
@@ -107,7 +153,6 @@ const std::vector<ContactOpening>& ContactWatch::look(const Run& run,
   }
   bound(run, dynamics, reactions);
   drivers_before_ = drivers;
-  return openings_;
 }
 
 ContactOpening ContactWatch::locate(const Run& run, const std::vector<DriverMotion>& drivers,

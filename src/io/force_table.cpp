@@ -67,12 +67,12 @@ std::string advice(const PreloadNeed& need, const Profile& profile) {
   const Mechanism& mechanism = profile.mechanism;
   const std::optional<double> preload = need.smallest();
   if (!preload) {
-    return on_spring ? fmt::format("; no constant preload of springs.{} keeps it closed in all rows",
+    return on_spring ? fmt::format("; no constant preload of springs.{} keeps it closed everywhere",
                                    mechanism.springs[index].name)
-                     : fmt::format("; no constant effort on joints.{} keeps it closed in all rows",
+                     : fmt::format("; no constant effort on joints.{} keeps it closed everywhere",
                                    mechanism.joints[index].name);
   }
-  return "; it stays closed in all rows if " +
+  return "; it stays closed everywhere if " +
          (on_spring ? more_of_spring(mechanism.springs[index], *preload, profile)
                     : effort_on_joint(mechanism.joints[index], *preload, profile));
 }

@@ -110,6 +110,20 @@ TEST(ContactWatch, LocatesTheOpeningToTheLastDigits) {
   }
 }
 
+// The force is negative for some 60 degrees about the top: between two of these rows.
+TEST(ContactWatch, SeesAContactOpenAndCloseBetweenTwoRows) {
+  const double omega = 95;
+  const double a = kM * kG + kK * (kL - kH + kR), b = kM * kE * omega * omega - kK * kE;
+  Analysis analysis(cam(kSpring));
+  ContactWatch watch(analysis.run);
+  const auto openings = turn(analysis, watch, omega, kPi);
+  ASSERT_EQ(openings.size(), 1U);
+  EXPECT_EQ(openings[0].kind, ContactOpening::Kind::kRoot);
+  EXPECT_NEAR(openings[0].driver, std::asin(a / b), 1e-13);
+  // Looked at every 5 degrees, the top itself among them.
+  EXPECT_NEAR(watch.needs().front().smallest().value(), force(kPi / 2, omega), 1e-10);
+}
+
 TEST(ContactWatch, FindsTheOpeningGoingBackwardsAsWell) {
   const double omega = 95;
   const double a = kM * kG + kK * (kL - kH + kR), b = kM * kE * omega * omega - kK * kE;
