@@ -1,0 +1,320 @@
+#include "map_branches.hpp"
+
+#include "higherpair/contact/events.hpp"
+#include "higherpair/contact/separation.hpp"
+#include "limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kTurn = 2 * kPi;
+constexpr int kFewest = 9;  // points within a branch, however short it is
+
+bool is_finite(MapEndType type) {
+  return type == MapEndType::kFold || type == MapEndType::kConforming;
+}
+
+// Whether the interiors of the bodies are disjoint; the line between two convex ones parts them.
+bool is_free(const ContactPair& pair, bool opposed, const ContactPosition& at, double tolerance) {
+  if (!opposed) {
+    return false;
+  }
+  const bool outside1 = pair.curve1.side == Side::kOutside;
+  const bool outside2 = pair.curve2.side == Side::kOutside;
+  const bool point = pair.curve1.kind == CurveKind::kPoint || pair.curve2.kind == CurveKind::kPoint;
+  if (point || (!outside1 && !outside2)) {
+    return true;
+  }
+  if ((outside1 && outside2) || !is_conic(pair.curve1) || !is_conic(pair.curve2)) {
+    return false;
+  }
+  const double radii = std::abs(at.rho1) + std::abs(at.rho2);
+  // One is convex, the other concave: κ1 + κ2 >= 0 iff (ρ1 + ρ2) ρ1 ρ2 >= 0.
+  if ((at.rho1 + at.rho2) * at.rho1 * at.rho2 < -1e-12 * radii * radii * radii) {
+    return false;
+  }
+  const Separation apart = separation(pair.curve1, pose_at(pair.motion1, at.u), pair.curve2,
+                                      pose_at(pair.motion2, at.q), tolerance / 100);
+  return apart.gap >= -tolerance;
+}
+
+double tolerance_of(const ContactPair& pair, const MapRange& range) {
+  const double size = (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
+                      (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
+                      std::min(pair.curve1.semi_latus, pair.curve2.semi_latus);
+  return range.tolerance * size;
+}
+
+MapPoint point_of(const ContactPair& pair, const MapRange& range, bool opposed, const ContactPosition& at) {
+  MapPoint point;
+  point.u = at.u;
+  point.q = at.q;
+  point.p_W = at.p1_W;
+  point.n_W = at.n_W;
+  point.free = is_free(pair, opposed, at, tolerance_of(pair, range));
+  return point;
+}
+
+std::optional<ContactTrack> track_of(const ContactPair& pair, const MapBranch& branch, const MapPoint& from) {
+  const ContactPair facing = branch.opposed ? pair : with_other_side(pair);
+  const int sense = from.n_W.dot(velocity_per_q(pair.motion2, from.p_W)) > 0 ? 1 : -1;
+  const ContactResult result = solve_contact(facing, from.u, from.q, from.n_W, sense);
+  if (result.status != ContactStatus::kOk) {
+    return std::nullopt;
+  }
+  return start_track(facing, result.at, sense);
+}
+
+// A driver coordinate at which a branch gets a point.
+struct Target {
+  double u = 0;
+  std::optional<std::int64_t> sample;
+};
+
+class BranchSampler {
+public:
+  BranchSampler(const ContactPair& pair, const MapRange& range, MapNetwork& network)
+      : pair_(pair), range_(range), network_(network), taken_(network.nodes.size(), false) {
+    const double way = network.cyclic ? kTurn : range.end - range.start;
+    spacing_ = way / static_cast<double>(range.samples - 1);
+  }
+
+  [[nodiscard]] std::vector<MapBranch> run() {
+    std::vector<MapBranch> branches;
+    for (const bool closed : {false, true}) {
+      for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
+        if (!taken_[i] && (closed || network_.nodes[i].before.node < 0)) {
+          branches.push_back(branch_from(static_cast<int>(i)));
+        }
+      }
+    }
+    std::sort(branches.begin(), branches.end(), [](const MapBranch& a, const MapBranch& b) {
+      return a.begin.u != b.begin.u ? a.begin.u < b.begin.u : a.points.front().q < b.points.front().q;
+    });
+    join(branches);
+    return branches;
+  }
+
+private:
+  [[nodiscard]] const MapNode& node(int i) const { return network_.nodes[static_cast<std::size_t>(i)]; }
+
+  MapBranch branch_from(int first) {
+    MapBranch branch;
+    branch.opposed = node(first).opposed;
+    int turns = 0;
+    int last = first;
+    taken_[static_cast<std::size_t>(first)] = true;
+    while (node(last).behind.node >= 0) {
+      const int next = node(last).behind.node;
+      turns += node(next).interval <= node(last).interval ? 1 : 0;
+      if (next == first) {
+        branch.turns = turns;
+        break;
+      }
+      taken_[static_cast<std::size_t>(next)] = true;
+      last = next;
+    }
+    ContactTrack track = node(first).track;
+    if (branch.turns > 0) {
+      branch.begin = {MapEndType::kClosed, range_.start};
+      branch.end = {MapEndType::kClosed, range_.start + branch.turns * kTurn};
+    } else {
+      const NodeSide& before = node(first).before;
+      const NodeSide& behind = node(last).behind;
+      branch.begin = {before.type, before.u, 0, before.event};
+      branch.end = {behind.type, behind.u + turns * kTurn, 0, behind.event};
+      shift(branch, track);
+    }
+    sample(branch, track);
+    return branch;
+  }
+
+  // By whole turns, so that it holds the start of the range or begins within it.
+  void shift(MapBranch& branch, ContactTrack& track) const {
+    if (!network_.cyclic) {
+      return;
+    }
+    double turns = std::ceil((range_.start - branch.begin.u) / kTurn);
+    if (branch.end.u + (turns - 1) * kTurn >= range_.start) {
+      turns -= 1;
+    }
+    branch.begin.u += turns * kTurn;
+    branch.end.u += turns * kTurn;
+    track.at.u += turns * kTurn;
+  }
+
+  // A sample within the branch, its ends only where they belong to it.
+  [[nodiscard]] std::vector<Target> targets_of(const MapBranch& branch) const {
+    const double unit = network_.cyclic ? 1 : network_.size;
+    const auto margin = [&](const MapEnd& end) {
+      const bool included = end.type == MapEndType::kClosed || end.type == MapEndType::kRange;
+      return (included ? -1e-9 : 1e-9) * unit;
+    };
+    const double low = branch.begin.u + margin(branch.begin);
+    const double high = branch.end.u - margin(branch.end);
+    const double sense = spacing_ < 0 ? -1 : 1;
+    const double a = ((sense > 0 ? low : high) - range_.start) / spacing_;
+    const double b = ((sense > 0 ? high : low) - range_.start) / spacing_;
+    std::vector<Target> targets;
+    for (double k = std::ceil(a); k <= b; ++k) {
+      const double u = range_.start + k * spacing_;
+      targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), static_cast<std::int64_t>(k)});
+    }
+    for (int i = 1; targets.size() < kFewest && i < kFewest; ++i) {
+      const double share = (1 - std::cos(kPi * i / kFewest)) / 2;
+      targets.push_back({low + share * (high - low), std::nullopt});
+      if (i == kFewest - 1) {
+        break;
+      }
+    }
+    std::sort(targets.begin(), targets.end(), [](const Target& l, const Target& r) { return l.u < r.u; });
+    return targets;
+  }
+
+  void sample(MapBranch& branch, const ContactTrack& middle) {
+    const std::vector<Target> targets = targets_of(branch);
+    const auto split = std::partition_point(targets.begin(), targets.end(),
+                                            [&](const Target& t) { return t.u < middle.at.u; });
+    ContactTrack track = middle;
+    std::vector<ContactTrack> tracks;
+    for (auto target = split; target != targets.begin();) {
+      --target;
+      if (add(branch, track, *target)) {
+        tracks.push_back(track);
+      }
+    }
+    std::reverse(branch.points.begin(), branch.points.end());
+    std::reverse(tracks.begin(), tracks.end());
+    track = middle;
+    for (auto target = split; target != targets.end(); ++target) {
+      if (add(branch, track, *target)) {
+        tracks.push_back(track);
+      }
+    }
+    add_extremes(branch, tracks);
+    add_ends(branch, middle);
+    choose_turn(branch);
+  }
+
+  bool add(MapBranch& branch, ContactTrack& track, const Target& target) const {
+    ContactTrack next = track;
+    if (follow_to(next, target.u).status != TrackStatus::kOk) {
+      return false;
+    }
+    track = next;
+    branch.points.push_back(point_of(pair_, range_, branch.opposed, track.at));
+    branch.points.back().sample = target.sample;
+    return true;
+  }
+
+  void add_extremes(MapBranch& branch, const std::vector<ContactTrack>& tracks) const {
+    for (std::size_t i = 0; i + 1 < tracks.size(); ++i) {
+      if (tracks[i].at.dq * tracks[i + 1].at.dq < 0) {
+        if (const auto at = stroke_end(tracks[i], tracks[i + 1].at.u)) {
+          branch.extremes.push_back(point_of(pair_, range_, branch.opposed, *at));
+        }
+      }
+    }
+  }
+
+  void add_ends(MapBranch& branch, const ContactTrack& middle) const {
+    const MapPoint inner = point_of(pair_, range_, branch.opposed, middle.at);
+    const MapPoint first = branch.points.empty() ? inner : branch.points.front();
+    const MapPoint last = branch.points.empty() ? inner : branch.points.back();
+    branch.begin.q = first.q;
+    branch.end.q = last.q;
+    if (is_finite(branch.begin.type)) {
+      branch.points.insert(branch.points.begin(), end_point(branch, branch.begin, first));
+      branch.begin.q = branch.points.front().q;
+    }
+    if (is_finite(branch.end.type)) {
+      branch.points.push_back(end_point(branch, branch.end, last));
+      branch.end.q = branch.points.back().q;
+    }
+  }
+
+  // The critical position at an end, continuous with the point next to it.
+  [[nodiscard]] MapPoint end_point(const MapBranch& branch, const MapEnd& end, const MapPoint& near) const {
+    const CriticalPosition& event = network_.events[static_cast<std::size_t>(end.event)].at;
+    ContactPosition at;
+    at.u = end.u;
+    at.q = pair_.motion2.turns ? nearest_turn(event.q, near.q) : event.q;
+    at.n_W = event.n_W;
+    const bool placed = place_points(branch.opposed ? pair_ : with_other_side(pair_), at);
+    MapPoint point = placed ? point_of(pair_, range_, branch.opposed, at) : near;
+    point.u = at.u;
+    point.q = at.q;
+    point.p_W = event.p_W;
+    point.n_W = event.n_W;
+    point.sample.reset();
+    return point;
+  }
+
+  // q in (-π, π] at the point nearest to the start.
+  void choose_turn(MapBranch& branch) const {
+    if (!pair_.motion2.turns || branch.points.empty()) {
+      return;
+    }
+    const auto nearest =
+        std::min_element(branch.points.begin(), branch.points.end(), [&](const MapPoint& a, const MapPoint& b) {
+          return std::abs(a.u - range_.start) < std::abs(b.u - range_.start);
+        });
+    const double turn = nearest_turn(nearest->q, 0) - nearest->q;
+    branch.begin.q += turn;
+    branch.end.q += turn;
+    for (auto* points : {&branch.points, &branch.extremes}) {
+      for (MapPoint& point : *points) {
+        point.q += turn;
+      }
+    }
+  }
+
+  void join(std::vector<MapBranch>& branches) const {
+    const auto side_of = [](const MapBranch& branch, const MapEnd& end) { return &end == &branch.begin; };
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      for (const MapEnd* end : {&branches[i].begin, &branches[i].end}) {
+        if (end->event >= 0) {
+          network_.events[static_cast<std::size_t>(end->event)].branches.push_back(static_cast<int>(i));
+        }
+      }
+    }
+    for (MapBranch& branch : branches) {
+      for (MapEnd* end : {&branch.begin, &branch.end}) {
+        for (std::size_t i = 0; end->event >= 0 && i < branches.size(); ++i) {
+          for (const MapEnd* other : {&branches[i].begin, &branches[i].end}) {
+            if (other != end && other->event == end->event &&
+                side_of(branches[i], *other) == side_of(branch, *end)) {
+              end->other = static_cast<int>(i);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  const ContactPair& pair_;
+  const MapRange& range_;
+  MapNetwork& network_;
+  std::vector<bool> taken_;
+  double spacing_ = 0;
+};
+
+}  // namespace
+
+std::vector<MapBranch> branches_of(const ContactPair& pair, const MapRange& range, MapNetwork& network) {
+  return BranchSampler(pair, range, network).run();
+}
+
+std::optional<MapPoint> followed(const ContactPair& pair, const MapRange& range, const MapBranch& branch,
+                                 const MapPoint& from, double u) {
+  auto track = track_of(pair, branch, from);
+  if (!track || follow_to(*track, u).status != TrackStatus::kOk) {
+    return std::nullopt;
+  }
+  return point_of(pair, range, branch.opposed, track->at);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,326 @@
+#include "map_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kResolution = 1e-7;  // of a radian, of the size: cuts nearer than that are one
+constexpr double kSameContact = 1e-6;
+// Where in its interval the list is made: off the middle, which symmetry may make special.
+constexpr double kPlace = 0.4713;
+constexpr double kNearEnd = 1e-5;  // of a radian, of the size, from a cut: where a branch shows its end
+constexpr double kSameEnd = 0.3;   // a branch this near to a fold may be one of those that merge there
+constexpr double kTurn = 2 * kPi;
+
+MapStatus status_of(ContactsStatus status) {
+  switch (status) {
+    case ContactsStatus::kComplete:
+      return MapStatus::kOk;
+    case ContactsStatus::kTouchesEverywhere:
+      return MapStatus::kTouchesEverywhere;
+    case ContactsStatus::kTouchesNowhere:
+      return MapStatus::kTouchesNowhere;
+    case ContactsStatus::kTangentAtInfinity:
+      return MapStatus::kTangentAtInfinity;
+    case ContactsStatus::kNoPair:
+      break;
+  }
+  return MapStatus::kNoPair;
+}
+
+double size_of(const ContactPair& pair) {
+  return (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
+         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
+         (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
+         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
+}
+
+// A place at which branches may begin and end.
+struct Cut {
+  double low = 0, high = 0;  // of the critical positions that it stands for
+  std::vector<int> events;
+  bool runaway = false;
+};
+
+class NetworkBuilder {
+public:
+  NetworkBuilder(const ContactPair& pair, const MapRange& range) : pair_(pair), other_(with_other_side(pair)) {
+    network_.cyclic = pair.motion1.turns;
+    network_.start = network_.cyclic ? range.start : std::min(range.start, range.end);
+    network_.end = network_.cyclic ? range.start + kTurn : std::max(range.start, range.end);
+    network_.size = size_of(pair);
+    unit1_ = network_.cyclic ? 1 : network_.size;
+  }
+
+  [[nodiscard]] MapNetwork run() {
+    network_.status = MapStatus::kOk;
+    add_events();
+    add_cuts();
+    add_middles();
+    for (std::size_t i = 0; i < network_.middles.size() && network_.status == MapStatus::kOk; ++i) {
+      list(static_cast<int>(i));
+    }
+    if (network_.status != MapStatus::kOk) {
+      return network_;
+    }
+    link();
+    find_ends();
+    check_events();
+    return network_;
+  }
+
+private:
+  // Into the range; false outside of it.
+  [[nodiscard]] bool bring_in(double& u) const {
+    if (!network_.cyclic) {
+      return u > network_.start && u < network_.end;
+    }
+    u -= kTurn * std::floor((u - network_.start) / kTurn);
+    if (u - network_.start > kTurn - kResolution) {
+      u -= kTurn;  // so that what belongs together stays together
+    }
+    return true;
+  }
+
+  void add_events() {
+    CriticalPositions folds = find_folds(pair_);
+    if (folds.everywhere) {
+      network_.status = MapStatus::kLimitEverywhere;
+      return;
+    }
+    const auto conforming = find_conforming(pair_);
+    folds.found.insert(folds.found.end(), conforming.begin(), conforming.end());
+    for (CriticalPosition& at : folds.found) {
+      const bool known =
+          std::any_of(network_.events.begin(), network_.events.end(), [&](const MapEvent& event) {
+            return is_same(event.at, at);
+          });
+      if (bring_in(at.u) && !known) {
+        network_.events.push_back({at, {}});
+      }
+    }
+    std::sort(network_.events.begin(), network_.events.end(),
+              [](const MapEvent& a, const MapEvent& b) { return a.at.u < b.at.u; });
+  }
+
+  [[nodiscard]] bool is_same(const CriticalPosition& a, CriticalPosition b) const {
+    if (!bring_in(b.u)) {
+      return false;
+    }
+    return std::abs(a.u - b.u) <= kResolution * unit1_ && a.opposed == b.opposed &&
+           difference_of_q(pair_, network_.size, a.q, b.q) <= kResolution &&
+           (a.n_W - b.n_W).norm() <= kSameContact;
+  }
+
+  void add_cuts() {
+    struct Place {
+      double u;
+      int event;
+    };
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < network_.events.size(); ++i) {
+      places.push_back({network_.events[i].at.u, static_cast<int>(i)});
+    }
+    for (double u : runaway_positions(pair_)) {
+      if (bring_in(u)) {
+        places.push_back({u, -1});
+      }
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.u < b.u; });
+    for (const Place& place : places) {
+      if (cuts_.empty() || place.u - cuts_.back().high > kResolution * unit1_) {
+        cuts_.push_back({place.u, place.u, {}, false});
+      }
+      cuts_.back().high = place.u;
+      cuts_.back().runaway = cuts_.back().runaway || place.event < 0;
+      if (place.event >= 0) {
+        cuts_.back().events.push_back(place.event);
+      }
+    }
+  }
+
+  void add_middles() {
+    const auto add = [&](double low, double high) {
+      network_.middles.push_back(low + kPlace * (high - low));
+    };
+    if (cuts_.empty()) {
+      add(network_.start, network_.end);
+      return;
+    }
+    if (!network_.cyclic) {
+      add(network_.start, cuts_.front().low);
+    }
+    for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
+      add(cuts_[i].high, cuts_[i + 1].low);
+    }
+    add(cuts_.back().high, network_.cyclic ? cuts_.front().low + kTurn : network_.end);
+  }
+
+  // The cut at one side of an interval; none at the ends of the range and where there is no cut at all.
+  [[nodiscard]] const Cut* cut_beside(int interval, bool forward) const {
+    if (cuts_.empty()) {
+      return nullptr;
+    }
+    const int n = static_cast<int>(cuts_.size());
+    const int k = network_.cyclic ? (interval + (forward ? 1 : 0)) % n : interval - (forward ? 0 : 1);
+    return k >= 0 && k < n ? &cuts_[static_cast<std::size_t>(k)] : nullptr;
+  }
+
+  void list(int interval) {
+    const double u = network_.middles[static_cast<std::size_t>(interval)];
+    const CurveContacts found = find_curve_contacts(pair_, u);
+    network_.status = status_of(found.status);
+    for (const CurveContact& contact : found.contacts) {
+      if (contact.coincident) {
+        continue;
+      }
+      const ContactPair& pair = contact.opposed ? pair_ : other_;
+      const double gap_q = contact.n_W.dot(velocity_per_q(pair.motion2, contact.p_W));
+      const int branch = gap_q > 0 ? 1 : -1;
+      const ContactResult result = solve_contact(pair, u, contact.q, contact.n_W, branch);
+      if (result.status != ContactStatus::kOk) {
+        network_.complete = false;
+        continue;
+      }
+      MapNode node;
+      node.interval = interval;
+      node.opposed = contact.opposed;
+      node.track = start_track(pair, result.at, branch);
+      network_.nodes.push_back(node);
+    }
+  }
+
+  // The node of an interval that a followed contact has come to.
+  [[nodiscard]] int node_at(int interval, bool opposed, const ContactPosition& at) const {
+    for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
+      const MapNode& node = network_.nodes[i];
+      const ContactPosition& there = node.track.at;
+      if (node.interval == interval && node.opposed == opposed &&
+          difference_of_q(pair_, network_.size, there.q, at.q) <= kSameContact &&
+          (there.n_W - at.n_W).norm() <= kSameContact) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+
+  // The node in the neighbouring interval to which a contact leads.
+  [[nodiscard]] int neighbour(const MapNode& node, bool forward) const {
+    const int n = static_cast<int>(network_.middles.size());
+    const int next = node.interval + (forward ? 1 : -1);
+    if (!network_.cyclic && (next < 0 || next >= n)) {
+      return -1;
+    }
+    const int wrapped = (next + n) % n;
+    const double turn = next == wrapped ? 0 : (forward ? kTurn : -kTurn);
+    ContactTrack track = node.track;
+    const double u = network_.middles[static_cast<std::size_t>(wrapped)] + turn;
+    if (follow_to(track, u).status != TrackStatus::kOk) {
+      return -1;
+    }
+    return node_at(wrapped, node.opposed, track.at);
+  }
+
+  // Only neighbours that lead to each other are one branch.
+  void link() {
+    std::vector<int> forward;
+    std::vector<int> backward;
+    for (const MapNode& node : network_.nodes) {
+      forward.push_back(neighbour(node, true));
+      backward.push_back(neighbour(node, false));
+    }
+    for (std::size_t i = 0; i < forward.size(); ++i) {
+      const int next = forward[i];
+      if (next >= 0 && backward[static_cast<std::size_t>(next)] == static_cast<int>(i)) {
+        network_.nodes[i].behind.node = next;
+        network_.nodes[static_cast<std::size_t>(next)].before.node = static_cast<int>(i);
+      }
+    }
+  }
+
+  void find_ends() {
+    for (MapNode& node : network_.nodes) {
+      for (const bool forward : {false, true}) {
+        NodeSide& side = forward ? node.behind : node.before;
+        if (side.node < 0) {
+          find_end(node, forward, side);
+        }
+      }
+    }
+  }
+
+  void find_end(const MapNode& node, bool forward, NodeSide& side) {
+    const Cut* cut = cut_beside(node.interval, forward);
+    if (cut == nullptr) {
+      side.type = network_.cyclic ? MapEndType::kLost : MapEndType::kRange;
+      side.u = forward ? network_.end : network_.start;
+      network_.complete = network_.complete && !network_.cyclic;
+      return;
+    }
+    // The cut as seen from the node, which may be a turn away.
+    const double middle = network_.middles[static_cast<std::size_t>(node.interval)];
+    double u = forward ? cut->low : cut->high;
+    const double turn = forward && u < middle ? kTurn : 0;
+    u += turn;
+    side.u = u;
+    ContactTrack track = node.track;
+    const double margin = std::min(kNearEnd * unit1_, std::abs(u - middle) / 4);
+    const TrackResult result = follow_to(track, forward ? u - margin : u + margin);
+    const double q = result.limit ? result.limit->q : track.at.q;
+    double nearest = cut->runaway ? kSameEnd / 10 : kSameEnd;
+    for (const int index : cut->events) {
+      const CriticalPosition& event = network_.events[static_cast<std::size_t>(index)].at;
+      const double distance = difference_of_q(pair_, network_.size, q, event.q) +
+                              (track.at.n_W - event.n_W).norm() / 4;
+      if (event.opposed == node.opposed && distance < nearest) {
+        nearest = distance;
+        side.event = index;
+        side.u = event.u + turn;
+      }
+    }
+    if (side.event >= 0) {
+      const CriticalType type = network_.events[static_cast<std::size_t>(side.event)].at.type;
+      side.type = type == CriticalType::kConforming ? MapEndType::kConforming : MapEndType::kFold;
+    } else {
+      side.type = cut->runaway ? MapEndType::kInfinity : MapEndType::kLost;
+      network_.complete = network_.complete && cut->runaway;
+    }
+  }
+
+  // Two branches merge at a fold or cusp, or none that can be told apart; more may meet at a crossing.
+  void check_events() {
+    std::vector<int> ends(network_.events.size(), 0);
+    for (const MapNode& node : network_.nodes) {
+      for (const NodeSide& side : {node.before, node.behind}) {
+        if (side.node < 0 && side.event >= 0) {
+          ++ends[static_cast<std::size_t>(side.event)];
+        }
+      }
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const bool even = ends[i] % 2 == 0;
+      const bool crossing = network_.events[i].at.type == CriticalType::kCrossing;
+      network_.complete = network_.complete && even && (crossing || ends[i] <= 2);
+    }
+  }
+
+  const ContactPair& pair_;
+  ContactPair other_;
+  double unit1_ = 1;
+  std::vector<Cut> cuts_;
+  MapNetwork network_;
+};
+
+}  // namespace
+
+double difference_of_q(const ContactPair& pair, double size, double a, double b) {
+  return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / size);
+}
+
+MapNetwork build_network(const ContactPair& pair, const MapRange& range) {
+  return NetworkBuilder(pair, range).run();
+}
+
+}  // namespace higherpair
