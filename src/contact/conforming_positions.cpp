@@ -1,6 +1,5 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/critical_positions.hpp"
-#include "higherpair/contact/events.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr int kSamples = 256;         // of each arc
-constexpr double kRefinement = 1e-5;  // of a radian, of the size: how far the last iteration may lead
+constexpr int kSamples = 256;  // of each arc
+constexpr double kRoot = 1e-6;  // of the size²: more than that is left over where the condition jumps
+constexpr double kSame = 1e-7;  // of a radian, of the size
 
 // A point of a conic by its normal on the convex side, in the body's frame.
 struct Element {
@@ -233,33 +233,25 @@ public:
 
 private:
   void add(const Fit& fit) {
-    ContactPosition guess;
-    guess.u = fit.u;
-    guess.q = fit.q;
-    guess.n_W = pair_.curve1.side == Side::kInside ? fit.N_W : Vector2d(-fit.N_W);
-    const ContactPair pair = opposed_ ? pair_ : with_other_side(pair_);
-    const double unit1 = pair_.motion1.turns ? 1 : size_;
-    const double unit2 = pair_.motion2.turns ? 1 : size_;
-    const auto refined = conforming_near(pair, guess, size_);
-    if (!refined || !(std::abs(refined->u - guess.u) <= kRefinement * unit1) ||
-        !(std::abs(refined->q - guess.q) <= kRefinement * unit2)) {
-      return;  // a jump of the condition, not a root
+    const bool jump = std::abs(fit.error) > kRoot * size_ * size_;
+    if (jump || !std::isfinite(fit.u) || !std::isfinite(fit.q)) {
+      return;
     }
-    const ContactPosition& at = *refined;
-    const PlacedCurve<double> first = place_on(pair.curve1, pair.motion1, at.u);
+    const double unit1 = pair_.motion1.turns ? 1 : size_;
     CriticalPosition position;
     position.type = CriticalType::kConforming;
-    position.u = pair.motion1.turns ? nearest_turn(at.u, 0) : at.u;
-    position.q = pair.motion2.turns ? nearest_turn(at.q, 0) : at.q;
-    position.n_W = at.n_W;
-    position.p_W = support_point(first, at.n_W).p_W;
+    position.u = pair_.motion1.turns ? nearest_turn(fit.u, 0) : fit.u;
+    position.q = pair_.motion2.turns ? nearest_turn(fit.q, 0) : fit.q;
+    position.n_W = pair_.curve1.side == Side::kInside ? fit.N_W : Vector2d(-fit.N_W);
+    const PlacedCurve<double> first = place_on(pair_.curve1, pair_.motion1, position.u);
+    position.p_W = support_point(first, position.n_W).p_W;
     position.opposed = opposed_;
     // The mirror images share their edges.
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const CriticalPosition& other) {
       const double u = position.u - other.u;
-      return std::abs(pair.motion1.turns ? nearest_turn(u, 0) : u) <= kRefinement * unit1 &&
-             (other.p_W - position.p_W).norm() <= kRefinement * size_ &&
-             (other.n_W - position.n_W).norm() <= kRefinement;
+      return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u) <= kSame * unit1 &&
+             (other.p_W - position.p_W).norm() <= kSame * size_ &&
+             (other.n_W - position.n_W).norm() <= kSame;
     });
     if (!known) {
       found_.push_back(position);

@@ -43,7 +43,7 @@ struct CriticalPositions {
 ///     1 - (1-q2) S2 = c² (1 - (1-q1) S1),   c³ = ℓ2/ℓ1:
 /// a segment in the unit square, on which one condition is left, that the joints allow the pose. Its roots
 /// are bracketed by 256 samples of each of the 16 mirror images, and between them by the extremes of its
-/// absolute value; then refined by conforming_near. Two circles have none, or coincide.
+/// absolute value. Two circles have none, or coincide.
 [[nodiscard]] std::vector<CriticalPosition> find_conforming(const ContactPair& pair);
 
 /// Driver coordinates at which a contact can run off to infinity along open curves: where an asymptotic
