@@ -3,6 +3,7 @@
 #include "higherpair/contact/events.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "limit.hpp"
+#include "map_walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -201,7 +202,7 @@ private:
 
   bool add(MapBranch& branch, ContactTrack& track, const Target& target) const {
     ContactTrack next = track;
-    if (follow_to(next, target.u).status != TrackStatus::kOk) {
+    if (!walk_to(next, target.u, network_.has_crossing)) {
       return false;
     }
     track = next;
@@ -311,7 +312,7 @@ std::vector<MapBranch> branches_of(const ContactPair& pair, const MapRange& rang
 std::optional<MapPoint> followed(const ContactPair& pair, const MapRange& range, const MapBranch& branch,
                                  const MapPoint& from, double u) {
   auto track = track_of(pair, branch, from);
-  if (!track || follow_to(*track, u).status != TrackStatus::kOk) {
+  if (!track || !walk_to(*track, u, true)) {
     return std::nullopt;
   }
   return point_of(pair, range, branch.opposed, track->at);

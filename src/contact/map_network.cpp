@@ -1,6 +1,9 @@
 #include "map_network.hpp"
 
+#include "map_walk.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace higherpair {
@@ -10,8 +13,10 @@ constexpr double kResolution = 1e-7;  // of a radian, of the size: cuts nearer t
 constexpr double kSameContact = 1e-6;
 // Where in its interval the list is made: off the middle, which symmetry may make special.
 constexpr double kPlace = 0.4713;
-constexpr double kNearEnd = 1e-5;  // of a radian, of the size, from a cut: where a branch shows its end
-constexpr double kSameEnd = 0.3;   // a branch this near to a fold may be one of those that merge there
+// How near to a cut, in radians or sizes, it is looked where a branch ends: nearer until one end is nearest.
+constexpr std::array kNearEnd{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
+constexpr double kAtEnd = 0.02;  // from it in q and n: near enough to be sure
+constexpr double kSameEnd = 0.3;  // and to be accepted at all
 constexpr double kTurn = 2 * kPi;
 
 MapStatus status_of(ContactsStatus status) {
@@ -41,7 +46,8 @@ double size_of(const ContactPair& pair) {
 struct Cut {
   double low = 0, high = 0;  // of the critical positions that it stands for
   std::vector<int> events;
-  bool runaway = false;
+  bool runaway = false;   // contacts may run off to infinity here
+  bool crossing = false;  // branches may cross here
 };
 
 class NetworkBuilder {
@@ -131,12 +137,15 @@ private:
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.u < b.u; });
     for (const Place& place : places) {
       if (cuts_.empty() || place.u - cuts_.back().high > kResolution * unit1_) {
-        cuts_.push_back({place.u, place.u, {}, false});
+        cuts_.push_back({place.u, place.u, {}});
       }
       cuts_.back().high = place.u;
       cuts_.back().runaway = cuts_.back().runaway || place.event < 0;
       if (place.event >= 0) {
         cuts_.back().events.push_back(place.event);
+        const CriticalPosition& at = network_.events[static_cast<std::size_t>(place.event)].at;
+        cuts_.back().crossing = cuts_.back().crossing || at.type == CriticalType::kCrossing;
+        network_.has_crossing = network_.has_crossing || cuts_.back().crossing;
       }
     }
   }
@@ -217,7 +226,8 @@ private:
     const double turn = next == wrapped ? 0 : (forward ? kTurn : -kTurn);
     ContactTrack track = node.track;
     const double u = network_.middles[static_cast<std::size_t>(wrapped)] + turn;
-    if (follow_to(track, u).status != TrackStatus::kOk) {
+    const Cut* cut = cut_beside(node.interval, forward);
+    if (!walk_to(track, u, cut != nullptr && cut->crossing)) {
       return -1;
     }
     return node_at(wrapped, node.opposed, track.at);
@@ -261,32 +271,52 @@ private:
     }
     // The cut as seen from the node, which may be a turn away.
     const double middle = network_.middles[static_cast<std::size_t>(node.interval)];
-    double u = forward ? cut->low : cut->high;
+    const double u = forward ? cut->low : cut->high;
     const double turn = forward && u < middle ? kTurn : 0;
-    u += turn;
-    side.u = u;
-    ContactTrack track = node.track;
-    const double margin = std::min(kNearEnd * unit1_, std::abs(u - middle) / 4);
-    const TrackResult result = follow_to(track, forward ? u - margin : u + margin);
-    const double q = result.limit ? result.limit->q : track.at.q;
-    double nearest = cut->runaway ? kSameEnd / 10 : kSameEnd;
-    for (const int index : cut->events) {
-      const CriticalPosition& event = network_.events[static_cast<std::size_t>(index)].at;
-      const double distance = difference_of_q(pair_, network_.size, q, event.q) +
-                              (track.at.n_W - event.n_W).norm() / 4;
-      if (event.opposed == node.opposed && distance < nearest) {
-        nearest = distance;
-        side.event = index;
-        side.u = event.u + turn;
-      }
-    }
+    side.u = u + turn;
+    side.event = event_at(*cut, node, side.u);
     if (side.event >= 0) {
-      const CriticalType type = network_.events[static_cast<std::size_t>(side.event)].at.type;
-      side.type = type == CriticalType::kConforming ? MapEndType::kConforming : MapEndType::kFold;
+      const CriticalPosition& event = network_.events[static_cast<std::size_t>(side.event)].at;
+      side.u = event.u + turn;
+      side.type = event.type == CriticalType::kConforming ? MapEndType::kConforming : MapEndType::kFold;
     } else {
       side.type = cut->runaway ? MapEndType::kInfinity : MapEndType::kLost;
       network_.complete = network_.complete && cut->runaway;
     }
+  }
+
+  // The event of a cut that a node's contact comes to; -1: none.
+  [[nodiscard]] int event_at(const Cut& cut, const MapNode& node, double u) const {
+    ContactTrack track = node.track;
+    const double way = u - track.at.u;
+    int nearest = -1;
+    for (const double margin : kNearEnd) {
+      const double left = std::min(margin * unit1_, std::abs(way) / 4);
+      const bool held = walk_to(track, u - std::copysign(left, way), false);
+      double best = INFINITY;
+      double second = INFINITY;
+      for (const int index : cut.events) {
+        const CriticalPosition& event = network_.events[static_cast<std::size_t>(index)].at;
+        const double distance = difference_of_q(pair_, network_.size, track.at.q, event.q) +
+                                (track.at.n_W - event.n_W).norm();
+        if (event.opposed != node.opposed || distance >= second) {
+          continue;
+        }
+        second = std::min(best, distance);
+        if (distance < best) {
+          second = best;
+          best = distance;
+          nearest = index;
+        }
+      }
+      if (best < kAtEnd && 4 * best < second) {
+        return nearest;
+      }
+      if (!held || margin == kNearEnd.back()) {
+        return best < kSameEnd ? nearest : -1;
+      }
+    }
+    return -1;
   }
 
   // Two branches merge at a fold or cusp, or none that can be told apart; more may meet at a crossing.

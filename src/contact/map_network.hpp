@@ -28,6 +28,7 @@ struct MapNode {
 struct MapNetwork {
   MapStatus status = MapStatus::kNoPair;
   bool complete = true;
+  bool has_crossing = false;  ///< branches cross somewhere
   bool cyclic = false;  ///< the last interval is followed by the first, one turn later
   double start = 0, end = 0;
   double size = 0;                 ///< what counts as one unit of a displacement [m]
