@@ -162,8 +162,8 @@ template <class F>
 double bracketed_root(const F& f, double low, double high) {
   const double f_low = f(low);
   const double f_high = f(high);
-  if (f_low == 0 || f_high == 0) {
-    return f_low == 0 ? low : high;
+  if (f_low * f_high >= 0) {  // an end is the root, to rounding
+    return std::abs(f_low) < std::abs(f_high) ? low : high;
   }
   std::uintmax_t steps = 100;
   const auto [a, b] = boost::math::tools::toms748_solve(

@@ -9,7 +9,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kResolution = 1e-7;  // of a radian, of the size: cuts nearer than that are one
+constexpr double kResolution = 1e-10;  // of a radian, of the size: cuts nearer than that are one
+constexpr double kCrossing = 1e-7;     // the same where branches cross: rounding makes two folds of it
 constexpr double kSameContact = 1e-6;
 // Where in its interval the list is made: off the middle, which symmetry may make special.
 constexpr double kPlace = 0.4713;
@@ -84,7 +85,7 @@ private:
       return u > network_.start && u < network_.end;
     }
     u -= kTurn * std::floor((u - network_.start) / kTurn);
-    if (u - network_.start > kTurn - kResolution) {
+    if (u - network_.start > kTurn - kCrossing) {
       u -= kTurn;  // so that what belongs together stays together
     }
     return true;
@@ -120,6 +121,10 @@ private:
            (a.n_W - b.n_W).norm() <= kSameContact;
   }
 
+  [[nodiscard]] CriticalType type_of(int event) const {
+    return network_.events[static_cast<std::size_t>(event)].at.type;
+  }
+
   void add_cuts() {
     struct Place {
       double u;
@@ -136,15 +141,17 @@ private:
     }
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.u < b.u; });
     for (const Place& place : places) {
-      if (cuts_.empty() || place.u - cuts_.back().high > kResolution * unit1_) {
+      const bool crossing = place.event >= 0 && type_of(place.event) == CriticalType::kCrossing;
+      const bool near_crossing = crossing || (!cuts_.empty() && cuts_.back().crossing);
+      const double resolution = (near_crossing ? kCrossing : kResolution) * unit1_;
+      if (cuts_.empty() || place.u - cuts_.back().high > resolution) {
         cuts_.push_back({place.u, place.u, {}});
       }
       cuts_.back().high = place.u;
       cuts_.back().runaway = cuts_.back().runaway || place.event < 0;
       if (place.event >= 0) {
         cuts_.back().events.push_back(place.event);
-        const CriticalPosition& at = network_.events[static_cast<std::size_t>(place.event)].at;
-        cuts_.back().crossing = cuts_.back().crossing || at.type == CriticalType::kCrossing;
+        cuts_.back().crossing = cuts_.back().crossing || crossing;
         network_.has_crossing = network_.has_crossing || cuts_.back().crossing;
       }
     }
@@ -319,7 +326,8 @@ private:
     return -1;
   }
 
-  // Two branches merge at a fold or cusp, or none that can be told apart; more may meet at a crossing.
+  // Two branches merge at a fold or cusp, or none that can be told apart; more may meet at a crossing. A fold
+  // and a cusp that cannot be told apart have one each.
   void check_events() {
     std::vector<int> ends(network_.events.size(), 0);
     for (const MapNode& node : network_.nodes) {
@@ -329,10 +337,14 @@ private:
         }
       }
     }
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const bool even = ends[i] % 2 == 0;
-      const bool crossing = network_.events[i].at.type == CriticalType::kCrossing;
-      network_.complete = network_.complete && even && (crossing || ends[i] <= 2);
+    for (const Cut& cut : cuts_) {
+      int sum = 0;
+      for (const int event : cut.events) {
+        const int here = ends[static_cast<std::size_t>(event)];
+        sum += here;
+        network_.complete = network_.complete && (cut.crossing || here <= 2);
+      }
+      network_.complete = network_.complete && sum % 2 == 0;
     }
   }
 

@@ -96,7 +96,7 @@ struct ContactMap {
 /// A turning driver's branches go on past the ends of the range, so that u of a branch that holds
 /// `range.start` begins below it; every other begins within the range.
 /// Folds and cusps are exact to rounding, divided by the slope of the conditions there; those nearer together
-/// than 1e-7 (of a radian, of the size) are not told apart: an island smaller than that is two events without
+/// than 1e-10 (of a radian, of the size) are not told apart: an island smaller than that is two events without
 /// branches. Cost: some 10 ms for each interval and each fold's circle, for two conics.
 /// \pre samples >= 2
 [[nodiscard]] ContactMap map_contacts(const ContactPair& pair, const MapRange& range);
