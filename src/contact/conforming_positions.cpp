@@ -228,6 +228,7 @@ public:
         add(arc.at(chi));
       }
     }
+    drop_coincident();
     return found_;
   }
 
@@ -256,6 +257,25 @@ private:
     if (!known) {
       found_.push_back(position);
     }
+  }
+
+  // Two conics have at most four such contacts at one position, or coincide; then one stands for all.
+  void drop_coincident() {
+    std::vector<CriticalPosition> kept;
+    for (const CriticalPosition& at : found_) {
+      const auto here = [&](const CriticalPosition& other) {
+        const double u = at.u - other.u;
+        const double q = at.q - other.q;
+        return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u / size_) <= kSame &&
+               std::abs(pair_.motion2.turns ? nearest_turn(q, 0) : q / size_) <= kSame;
+      };
+      const bool coincide = std::count_if(found_.begin(), found_.end(), here) > 4;
+      if (!coincide || std::none_of(kept.begin(), kept.end(), here)) {
+        kept.push_back(at);
+        kept.back().type = coincide ? CriticalType::kCrossing : at.type;
+      }
+    }
+    found_ = std::move(kept);
   }
 
   const ContactPair& pair_;

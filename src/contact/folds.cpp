@@ -148,6 +148,7 @@ private:
       at.u = contact.q;
       at.p_W = contact.p_W;
       at.n_W = n_W;
+      coincident_ = contact.coincident;
       place_follower(foot, fixed_is_point, at);
     }
   }
@@ -181,13 +182,15 @@ private:
       at.opposed = at.n_W.dot(n2_W) < 0;
     }
     const Vector2d v1 = velocity_per_q(pair_.motion1, at.p_W);
-    at.type = std::abs(v1.dot(at.n_W)) <= kCrossing * v1.norm() ? CriticalType::kCrossing
-                                                                : CriticalType::kFold;
+    // Where a round curve 1 lies on the stand-in, every q is a contact.
+    at.type = coincident_ || std::abs(v1.dot(at.n_W)) <= kCrossing * v1.norm() ? CriticalType::kCrossing
+                                                                               : CriticalType::kFold;
     result_.found.push_back(at);
   }
 
   const ContactPair& pair_;
   double size_ = 0;
+  bool coincident_ = false;  // the contact at hand: of equal circles
   CriticalPositions result_;
 };
 

@@ -12,6 +12,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kTurn = 2 * kPi;
+constexpr double kNearCrossing = 1e-4;  // of a radian, of the size: points are interpolated
 constexpr int kFewest = 9;  // points within a branch, however short it is
 
 bool is_finite(MapEndType type) {
@@ -201,6 +202,11 @@ private:
   }
 
   bool add(MapBranch& branch, ContactTrack& track, const Target& target) const {
+    if (const auto beyond = beyond_crossing(track, target.u)) {
+      branch.points.push_back(between(branch, track.at, beyond->at, target.u));
+      branch.points.back().sample = target.sample;
+      return false;  // the track stays short of the crossing
+    }
     ContactTrack next = track;
     if (!walk_to(next, target.u, network_.has_crossing)) {
       return false;
@@ -209,6 +215,45 @@ private:
     branch.points.push_back(point_of(pair_, range_, branch.opposed, track.at));
     branch.points.back().sample = target.sample;
     return true;
+  }
+
+  // Where branches cross a contact cannot be solved for: the track brought short of it, and its continuation
+  // beyond; none where the target is not near such a place.
+  [[nodiscard]] std::optional<ContactTrack> beyond_crossing(ContactTrack& track, double u) const {
+    const double unit = network_.cyclic ? 1 : network_.size;
+    const bool near = network_.has_crossing &&
+                      std::any_of(network_.events.begin(), network_.events.end(), [&](const MapEvent& event) {
+                        const double way = u - event.at.u;
+                        return event.at.type == CriticalType::kCrossing &&
+                               std::abs(network_.cyclic ? nearest_turn(way, 0) : way) < kNearCrossing * unit;
+                      });
+    const double side = std::copysign(2 * kNearCrossing * unit, u - track.at.u);
+    ContactTrack before = track;
+    if (!near || !walk_to(before, u - side, true)) {
+      return std::nullopt;
+    }
+    ContactTrack beyond = before;
+    if (!walk_to(beyond, u + side, true)) {
+      return std::nullopt;
+    }
+    track = before;
+    return beyond;
+  }
+
+  // By the cubic through two contacts and their slopes.
+  [[nodiscard]] MapPoint between(const MapBranch& branch, const ContactPosition& a, const ContactPosition& b,
+                                 double u) const {
+    const double h = b.u - a.u;
+    const double s = (u - a.u) / h;
+    const double bend = s * (1 - s) * h;
+    ContactPosition at = a;
+    at.u = u;
+    at.q = a.q + s * s * (3 - 2 * s) * (b.q - a.q) + bend * ((1 - s) * a.dq - s * b.dq);
+    const double turned = angle_between(a.n_W, b.n_W);
+    const double phi = s * s * (3 - 2 * s) * turned + bend * ((1 - s) * a.dphi - s * b.dphi);
+    at.n_W = Rotation<double>::from_angle(phi) * a.n_W;
+    const bool placed = place_points(branch.opposed ? pair_ : with_other_side(pair_), at);
+    return point_of(pair_, range_, branch.opposed, placed ? at : a);
   }
 
   void add_extremes(MapBranch& branch, const std::vector<ContactTrack>& tracks) const {
