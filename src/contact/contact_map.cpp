@@ -56,6 +56,20 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
   return std::nullopt;
 }
 
+// Whether an end of the branch lies at `from`, or a place where branches cross at it or before `to`.
+bool is_singular(const ContactMap& map, const MapBranch& branch, double from, double to) {
+  constexpr double kNear = 1e-4;
+  if ((from == branch.begin.u && branch.begin.event >= 0) || (from == branch.end.u && branch.end.event >= 0)) {
+    return true;
+  }
+  return std::any_of(map.events.begin(), map.events.end(), [&](const MapEvent& event) {
+    const double u = map.pair.motion1.turns ? nearest_turn(event.at.u, from) : event.at.u;
+    const double margin = map.pair.motion1.turns ? kNear : kNear * size_of(map.pair);
+    return event.at.type == CriticalType::kCrossing &&
+           (std::abs(u - from) < margin || (u - from) * (u - to) < 0);
+  });
+}
+
 // Where `free` changes between two points, by bisection: as good as the tolerance of the overlap allows.
 std::optional<MapPoint> bisected(const ContactMap& map, int branch, const MapPoint& from, const MapPoint& to) {
   double low = from.u;
@@ -120,20 +134,25 @@ std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
   if (above != branch.points.end() && above->u == u) {
     return *above;
   }
-  // From the nearer neighbour; not from the end, where the contact is singular.
-  const auto is_end = [&](const MapPoint& point) {
-    return (point.u == branch.begin.u && branch.begin.event >= 0) ||
-           (point.u == branch.end.u && branch.end.event >= 0);
-  };
-  const MapPoint* nearest = nullptr;
-  if (above != branch.points.end() && !is_end(*above)) {
-    nearest = &*above;
+  // From a point next to it, the nearest first; not from where the contact is singular, nor past it.
+  std::vector<const MapPoint*> starts;
+  const auto first = above - std::min<std::ptrdiff_t>(2, above - branch.points.begin());
+  const auto last = above + std::min<std::ptrdiff_t>(2, branch.points.end() - above);
+  for (auto point = first; point != last; ++point) {
+    starts.push_back(&*point);
   }
-  if (above != branch.points.begin() && !is_end(*(above - 1)) &&
-      (nearest == nullptr || u - (above - 1)->u < nearest->u - u)) {
-    nearest = &*(above - 1);
+  std::sort(starts.begin(), starts.end(), [&](const MapPoint* a, const MapPoint* b) {
+    return std::abs(a->u - u) < std::abs(b->u - u);
+  });
+  for (const MapPoint* start : starts) {
+    if (is_singular(map, branch, start->u, u)) {
+      continue;
+    }
+    if (auto point = followed(map.pair, map.range, branch, *start, u)) {
+      return point;
+    }
   }
-  return nearest == nullptr ? std::nullopt : followed(map.pair, map.range, branch, *nearest, u);
+  return std::nullopt;
 }
 
 std::vector<MapContact> contacts_at(const ContactMap& map, double u) {

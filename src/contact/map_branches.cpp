@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -86,9 +88,13 @@ public:
 
   [[nodiscard]] std::vector<MapBranch> run() {
     std::vector<MapBranch> branches;
+    const int intervals = static_cast<int>(network_.intervals.size());
     for (const bool closed : {false, true}) {
       for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
-        if (!taken_[i] && (closed || network_.nodes[i].before.node < 0)) {
+        // A closed one from the last interval, which holds the start of the range.
+        const bool first = closed ? node(static_cast<int>(i)).interval + 1 == intervals
+                                  : node(static_cast<int>(i)).before.node < 0;
+        if (!taken_[i] && first) {
           branches.push_back(branch_from(static_cast<int>(i)));
         }
       }
@@ -103,49 +109,75 @@ public:
 private:
   [[nodiscard]] const MapNode& node(int i) const { return network_.nodes[static_cast<std::size_t>(i)]; }
 
+  // A node on a branch, and the whole turns that make its coordinates continuous along it.
+  struct Link {
+    int node = 0;
+    double u_turn = 0;
+    double q_turn = 0;
+  };
+
+  // From `first` to the end of its branch, or until it is back; then `first` once more.
+  std::vector<Link> chain_from(int first) {
+    std::vector<Link> chain{{first, 0, 0}};
+    for (;;) {
+      const Link at = chain.back();
+      taken_[static_cast<std::size_t>(at.node)] = true;
+      const NodeSide& side = node(at.node).behind;
+      if (side.node < 0) {
+        return chain;
+      }
+      const bool wraps = node(side.node).interval <= node(at.node).interval;
+      chain.push_back({side.node, at.u_turn + (wraps ? kTurn : 0), at.q_turn + side.turn});
+      if (side.node == first) {
+        return chain;
+      }
+    }
+  }
+
   MapBranch branch_from(int first) {
     MapBranch branch;
     branch.opposed = node(first).opposed;
-    int turns = 0;
-    int last = first;
-    taken_[static_cast<std::size_t>(first)] = true;
-    while (node(last).behind.node >= 0) {
-      const int next = node(last).behind.node;
-      turns += node(next).interval <= node(last).interval ? 1 : 0;
-      if (next == first) {
-        branch.turns = turns;
-        break;
-      }
-      taken_[static_cast<std::size_t>(next)] = true;
-      last = next;
-    }
-    ContactTrack track = node(first).track;
-    if (branch.turns > 0) {
+    std::vector<Link> chain = chain_from(first);
+    const Link& last = chain.back();
+    if (chain.size() > 1 && last.node == first) {
+      branch.turns = static_cast<int>(std::lround(last.u_turn / kTurn));
       branch.begin = {MapEndType::kClosed, range_.start};
       branch.end = {MapEndType::kClosed, range_.start + branch.turns * kTurn};
+      // So that the first interval holds the start.
+      const MapInterval& interval = interval_of(chain.front());
+      shift(chain, interval.low > range_.start ? -kTurn : 0);
     } else {
       const NodeSide& before = node(first).before;
-      const NodeSide& behind = node(last).behind;
+      const NodeSide& behind = node(last.node).behind;
       branch.begin = {before.type, before.u, 0, before.event};
-      branch.end = {behind.type, behind.u + turns * kTurn, 0, behind.event};
-      shift(branch, track);
+      branch.end = {behind.type, behind.u + last.u_turn, 0, behind.event};
+      const double turn = whole_turns(branch);
+      branch.begin.u += turn;
+      branch.end.u += turn;
+      shift(chain, turn);
     }
-    sample(branch, track);
+    sample(branch, chain);
     return branch;
   }
 
-  // By whole turns, so that it holds the start of the range or begins within it.
-  void shift(MapBranch& branch, ContactTrack& track) const {
+  static void shift(std::vector<Link>& chain, double turn) {
+    for (Link& link : chain) {
+      link.u_turn += turn;
+    }
+  }
+
+  // Whole turns of the driver after which a branch holds the start of the range or begins within it.
+  [[nodiscard]] double whole_turns(const MapBranch& branch) const {
     if (!network_.cyclic) {
-      return;
+      return 0;
     }
-    double turns = std::ceil((range_.start - branch.begin.u) / kTurn);
-    if (branch.end.u + (turns - 1) * kTurn >= range_.start) {
-      turns -= 1;
-    }
-    branch.begin.u += turns * kTurn;
-    branch.end.u += turns * kTurn;
-    track.at.u += turns * kTurn;
+    const double turns = std::ceil((range_.start - branch.begin.u) / kTurn);
+    const bool earlier = branch.end.u + (turns - 1) * kTurn >= range_.start;
+    return (earlier ? turns - 1 : turns) * kTurn;
+  }
+
+  [[nodiscard]] const MapInterval& interval_of(const Link& link) const {
+    return network_.intervals[static_cast<std::size_t>(node(link.node).interval)];
   }
 
   // A sample within the branch, its ends only where they belong to it.
@@ -153,91 +185,97 @@ private:
     const double unit = network_.cyclic ? 1 : network_.size;
     const auto margin = [&](const MapEnd& end) {
       const bool included = end.type == MapEndType::kClosed || end.type == MapEndType::kRange;
-      return (included ? -1e-9 : 1e-9) * unit;
+      return std::min((included ? -1e-9 : 1e-9) * unit, (branch.end.u - branch.begin.u) / 100);
     };
     const double low = branch.begin.u + margin(branch.begin);
     const double high = branch.end.u - margin(branch.end);
-    const double sense = spacing_ < 0 ? -1 : 1;
-    const double a = ((sense > 0 ? low : high) - range_.start) / spacing_;
-    const double b = ((sense > 0 ? high : low) - range_.start) / spacing_;
+    const double a = ((spacing_ > 0 ? low : high) - range_.start) / spacing_;
+    const double b = ((spacing_ > 0 ? high : low) - range_.start) / spacing_;
     std::vector<Target> targets;
     for (double k = std::ceil(a); k <= b; ++k) {
       const double u = range_.start + k * spacing_;
       targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), static_cast<std::int64_t>(k)});
     }
-    for (int i = 1; targets.size() < kFewest && i < kFewest; ++i) {
-      const double share = (1 - std::cos(kPi * i / kFewest)) / 2;
-      targets.push_back({low + share * (high - low), std::nullopt});
-      if (i == kFewest - 1) {
-        break;
+    // A branch between two samples, or hardly more, gets points of its own.
+    if (targets.size() < kFewest) {
+      for (int i = 1; i < kFewest; ++i) {
+        const double share = (1 - std::cos(kPi * i / kFewest)) / 2;
+        targets.push_back({low + share * (high - low), std::nullopt});
       }
     }
     std::sort(targets.begin(), targets.end(), [](const Target& l, const Target& r) { return l.u < r.u; });
     return targets;
   }
 
-  void sample(MapBranch& branch, const ContactTrack& middle) {
+  // Each interval's targets are reached from its own node; where branches cross at its side, those next to it
+  // are interpolated.
+  void sample(MapBranch& branch, const std::vector<Link>& chain) {
     const std::vector<Target> targets = targets_of(branch);
-    const auto split = std::partition_point(targets.begin(), targets.end(),
-                                            [&](const Target& t) { return t.u < middle.at.u; });
-    ContactTrack track = middle;
+    auto next = targets.begin();
     std::vector<ContactTrack> tracks;
-    for (auto target = split; target != targets.begin();) {
-      --target;
-      if (add(branch, track, *target)) {
-        tracks.push_back(track);
+    std::optional<ContactPosition> before;  // at the end of the last interval
+    for (const Link& link : chain) {
+      const MapInterval& interval = interval_of(link);
+      const double margin =
+          std::min(kNearCrossing * (network_.cyclic ? 1 : network_.size), (interval.high - interval.low) / 8);
+      const double low = interval.low + link.u_turn + (interval.crossing_low ? margin : 0);
+      const double high = interval.high + link.u_turn - (interval.crossing_high ? margin : 0);
+      ContactTrack middle = node(link.node).track;
+      middle.at.u += link.u_turn;
+      middle.at.q += link.q_turn;
+      if (const auto behind = before ? held_at(middle, low) : std::nullopt) {
+        for (; next != targets.end() && next->u < low; ++next) {
+          add_point(branch, between(branch, *before, *behind, next->u), *next);
+        }
       }
-    }
-    std::reverse(branch.points.begin(), branch.points.end());
-    std::reverse(tracks.begin(), tracks.end());
-    track = middle;
-    for (auto target = split; target != targets.end(); ++target) {
-      if (add(branch, track, *target)) {
-        tracks.push_back(track);
-      }
+      next = std::find_if(next, targets.end(), [&](const Target& target) { return target.u >= low; });
+      const bool last = &link == &chain.back();
+      const auto stop = std::find_if(
+          next, targets.end(), [&](const Target& target) { return last ? target.u > high : target.u >= high; });
+      reach(branch, middle, {next, stop}, tracks);
+      next = stop;
+      before = interval.crossing_high ? held_at(middle, high) : std::nullopt;
     }
     add_extremes(branch, tracks);
-    add_ends(branch, middle);
+    add_ends(branch, node(chain.front().node).track);
     choose_turn(branch);
   }
 
-  bool add(MapBranch& branch, ContactTrack& track, const Target& target) const {
-    if (const auto beyond = beyond_crossing(track, target.u)) {
-      branch.points.push_back(between(branch, track.at, beyond->at, target.u));
-      branch.points.back().sample = target.sample;
-      return false;  // the track stays short of the crossing
-    }
-    ContactTrack next = track;
-    if (!walk_to(next, target.u, network_.has_crossing)) {
-      return false;
-    }
-    track = next;
-    branch.points.push_back(point_of(pair_, range_, branch.opposed, track.at));
-    branch.points.back().sample = target.sample;
-    return true;
+  static std::optional<ContactPosition> held_at(ContactTrack track, double u) {
+    return walk_to(track, u, false) ? std::optional(track.at) : std::nullopt;
   }
 
-  // Where branches cross a contact cannot be solved for: the track brought short of it, and its continuation
-  // beyond; none where the target is not near such a place.
-  [[nodiscard]] std::optional<ContactTrack> beyond_crossing(ContactTrack& track, double u) const {
-    const double unit = network_.cyclic ? 1 : network_.size;
-    const bool near = network_.has_crossing &&
-                      std::any_of(network_.events.begin(), network_.events.end(), [&](const MapEvent& event) {
-                        const double way = u - event.at.u;
-                        return event.at.type == CriticalType::kCrossing &&
-                               std::abs(network_.cyclic ? nearest_turn(way, 0) : way) < kNearCrossing * unit;
-                      });
-    const double side = std::copysign(2 * kNearCrossing * unit, u - track.at.u);
-    ContactTrack before = track;
-    if (!near || !walk_to(before, u - side, true)) {
-      return std::nullopt;
+  static void add_point(MapBranch& branch, MapPoint point, const Target& target) {
+    point.sample = target.sample;
+    branch.points.push_back(point);
+  }
+
+  // The targets of one interval, from its middle downwards and upwards.
+  void reach(MapBranch& branch, const ContactTrack& middle, std::span<const Target> targets,
+             std::vector<ContactTrack>& tracks) const {
+    const auto split = std::partition_point(targets.begin(), targets.end(),
+                                            [&](const Target& t) { return t.u < middle.at.u; });
+    std::vector<std::pair<ContactTrack, Target>> found;
+    ContactTrack track = middle;
+    for (auto target = split; target != targets.begin();) {
+      --target;
+      if (!walk_to(track, target->u, false)) {
+        break;
+      }
+      found.emplace_back(track, *target);
     }
-    ContactTrack beyond = before;
-    if (!walk_to(beyond, u + side, true)) {
-      return std::nullopt;
+    std::reverse(found.begin(), found.end());
+    track = middle;
+    for (auto target = split; target != targets.end(); ++target) {
+      if (!walk_to(track, target->u, false)) {
+        break;
+      }
+      found.emplace_back(track, *target);
     }
-    track = before;
-    return beyond;
+    for (const auto& [at, target] : found) {
+      add_point(branch, point_of(pair_, range_, branch.opposed, at.at), target);
+      tracks.push_back(at);
+    }
   }
 
   // By the cubic through two contacts and their slopes.
@@ -259,7 +297,9 @@ private:
   void add_extremes(MapBranch& branch, const std::vector<ContactTrack>& tracks) const {
     for (std::size_t i = 0; i + 1 < tracks.size(); ++i) {
       if (tracks[i].at.dq * tracks[i + 1].at.dq < 0) {
-        if (const auto at = stroke_end(tracks[i], tracks[i + 1].at.u)) {
+        const bool smooth = tracks[i].branch == tracks[i + 1].branch;
+        if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u)
+                                   : std::nullopt) {
           branch.extremes.push_back(point_of(pair_, range_, branch.opposed, *at));
         }
       }
@@ -357,7 +397,7 @@ std::vector<MapBranch> branches_of(const ContactPair& pair, const MapRange& rang
 std::optional<MapPoint> followed(const ContactPair& pair, const MapRange& range, const MapBranch& branch,
                                  const MapPoint& from, double u) {
   auto track = track_of(pair, branch, from);
-  if (!track || !walk_to(*track, u, true)) {
+  if (!track || !walk_to(*track, u, false)) {
     return std::nullopt;
   }
   return point_of(pair, range, branch.opposed, track->at);

@@ -65,8 +65,8 @@ public:
     network_.status = MapStatus::kOk;
     add_events();
     add_cuts();
-    add_middles();
-    for (std::size_t i = 0; i < network_.middles.size() && network_.status == MapStatus::kOk; ++i) {
+    add_intervals();
+    for (std::size_t i = 0; i < network_.intervals.size() && network_.status == MapStatus::kOk; ++i) {
       list(static_cast<int>(i));
     }
     if (network_.status != MapStatus::kOk) {
@@ -152,26 +152,31 @@ private:
       if (place.event >= 0) {
         cuts_.back().events.push_back(place.event);
         cuts_.back().crossing = cuts_.back().crossing || crossing;
-        network_.has_crossing = network_.has_crossing || cuts_.back().crossing;
       }
     }
   }
 
-  void add_middles() {
-    const auto add = [&](double low, double high) {
-      network_.middles.push_back(low + kPlace * (high - low));
+  void add_intervals() {
+    const auto add = [&](double low, bool crossing_low, double high, bool crossing_high) {
+      network_.intervals.push_back({low, high, low + kPlace * (high - low), crossing_low, crossing_high});
     };
     if (cuts_.empty()) {
-      add(network_.start, network_.end);
+      add(network_.start, false, network_.end, false);
       return;
     }
+    const Cut& first = cuts_.front();
+    const Cut& last = cuts_.back();
     if (!network_.cyclic) {
-      add(network_.start, cuts_.front().low);
+      add(network_.start, false, first.low, first.crossing);
     }
     for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
-      add(cuts_[i].high, cuts_[i + 1].low);
+      add(cuts_[i].high, cuts_[i].crossing, cuts_[i + 1].low, cuts_[i + 1].crossing);
     }
-    add(cuts_.back().high, network_.cyclic ? cuts_.front().low + kTurn : network_.end);
+    if (network_.cyclic) {
+      add(last.high, last.crossing, first.low + kTurn, first.crossing);
+    } else {
+      add(last.high, last.crossing, network_.end, false);
+    }
   }
 
   // The cut at one side of an interval; none at the ends of the range and where there is no cut at all.
@@ -185,7 +190,7 @@ private:
   }
 
   void list(int interval) {
-    const double u = network_.middles[static_cast<std::size_t>(interval)];
+    const double u = network_.intervals[static_cast<std::size_t>(interval)].middle;
     const CurveContacts found = find_curve_contacts(pair_, u);
     network_.status = status_of(found.status);
     for (const CurveContact& contact : found.contacts) {
@@ -223,36 +228,42 @@ private:
   }
 
   // The node in the neighbouring interval to which a contact leads.
-  [[nodiscard]] int neighbour(const MapNode& node, bool forward) const {
-    const int n = static_cast<int>(network_.middles.size());
+  [[nodiscard]] NodeSide neighbour(const MapNode& node, bool forward) const {
+    NodeSide side;
+    const int n = static_cast<int>(network_.intervals.size());
     const int next = node.interval + (forward ? 1 : -1);
     if (!network_.cyclic && (next < 0 || next >= n)) {
-      return -1;
+      return side;
     }
     const int wrapped = (next + n) % n;
     const double turn = next == wrapped ? 0 : (forward ? kTurn : -kTurn);
     ContactTrack track = node.track;
-    const double u = network_.middles[static_cast<std::size_t>(wrapped)] + turn;
+    const double u = network_.intervals[static_cast<std::size_t>(wrapped)].middle + turn;
     const Cut* cut = cut_beside(node.interval, forward);
     if (!walk_to(track, u, cut != nullptr && cut->crossing)) {
-      return -1;
+      return side;
     }
-    return node_at(wrapped, node.opposed, track.at);
+    side.node = node_at(wrapped, node.opposed, track.at);
+    if (side.node >= 0 && pair_.motion2.turns) {
+      const double there = network_.nodes[static_cast<std::size_t>(side.node)].track.at.q;
+      side.turn = nearest_turn(0, track.at.q - there);
+    }
+    return side;
   }
 
   // Only neighbours that lead to each other are one branch.
   void link() {
-    std::vector<int> forward;
-    std::vector<int> backward;
+    std::vector<NodeSide> forward;
+    std::vector<NodeSide> backward;
     for (const MapNode& node : network_.nodes) {
       forward.push_back(neighbour(node, true));
       backward.push_back(neighbour(node, false));
     }
     for (std::size_t i = 0; i < forward.size(); ++i) {
-      const int next = forward[i];
-      if (next >= 0 && backward[static_cast<std::size_t>(next)] == static_cast<int>(i)) {
-        network_.nodes[i].behind.node = next;
-        network_.nodes[static_cast<std::size_t>(next)].before.node = static_cast<int>(i);
+      const int next = forward[i].node;
+      if (next >= 0 && backward[static_cast<std::size_t>(next)].node == static_cast<int>(i)) {
+        network_.nodes[i].behind = forward[i];
+        network_.nodes[static_cast<std::size_t>(next)].before = backward[static_cast<std::size_t>(next)];
       }
     }
   }
@@ -277,7 +288,7 @@ private:
       return;
     }
     // The cut as seen from the node, which may be a turn away.
-    const double middle = network_.middles[static_cast<std::size_t>(node.interval)];
+    const double middle = network_.intervals[static_cast<std::size_t>(node.interval)].middle;
     const double u = forward ? cut->low : cut->high;
     const double turn = forward && u < middle ? kTurn : 0;
     side.u = u + turn;

@@ -15,6 +15,14 @@ struct NodeSide {
   MapEndType type = MapEndType::kLost;
   int event = -1;  ///< index into MapNetwork::events
   double u = 0;    ///< of the end
+  double turn = 0;  ///< what the next one's q lacks to be continuous with this one's: whole turns [rad]
+};
+
+/// Between two neighbouring cuts, in which every contact moves smoothly.
+struct MapInterval {
+  double low = 0, high = 0;  ///< the critical positions at its sides
+  double middle = 0;         ///< where its contacts are listed
+  bool crossing_low = false, crossing_high = false;  ///< branches may cross there
 };
 
 /// One contact in the middle of an interval.
@@ -28,13 +36,12 @@ struct MapNode {
 struct MapNetwork {
   MapStatus status = MapStatus::kNoPair;
   bool complete = true;
-  bool has_crossing = false;  ///< branches cross somewhere
   bool cyclic = false;  ///< the last interval is followed by the first, one turn later
   double start = 0, end = 0;
   double size = 0;                 ///< what counts as one unit of a displacement [m]
-  std::vector<double> middles;     ///< of the intervals
-  std::vector<MapEvent> events;    ///< by rising u
-  std::vector<MapNode> nodes;      ///< by intervals
+  std::vector<MapInterval> intervals;
+  std::vector<MapEvent> events;  ///< by rising u
+  std::vector<MapNode> nodes;    ///< by intervals
 };
 
 [[nodiscard]] MapNetwork build_network(const ContactPair& pair, const MapRange& range);
