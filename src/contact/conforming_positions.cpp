@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kSamples = 256;  // of each arc
+constexpr int kSamples = 256;   // of each arc
 constexpr double kRoot = 1e-6;  // of the size²: more than that is left over where the condition jumps
 constexpr double kSame = 1e-7;  // of a radian, of the size
 
@@ -166,8 +166,8 @@ double bracketed_root(const F& f, double low, double high) {
     return std::abs(f_low) < std::abs(f_high) ? low : high;
   }
   std::uintmax_t steps = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(50), steps);
+  const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
+                                                        boost::math::tools::eps_tolerance<double>(50), steps);
   return (a + b) / 2;
 }
 
@@ -251,8 +251,7 @@ private:
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const CriticalPosition& other) {
       const double u = position.u - other.u;
       return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u) <= kSame * unit1 &&
-             (other.p_W - position.p_W).norm() <= kSame * size_ &&
-             (other.n_W - position.n_W).norm() <= kSame;
+             (other.p_W - position.p_W).norm() <= kSame * size_ && (other.n_W - position.n_W).norm() <= kSame;
     });
     if (!known) {
       found_.push_back(position);

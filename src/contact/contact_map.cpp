@@ -17,8 +17,7 @@ constexpr double kSameContact = 1e-6;
 
 double size_of(const ContactPair& pair) {
   return (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
-         (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
+         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() + (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
          std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
 }
 
@@ -29,7 +28,8 @@ double gap_of_q(const ContactMap& map, double a, double b) {
 
 // The other opposed branch that crosses `branch` between two of its points, and where: there the bodies touch
 // twice.
-std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoint& from, const MapPoint& to) {
+std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoint& from,
+                                 const MapPoint& to) {
   for (std::size_t i = 0; i < map.branches.size(); ++i) {
     const int other = static_cast<int>(i);
     if (other == branch || !map.branches[i].opposed) {
@@ -59,7 +59,8 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
 // Whether an end of the branch lies at `from`, or a place where branches cross at it or before `to`.
 bool is_singular(const ContactMap& map, const MapBranch& branch, double from, double to) {
   constexpr double kNear = 1e-4;
-  if ((from == branch.begin.u && branch.begin.event >= 0) || (from == branch.end.u && branch.end.event >= 0)) {
+  if ((from == branch.begin.u && branch.begin.event >= 0) ||
+      (from == branch.end.u && branch.end.event >= 0)) {
     return true;
   }
   return std::any_of(map.events.begin(), map.events.end(), [&](const MapEvent& event) {
@@ -71,7 +72,8 @@ bool is_singular(const ContactMap& map, const MapBranch& branch, double from, do
 }
 
 // Where `free` changes between two points, by bisection: as good as the tolerance of the overlap allows.
-std::optional<MapPoint> bisected(const ContactMap& map, int branch, const MapPoint& from, const MapPoint& to) {
+std::optional<MapPoint> bisected(const ContactMap& map, int branch, const MapPoint& from,
+                                 const MapPoint& to) {
   double low = from.u;
   double high = to.u;
   std::optional<MapPoint> at;
@@ -141,9 +143,8 @@ std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
   for (auto point = first; point != last; ++point) {
     starts.push_back(&*point);
   }
-  std::sort(starts.begin(), starts.end(), [&](const MapPoint* a, const MapPoint* b) {
-    return std::abs(a->u - u) < std::abs(b->u - u);
-  });
+  std::sort(starts.begin(), starts.end(),
+            [&](const MapPoint* a, const MapPoint* b) { return std::abs(a->u - u) < std::abs(b->u - u); });
   for (const MapPoint* start : starts) {
     if (is_singular(map, branch, start->u, u)) {
       continue;

@@ -173,8 +173,7 @@ private:
   }
 
   void add(const Foot& foot, CriticalPosition at) {
-    const Rotation<double> R =
-        pair_.motion2.turns ? Rotation<double>::from_angle(at.q) : pair_.motion2.R_WB;
+    const Rotation<double> R = pair_.motion2.turns ? Rotation<double>::from_angle(at.q) : pair_.motion2.R_WB;
     const Vector2d n2_W = R * foot.n_B;
     if (pair_.curve1.kind == CurveKind::kPoint) {
       at.n_W = -n2_W;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTurn = 2 * kPi;
 constexpr double kNearCrossing = 1e-4;  // of a radian, of the size: points are interpolated
-constexpr int kFewest = 9;  // points within a branch, however short it is
+constexpr int kFewest = 9;              // points within a branch, however short it is
 
 bool is_finite(MapEndType type) {
   return type == MapEndType::kFold || type == MapEndType::kConforming;
@@ -197,7 +197,9 @@ private:
       targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), static_cast<std::int64_t>(k)});
     }
     // A branch between two samples, or hardly more, gets points of its own.
-    if (targets.size() < kFewest) {
+    const bool whole = branch.begin.type == MapEndType::kClosed || branch.begin.type == MapEndType::kRange;
+    if (targets.size() < kFewest && !whole) {
+      targets.clear();
       for (int i = 1; i < kFewest; ++i) {
         const double share = (1 - std::cos(kPi * i / kFewest)) / 2;
         targets.push_back({low + share * (high - low), std::nullopt});
@@ -230,8 +232,9 @@ private:
       }
       next = std::find_if(next, targets.end(), [&](const Target& target) { return target.u >= low; });
       const bool last = &link == &chain.back();
-      const auto stop = std::find_if(
-          next, targets.end(), [&](const Target& target) { return last ? target.u > high : target.u >= high; });
+      const auto stop = std::find_if(next, targets.end(), [&](const Target& target) {
+        return last ? target.u > high : target.u >= high;
+      });
       reach(branch, middle, {next, stop}, tracks);
       next = stop;
       before = interval.crossing_high ? held_at(middle, high) : std::nullopt;
@@ -298,8 +301,7 @@ private:
     for (std::size_t i = 0; i + 1 < tracks.size(); ++i) {
       if (tracks[i].at.dq * tracks[i + 1].at.dq < 0) {
         const bool smooth = tracks[i].branch == tracks[i + 1].branch;
-        if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u)
-                                   : std::nullopt) {
+        if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u) : std::nullopt) {
           branch.extremes.push_back(point_of(pair_, range_, branch.opposed, *at));
         }
       }
@@ -344,8 +346,8 @@ private:
     if (!pair_.motion2.turns || branch.points.empty()) {
       return;
     }
-    const auto nearest =
-        std::min_element(branch.points.begin(), branch.points.end(), [&](const MapPoint& a, const MapPoint& b) {
+    const auto nearest = std::min_element(
+        branch.points.begin(), branch.points.end(), [&](const MapPoint& a, const MapPoint& b) {
           return std::abs(a.u - range_.start) < std::abs(b.u - range_.start);
         });
     const double turn = nearest_turn(nearest->q, 0) - nearest->q;

@@ -16,7 +16,7 @@ constexpr double kSameContact = 1e-6;
 constexpr double kPlace = 0.4713;
 // How near to a cut, in radians or sizes, it is looked where a branch ends: nearer until one end is nearest.
 constexpr std::array kNearEnd{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
-constexpr double kAtEnd = 0.02;  // from it in q and n: near enough to be sure
+constexpr double kAtEnd = 0.02;   // from it in q and n: near enough to be sure
 constexpr double kSameEnd = 0.3;  // and to be accepted at all
 constexpr double kTurn = 2 * kPi;
 
@@ -38,8 +38,7 @@ MapStatus status_of(ContactsStatus status) {
 
 double size_of(const ContactPair& pair) {
   return (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
-         (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
+         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() + (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
          std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
 }
 
@@ -53,7 +52,8 @@ struct Cut {
 
 class NetworkBuilder {
 public:
-  NetworkBuilder(const ContactPair& pair, const MapRange& range) : pair_(pair), other_(with_other_side(pair)) {
+  NetworkBuilder(const ContactPair& pair, const MapRange& range)
+      : pair_(pair), other_(with_other_side(pair)) {
     network_.cyclic = pair.motion1.turns;
     network_.start = network_.cyclic ? range.start : std::min(range.start, range.end);
     network_.end = network_.cyclic ? range.start + kTurn : std::max(range.start, range.end);
@@ -100,10 +100,8 @@ private:
     const auto conforming = find_conforming(pair_);
     folds.found.insert(folds.found.end(), conforming.begin(), conforming.end());
     for (CriticalPosition& at : folds.found) {
-      const bool known =
-          std::any_of(network_.events.begin(), network_.events.end(), [&](const MapEvent& event) {
-            return is_same(event.at, at);
-          });
+      const bool known = std::any_of(network_.events.begin(), network_.events.end(),
+                                     [&](const MapEvent& event) { return is_same(event.at, at); });
       if (bring_in(at.u) && !known) {
         network_.events.push_back({at, {}});
       }
@@ -315,8 +313,8 @@ private:
       double second = INFINITY;
       for (const int index : cut.events) {
         const CriticalPosition& event = network_.events[static_cast<std::size_t>(index)].at;
-        const double distance = difference_of_q(pair_, network_.size, track.at.q, event.q) +
-                                (track.at.n_W - event.n_W).norm();
+        const double distance =
+            difference_of_q(pair_, network_.size, track.at.q, event.q) + (track.at.n_W - event.n_W).norm();
         if (event.opposed != node.opposed || distance >= second) {
           continue;
         }

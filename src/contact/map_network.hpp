@@ -13,15 +13,15 @@ namespace higherpair {
 struct NodeSide {
   int node = -1;  ///< the next one on this side; -1: the branch ends here
   MapEndType type = MapEndType::kLost;
-  int event = -1;  ///< index into MapNetwork::events
-  double u = 0;    ///< of the end
+  int event = -1;   ///< index into MapNetwork::events
+  double u = 0;     ///< of the end
   double turn = 0;  ///< what the next one's q lacks to be continuous with this one's: whole turns [rad]
 };
 
 /// Between two neighbouring cuts, in which every contact moves smoothly.
 struct MapInterval {
-  double low = 0, high = 0;  ///< the critical positions at its sides
-  double middle = 0;         ///< where its contacts are listed
+  double low = 0, high = 0;                          ///< the critical positions at its sides
+  double middle = 0;                                 ///< where its contacts are listed
   bool crossing_low = false, crossing_high = false;  ///< branches may cross there
 };
 
@@ -38,7 +38,7 @@ struct MapNetwork {
   bool complete = true;
   bool cyclic = false;  ///< the last interval is followed by the first, one turn later
   double start = 0, end = 0;
-  double size = 0;                 ///< what counts as one unit of a displacement [m]
+  double size = 0;  ///< what counts as one unit of a displacement [m]
   std::vector<MapInterval> intervals;
   std::vector<MapEvent> events;  ///< by rising u
   std::vector<MapNode> nodes;    ///< by intervals

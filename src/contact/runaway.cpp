@@ -33,7 +33,8 @@ std::vector<Opening> openings_of(const Curve& curve) {
 }
 
 // Both bodies turn, two asymptotes coincide: N·(O2 - O1) = b1 ∓ b2, b_i the distance of the line from O_i.
-void add_turning(const ContactPair& pair, const Opening& one, const Opening& two, std::vector<double>& found) {
+void add_turning(const ContactPair& pair, const Opening& one, const Opening& two,
+                 std::vector<double>& found) {
   const Vector2d N1_B = perp(one.direction_B);
   const Vector2d between_W = pair.motion2.p_WO - pair.motion1.p_WO;
   const double b1 = (one.point_B - pair.motion1.p_BO).dot(N1_B);
@@ -49,7 +50,8 @@ void add_turning(const ContactPair& pair, const Opening& one, const Opening& two
 }
 
 // The driver slides: N·(p1 + u d1 - O2) = ± b2.
-void add_sliding(const ContactPair& pair, const Opening& one, const Opening& two, std::vector<double>& found) {
+void add_sliding(const ContactPair& pair, const Opening& one, const Opening& two,
+                 std::vector<double>& found) {
   const Vector2d N_W = pair.motion1.R_WB * perp(one.direction_B);
   const double speed = N_W.dot(pair.motion1.direction_W);
   const double b1 = N_W.dot(pose_at(pair.motion1, 0) * one.point_B - pair.motion2.p_WO);

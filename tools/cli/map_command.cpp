@@ -60,8 +60,8 @@ MapRange range_of(const MappedContact& mapped, const DriverSchedule& schedule, c
   return range;
 }
 
-ContactMapReport report_of(const Profile& profile, const MappedContact& mapped, const DriverSchedule& schedule,
-                           const MapOptions& options) {
+ContactMapReport report_of(const Profile& profile, const MappedContact& mapped,
+                           const DriverSchedule& schedule, const MapOptions& options) {
   ContactMapReport refused;
   refused.contact = profile.mechanism.contacts[static_cast<std::size_t>(mapped.contact)].name;
   refused.refusal = mapped.refusal;
@@ -116,7 +116,8 @@ std::string refusal_of(const MapReport& report) {
 
 CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
   CLI::App* command = app.add_subcommand(
-      "map", "every contact of the two curves over the driver's turn: branches, and where they begin and end");
+      "map",
+      "every contact of the two curves over the driver's turn: branches, and where they begin and end");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   command->add_option("--csv", options.csv, "write the branches as CSV to this file (-: standard output)");
   command->add_option("--json", options.json, "write the map as JSON to this file");

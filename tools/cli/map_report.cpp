@@ -117,7 +117,8 @@ std::optional<NeighbourReport> neighbour_of(const std::optional<Neighbour>& foun
   return NeighbourReport{found->branch + 1, convert.driver(found->u), convert.distance(found->distance)};
 }
 
-std::optional<OwnBranch> own_of(const ContactMap& map, const MappedContact& mapped, const Converter& convert) {
+std::optional<OwnBranch> own_of(const ContactMap& map, const MappedContact& mapped,
+                                const Converter& convert) {
   if (!mapped.q) {
     return std::nullopt;
   }

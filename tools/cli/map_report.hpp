@@ -12,8 +12,8 @@
 
 namespace higherpair::cli {
 
-// The maps of a mechanism's contacts in the profile's units, as joint coordinates, for their writers. Branches
-// are numbered from 1.
+// The maps of a mechanism's contacts in the profile's units, as joint coordinates, for their writers.
+// Branches are numbered from 1.
 
 struct MapRow {
   double driver = 0;
@@ -35,7 +35,7 @@ struct MapBranchReport {
   bool opposed = false;
   int turns = 0;
   MapEndReport begin, end;
-  std::vector<MapRow> rows;          ///< by rising driver coordinate
+  std::vector<MapRow> rows;  ///< by rising driver coordinate
   std::vector<MapRow> free_changes;
   std::vector<MapRow> extremes;
 };

@@ -86,15 +86,17 @@ Json json_of(const ContactMapReport& contact) {
   if (!contact.refusal.empty()) {
     return {{"contact", contact.contact}, {"refusal", contact.refusal}};
   }
-  Json json = {
-      {"contact", contact.contact},
-      {"driver",
-       {{"joint", contact.driver_joint}, {"unit", contact.driver_unit}, {"start", contact.start}, {"end", contact.end}}},
-      {"position", {{"joint", contact.position_joint}, {"unit", contact.position_unit}}},
-      {"complete", contact.complete},
-      {"branches", branches_of(contact)},
-      {"events", events_of(contact)},
-      {"own", nullptr}};
+  Json json = {{"contact", contact.contact},
+               {"driver",
+                {{"joint", contact.driver_joint},
+                 {"unit", contact.driver_unit},
+                 {"start", contact.start},
+                 {"end", contact.end}}},
+               {"position", {{"joint", contact.position_joint}, {"unit", contact.position_unit}}},
+               {"complete", contact.complete},
+               {"branches", branches_of(contact)},
+               {"events", events_of(contact)},
+               {"own", nullptr}};
   if (contact.own) {
     json["own"] = {{"branch", contact.own->branch},
                    {"driver", contact.own->driver},
@@ -155,7 +157,8 @@ nlohmann::ordered_json map_json(const MapReport& report) {
                         {{"name", "normal"}, {"unit", report.angle_unit}},
                         {{"name", "opposed"}, {"unit", nullptr}},
                         {{"name", "free"}, {"unit", nullptr}}};
-  return {{"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}, {"rows", rows}};
+  return {
+      {"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}, {"rows", rows}};
 }
 
 }  // namespace higherpair::cli

@@ -33,17 +33,17 @@ std::string end_word(const MapEndReport& end, int turns) {
 }
 
 std::string branches_table(const ContactMapReport& contact) {
-  std::string text =
-      fmt::format("\n{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}free\n", "branch",
-                  "from [" + contact.driver_unit + "]", "", "to [" + contact.driver_unit + "]", "", "opposed");
+  std::string text = fmt::format("\n{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}free\n", "branch",
+                                 "from [" + contact.driver_unit + "]", "", "to [" + contact.driver_unit + "]",
+                                 "", "opposed");
   for (std::size_t i = 0; i < contact.branches.size(); ++i) {
     const MapBranchReport& branch = contact.branches[i];
     const int index = static_cast<int>(i) + 1;
     const bool own = contact.own && contact.own->branch == index;
-    text += fmt::format("{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}{}\n", (own ? "* " : "") + std::to_string(index),
-                        number(branch.begin.driver), end_word(branch.begin, branch.turns),
-                        number(branch.end.driver), end_word(branch.end, branch.turns),
-                        branch.opposed ? "yes" : "no", free_word(branch));
+    text += fmt::format("{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}{}\n",
+                        (own ? "* " : "") + std::to_string(index), number(branch.begin.driver),
+                        end_word(branch.begin, branch.turns), number(branch.end.driver),
+                        end_word(branch.end, branch.turns), branch.opposed ? "yes" : "no", free_word(branch));
   }
   return text;
 }
@@ -60,13 +60,14 @@ std::string events_table(const ContactMapReport& contact, const MapReport& repor
   if (contact.events.empty()) {
     return "\nno folds: the driver can go round on every branch\n";
   }
-  std::string text = fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", "at [" +
-                                 contact.driver_unit + "]", head(contact.position_joint, contact.position_unit),
-                                 head("x", report.length_unit), head("y", report.length_unit), "opposed");
+  std::string text =
+      fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", "at [" + contact.driver_unit + "]",
+                  head(contact.position_joint, contact.position_unit), head("x", report.length_unit),
+                  head("y", report.length_unit), "opposed");
   for (const MapEventReport& event : contact.events) {
-    text += fmt::format("{:<12}{:>22}{:>26}{:>16.8g}{:>16.8g}  {:<9}{}\n", event.type, number(event.at.driver),
-                        number(event.at.position), event.at.x, event.at.y, event.opposed ? "yes" : "no",
-                        list_of(event.branches));
+    text += fmt::format("{:<12}{:>22}{:>26}{:>16.8g}{:>16.8g}  {:<9}{}\n", event.type,
+                        number(event.at.driver), number(event.at.position), event.at.x, event.at.y,
+                        event.opposed ? "yes" : "no", list_of(event.branches));
   }
   return text;
 }
@@ -77,15 +78,16 @@ std::string marks_text(const ContactMapReport& contact) {
   for (std::size_t i = 0; i < contact.branches.size(); ++i) {
     const MapBranchReport& branch = contact.branches[i];
     for (const MapRow& row : branch.free_changes) {
-      text += fmt::format("branch {}: a second contact of the two bodies at {} {}\n", i + 1, number(row.driver),
-                          contact.driver_unit);
+      text += fmt::format("branch {}: a second contact of the two bodies at {} {}\n", i + 1,
+                          number(row.driver), contact.driver_unit);
     }
     if (!branch.opposed) {
       continue;
     }
     for (const MapRow& row : branch.extremes) {
-      text += fmt::format("branch {}: the follower turns back at {} {}, standing at {} {}\n", i + 1,
-                          number(row.driver), contact.driver_unit, number(row.position), contact.position_unit);
+      text +=
+          fmt::format("branch {}: the follower turns back at {} {}, standing at {} {}\n", i + 1,
+                      number(row.driver), contact.driver_unit, number(row.position), contact.position_unit);
     }
   }
   return text.empty() ? text : "\n" + text;
@@ -126,9 +128,10 @@ std::string map_text(const MapReport& report) {
       text += fmt::format("\ncontact {}: no map: {}\n", contact.contact, contact.refusal);
       continue;
     }
-    text += fmt::format("\ncontact {}: {} {}, {} from {} to {} {}\n", contact.contact, contact.branches.size(),
-                        contact.branches.size() == 1 ? "branch" : "branches", contact.driver_joint,
-                        number(contact.start), number(contact.end), contact.driver_unit);
+    text +=
+        fmt::format("\ncontact {}: {} {}, {} from {} to {} {}\n", contact.contact, contact.branches.size(),
+                    contact.branches.size() == 1 ? "branch" : "branches", contact.driver_joint,
+                    number(contact.start), number(contact.end), contact.driver_unit);
     if (!contact.complete) {
       text += "not every branch could be followed to its end: the map is not complete\n";
     }

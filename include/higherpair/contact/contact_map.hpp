@@ -13,19 +13,19 @@ namespace higherpair {
 
 /// The driver coordinates that a map covers: one whole turn from `start`, or the way from `start` to `end`.
 struct MapRange {
-  double start = 0;           ///< [rad or m]
-  double end = 0;             ///< of a sliding driver [m], either side of start; ignored where it turns
-  double tolerance = 1e-9;    ///< of the bodies' size: overlap up to which a contact still counts as free
+  double start = 0;            ///< [rad or m]
+  double end = 0;              ///< of a sliding driver [m], either side of start; ignored where it turns
+  double tolerance = 1e-9;     ///< of the bodies' size: overlap up to which a contact still counts as free
   std::int64_t samples = 361;  ///< points over the range, both ends included, >= 2
 };
 
 /// One position on a branch.
 struct MapPoint {
-  double u = 0;                      ///< driver [rad or m]
-  double q = 0;                      ///< follower, continuous along the branch [rad or m]
-  Vector2d p_W = Vector2d::Zero();   ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of body 1
-  bool free = false;                 ///< opposed, and the interiors of the bodies are disjoint
+  double u = 0;                        ///< driver [rad or m]
+  double q = 0;                        ///< follower, continuous along the branch [rad or m]
+  Vector2d p_W = Vector2d::Zero();     ///< the common point [m]
+  Vector2d n_W = Vector2d::UnitX();    ///< unit outward normal of body 1
+  bool free = false;                   ///< opposed, and the interiors of the bodies are disjoint
   std::optional<std::int64_t> sample;  ///< u = start + sample·spacing; none at the end of a branch
 };
 
@@ -42,8 +42,8 @@ enum class MapEndType {
 
 struct MapEnd {
   MapEndType type = MapEndType::kLost;
-  double u = 0;   ///< where [rad or m]
-  double q = 0;   ///< [rad or m], continuous along the branch; at infinity that of the last point
+  double u = 0;    ///< where [rad or m]
+  double q = 0;    ///< [rad or m], continuous along the branch; at infinity that of the last point
   int event = -1;  ///< of kFold and kConforming: index into ContactMap::events
   int other = -1;  ///< the branch that merges there
 };
@@ -54,7 +54,7 @@ struct MapBranch {
   std::vector<MapPoint> points;  ///< by rising u, the two ends included where they are finite
   MapEnd begin;
   MapEnd end;
-  int turns = 0;                      ///< of the driver after which a closed branch is back; else 0
+  int turns = 0;                       ///< of the driver after which a closed branch is back; else 0
   std::vector<MapPoint> free_changes;  ///< where another contact of the same bodies appears or vanishes
   std::vector<MapPoint> extremes;      ///< dq/du = 0: the follower turns back
 };
@@ -96,9 +96,9 @@ struct ContactMap {
 /// A turning driver's branches go on past the ends of the range, so that u of a branch that holds
 /// `range.start` begins below it; every other begins within the range.
 /// Folds and cusps are exact to rounding, divided by the slope of the conditions there; those nearer together
-/// than 1e-10 (of a radian, of the size) are not told apart: an island smaller than that is two events without
-/// branches. Cost: some 10 ms for each interval and each fold's circle, for two conics.
-/// \pre samples >= 2
+/// than 1e-10 (of a radian, of the size) are not told apart: an island smaller than that is two events
+/// without branches. Cost: some 10 ms for each interval and each fold's circle, for two conics. \pre samples
+/// >= 2
 [[nodiscard]] ContactMap map_contacts(const ContactPair& pair, const MapRange& range);
 
 /// The contact of a branch at a driver coordinate between its ends; none elsewhere.

@@ -31,10 +31,10 @@ struct CriticalPositions {
 ///
 /// A fold is a contact whose common normal passes through the follower's pivot O2 (of a sliding follower: is
 /// perpendicular to its direction d). The points of curve 2 with such a normal, at most four on a conic, do
-/// not depend on u and q (the roots of a quartic; the foot of O2 on a line). So curve 2 may be replaced by the
-/// circle about O2 through such a point (by the line along d through it), which stands still: the folds are
-/// the contacts of curve 1, moved by u, with it, which find_curve_contacts lists completely.
-/// Two lines, two points and a face that slides have no folds.
+/// not depend on u and q (the roots of a quartic; the foot of O2 on a line). So curve 2 may be replaced by
+/// the circle about O2 through such a point (by the line along d through it), which stands still: the folds
+/// are the contacts of curve 1, moved by u, with it, which find_curve_contacts lists completely. Two lines,
+/// two points and a face that slides have no folds.
 [[nodiscard]] CriticalPositions find_folds(const ContactPair& pair);
 
 /// All conforming contacts of two conics.
