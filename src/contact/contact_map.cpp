@@ -2,6 +2,7 @@
 
 #include "map_branches.hpp"
 #include "map_network.hpp"
+#include "map_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double kTurn = 2 * kPi;
 constexpr double kSameContact = 1e-6;
-
-double size_of(const ContactPair& pair) {
-  return (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() + (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
-         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
-}
 
 // a - b of two follower coordinates, up to whole turns.
 double gap_of_q(const ContactMap& map, double a, double b) {
@@ -65,7 +60,7 @@ bool is_singular(const ContactMap& map, const MapBranch& branch, double from, do
   }
   return std::any_of(map.events.begin(), map.events.end(), [&](const MapEvent& event) {
     const double u = map.pair.motion1.turns ? nearest_turn(event.at.u, from) : event.at.u;
-    const double margin = map.pair.motion1.turns ? kNear : kNear * size_of(map.pair);
+    const double margin = map.pair.motion1.turns ? kNear : kNear * size_of_pair(map.pair);
     return event.at.type == CriticalType::kCrossing &&
            (std::abs(u - from) < margin || (u - from) * (u - to) < 0);
   });
@@ -176,7 +171,7 @@ std::vector<MapContact> contacts_at(const ContactMap& map, double u) {
 
 std::optional<int> branch_of(const ContactMap& map, double u, double q, const Vector2d& n_W) {
   for (const MapContact& contact : contacts_at(map, u)) {
-    if (difference_of_q(map.pair, size_of(map.pair), contact.point.q, q) <= kSameContact &&
+    if (difference_of_q(map.pair, size_of_pair(map.pair), contact.point.q, q) <= kSameContact &&
         (contact.point.n_W - n_W).norm() <= kSameContact) {
       return contact.branch;
     }

@@ -2,7 +2,6 @@
 
 #include "map_network.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace higherpair {
@@ -10,9 +9,5 @@ namespace higherpair {
 /// The branches of a network, sampled; their free_changes are left empty.
 [[nodiscard]] std::vector<MapBranch> branches_of(const ContactPair& pair, const MapRange& range,
                                                  MapNetwork& network);
-
-/// The contact of a branch at u, followed from a point of it; none where that fails.
-[[nodiscard]] std::optional<MapPoint> followed(const ContactPair& pair, const MapRange& range,
-                                               const MapBranch& branch, const MapPoint& from, double u);
 
 }  // namespace higherpair

@@ -9,11 +9,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kResolution = 1e-10;  // of a radian, of the size: cuts nearer than that are one
-constexpr double kCrossing = 1e-7;     // the same where branches cross: rounding makes two folds of it
 constexpr double kSameContact = 1e-6;
-// Where in its interval the list is made: off the middle, which symmetry may make special.
-constexpr double kPlace = 0.4713;
 // How near to a cut, in radians or sizes, it is looked where a branch ends: nearer until one end is nearest.
 constexpr std::array kNearEnd{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 constexpr double kAtEnd = 0.02;   // from it in q and n: near enough to be sure
@@ -36,36 +32,15 @@ MapStatus status_of(ContactsStatus status) {
   return MapStatus::kNoPair;
 }
 
-double size_of(const ContactPair& pair) {
-  return (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() + (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
-         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
-}
-
-// A place at which branches may begin and end.
-struct Cut {
-  double low = 0, high = 0;  // of the critical positions that it stands for
-  std::vector<int> events;
-  bool runaway = false;   // contacts may run off to infinity here
-  bool crossing = false;  // branches may cross here
-};
-
 class NetworkBuilder {
 public:
   NetworkBuilder(const ContactPair& pair, const MapRange& range)
       : pair_(pair), other_(with_other_side(pair)) {
-    network_.cyclic = pair.motion1.turns;
-    network_.start = network_.cyclic ? range.start : std::min(range.start, range.end);
-    network_.end = network_.cyclic ? range.start + kTurn : std::max(range.start, range.end);
-    network_.size = size_of(pair);
+    static_cast<MapCuts&>(network_) = cuts_of(pair, range);
     unit1_ = network_.cyclic ? 1 : network_.size;
   }
 
   [[nodiscard]] MapNetwork run() {
-    network_.status = MapStatus::kOk;
-    add_events();
-    add_cuts();
-    add_intervals();
     for (std::size_t i = 0; i < network_.intervals.size() && network_.status == MapStatus::kOk; ++i) {
       list(static_cast<int>(i));
     }
@@ -79,114 +54,6 @@ public:
   }
 
 private:
-  // Into the range; false outside of it.
-  [[nodiscard]] bool bring_in(double& u) const {
-    if (!network_.cyclic) {
-      return u > network_.start && u < network_.end;
-    }
-    u -= kTurn * std::floor((u - network_.start) / kTurn);
-    if (u - network_.start > kTurn - kCrossing) {
-      u -= kTurn;  // so that what belongs together stays together
-    }
-    return true;
-  }
-
-  void add_events() {
-    CriticalPositions folds = find_folds(pair_);
-    if (folds.everywhere) {
-      network_.status = MapStatus::kLimitEverywhere;
-      return;
-    }
-    const auto conforming = find_conforming(pair_);
-    folds.found.insert(folds.found.end(), conforming.begin(), conforming.end());
-    for (CriticalPosition& at : folds.found) {
-      const bool known = std::any_of(network_.events.begin(), network_.events.end(),
-                                     [&](const MapEvent& event) { return is_same(event.at, at); });
-      if (bring_in(at.u) && !known) {
-        network_.events.push_back({at, {}});
-      }
-    }
-    std::sort(network_.events.begin(), network_.events.end(),
-              [](const MapEvent& a, const MapEvent& b) { return a.at.u < b.at.u; });
-  }
-
-  [[nodiscard]] bool is_same(const CriticalPosition& a, CriticalPosition b) const {
-    if (!bring_in(b.u)) {
-      return false;
-    }
-    return std::abs(a.u - b.u) <= kResolution * unit1_ && a.opposed == b.opposed &&
-           difference_of_q(pair_, network_.size, a.q, b.q) <= kResolution &&
-           (a.n_W - b.n_W).norm() <= kSameContact;
-  }
-
-  [[nodiscard]] CriticalType type_of(int event) const {
-    return network_.events[static_cast<std::size_t>(event)].at.type;
-  }
-
-  void add_cuts() {
-    struct Place {
-      double u;
-      int event;
-    };
-    std::vector<Place> places;
-    for (std::size_t i = 0; i < network_.events.size(); ++i) {
-      places.push_back({network_.events[i].at.u, static_cast<int>(i)});
-    }
-    for (double u : runaway_positions(pair_)) {
-      if (bring_in(u)) {
-        places.push_back({u, -1});
-      }
-    }
-    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.u < b.u; });
-    for (const Place& place : places) {
-      const bool crossing = place.event >= 0 && type_of(place.event) == CriticalType::kCrossing;
-      const bool near_crossing = crossing || (!cuts_.empty() && cuts_.back().crossing);
-      const double resolution = (near_crossing ? kCrossing : kResolution) * unit1_;
-      if (cuts_.empty() || place.u - cuts_.back().high > resolution) {
-        cuts_.push_back({place.u, place.u, {}});
-      }
-      cuts_.back().high = place.u;
-      cuts_.back().runaway = cuts_.back().runaway || place.event < 0;
-      if (place.event >= 0) {
-        cuts_.back().events.push_back(place.event);
-        cuts_.back().crossing = cuts_.back().crossing || crossing;
-      }
-    }
-  }
-
-  void add_intervals() {
-    const auto add = [&](double low, bool crossing_low, double high, bool crossing_high) {
-      network_.intervals.push_back({low, high, low + kPlace * (high - low), crossing_low, crossing_high});
-    };
-    if (cuts_.empty()) {
-      add(network_.start, false, network_.end, false);
-      return;
-    }
-    const Cut& first = cuts_.front();
-    const Cut& last = cuts_.back();
-    if (!network_.cyclic) {
-      add(network_.start, false, first.low, first.crossing);
-    }
-    for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
-      add(cuts_[i].high, cuts_[i].crossing, cuts_[i + 1].low, cuts_[i + 1].crossing);
-    }
-    if (network_.cyclic) {
-      add(last.high, last.crossing, first.low + kTurn, first.crossing);
-    } else {
-      add(last.high, last.crossing, network_.end, false);
-    }
-  }
-
-  // The cut at one side of an interval; none at the ends of the range and where there is no cut at all.
-  [[nodiscard]] const Cut* cut_beside(int interval, bool forward) const {
-    if (cuts_.empty()) {
-      return nullptr;
-    }
-    const int n = static_cast<int>(cuts_.size());
-    const int k = network_.cyclic ? (interval + (forward ? 1 : 0)) % n : interval - (forward ? 0 : 1);
-    return k >= 0 && k < n ? &cuts_[static_cast<std::size_t>(k)] : nullptr;
-  }
-
   void list(int interval) {
     const double u = network_.intervals[static_cast<std::size_t>(interval)].middle;
     const CurveContacts found = find_curve_contacts(pair_, u);
@@ -237,7 +104,7 @@ private:
     const double turn = next == wrapped ? 0 : (forward ? kTurn : -kTurn);
     ContactTrack track = node.track;
     const double u = network_.intervals[static_cast<std::size_t>(wrapped)].middle + turn;
-    const Cut* cut = cut_beside(node.interval, forward);
+    const MapCut* cut = network_.cut_beside(node.interval, forward);
     if (!walk_to(track, u, cut != nullptr && cut->crossing)) {
       return side;
     }
@@ -278,7 +145,7 @@ private:
   }
 
   void find_end(const MapNode& node, bool forward, NodeSide& side) {
-    const Cut* cut = cut_beside(node.interval, forward);
+    const MapCut* cut = network_.cut_beside(node.interval, forward);
     if (cut == nullptr) {
       side.type = network_.cyclic ? MapEndType::kLost : MapEndType::kRange;
       side.u = forward ? network_.end : network_.start;
@@ -302,7 +169,7 @@ private:
   }
 
   // The event of a cut that a node's contact comes to; -1: none.
-  [[nodiscard]] int event_at(const Cut& cut, const MapNode& node, double u) const {
+  [[nodiscard]] int event_at(const MapCut& cut, const MapNode& node, double u) const {
     ContactTrack track = node.track;
     const double way = u - track.at.u;
     int nearest = -1;
@@ -346,7 +213,7 @@ private:
         }
       }
     }
-    for (const Cut& cut : cuts_) {
+    for (const MapCut& cut : network_.cuts) {
       int sum = 0;
       for (const int event : cut.events) {
         const int here = ends[static_cast<std::size_t>(event)];
@@ -360,15 +227,10 @@ private:
   const ContactPair& pair_;
   ContactPair other_;
   double unit1_ = 1;
-  std::vector<Cut> cuts_;
   MapNetwork network_;
 };
 
 }  // namespace
-
-double difference_of_q(const ContactPair& pair, double size, double a, double b) {
-  return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / size);
-}
 
 MapNetwork build_network(const ContactPair& pair, const MapRange& range) {
   return NetworkBuilder(pair, range).run();

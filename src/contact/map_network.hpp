@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/contact_map.hpp"
 #include "higherpair/contact/tracker.hpp"
+#include "map_cuts.hpp"
 
 #include <vector>
 
@@ -18,13 +19,6 @@ struct NodeSide {
   double turn = 0;  ///< what the next one's q lacks to be continuous with this one's: whole turns [rad]
 };
 
-/// Between two neighbouring cuts, in which every contact moves smoothly.
-struct MapInterval {
-  double low = 0, high = 0;                          ///< the critical positions at its sides
-  double middle = 0;                                 ///< where its contacts are listed
-  bool crossing_low = false, crossing_high = false;  ///< branches may cross there
-};
-
 /// One contact in the middle of an interval.
 struct MapNode {
   int interval = 0;
@@ -33,20 +27,12 @@ struct MapNode {
   NodeSide before, behind;
 };
 
-struct MapNetwork {
-  MapStatus status = MapStatus::kNoPair;
+struct MapNetwork : MapCuts {
   bool complete = true;
-  bool cyclic = false;  ///< the last interval is followed by the first, one turn later
-  double start = 0, end = 0;
-  double size = 0;  ///< what counts as one unit of a displacement [m]
-  std::vector<MapInterval> intervals;
-  std::vector<MapEvent> events;  ///< by rising u
-  std::vector<MapNode> nodes;    ///< by intervals
+  std::vector<MapNode> nodes;  ///< by intervals
 };
 
+/// The contacts of every interval and their links. `status` is not kOk where they cannot be listed.
 [[nodiscard]] MapNetwork build_network(const ContactPair& pair, const MapRange& range);
-
-/// Between two follower coordinates, in units: radians up to whole turns, or shares of the size.
-[[nodiscard]] double difference_of_q(const ContactPair& pair, double size, double a, double b);
 
 }  // namespace higherpair
