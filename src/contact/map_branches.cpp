@@ -141,9 +141,10 @@ private:
     const double a = ((spacing_ > 0 ? low : high) - range_.start) / spacing_;
     const double b = ((spacing_ > 0 ? high : low) - range_.start) / spacing_;
     std::vector<Target> targets;
-    for (double k = std::ceil(a); k <= b; ++k) {
-      const double u = range_.start + k * spacing_;
-      targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), static_cast<std::int64_t>(k)});
+    const auto last = static_cast<std::int64_t>(std::floor(b));
+    for (auto k = static_cast<std::int64_t>(std::ceil(a)); k <= last; ++k) {
+      const double u = range_.start + static_cast<double>(k) * spacing_;
+      targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), k});
     }
     // A branch between two samples, or hardly more, gets points of its own.
     const bool whole = branch.begin.type == MapEndType::kClosed || branch.begin.type == MapEndType::kRange;
