@@ -10,7 +10,6 @@
 namespace higherpair {
 namespace {
 
-using ::testing::Each;
 using ::testing::SizeIs;
 
 OneFreedom pivot(double x, double y) {
