@@ -1,4 +1,5 @@
 #include "branches_command.hpp"
+#include "map_command.hpp"
 #include "mobility_command.hpp"
 #include "run_command.hpp"
 #include "verify_command.hpp"
@@ -85,6 +86,8 @@ int run(int argc, char** argv) {
   const CLI::App* branches_command = add_branches_command(app, branches);
   higherpair::cli::MobilityOptions mobility;
   const CLI::App* mobility_command = higherpair::cli::add_mobility_command(app, mobility);
+  higherpair::cli::MapOptions map;
+  const CLI::App* map_command = higherpair::cli::add_map_command(app, map);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
   try {
@@ -94,6 +97,9 @@ int run(int argc, char** argv) {
   }
   if (branches_command->parsed()) {
     return higherpair::cli::branches_command(branches);
+  }
+  if (map_command->parsed()) {
+    return higherpair::cli::map_command(map);
   }
   if (verify_command->parsed()) {
     return higherpair::cli::verify_command(verify);

@@ -1,0 +1,150 @@
+#include "higherpair/analysis/mapped_contacts.hpp"
+
+#include "group_solver.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+
+namespace higherpair {
+namespace {
+
+// The only joint between a body and ground.
+std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
+  std::optional<int> found;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const bool joins = (joint.first.body == 0 && joint.second.body == body) ||
+                       (joint.second.body == 0 && joint.first.body == body);
+    if (joins && (found || joint.type == JointType::kSlot)) {
+      return std::nullopt;
+    }
+    if (joins) {
+      found = static_cast<int>(i);
+    }
+  }
+  return found;
+}
+
+std::optional<int> driver_of(const Mechanism& mechanism, int joint) {
+  for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+    if (mechanism.drivers[i].joint == joint) {
+      return static_cast<int>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+class Mapper {
+public:
+  Mapper(const Mechanism& mechanism, const Plan& plan, const std::vector<double>& drivers,
+         const tl::expected<Run, StartFailure>& run)
+      : mechanism_(mechanism), plan_(plan), drivers_(drivers), run_(run), posed_(posed_bodies(mechanism)) {}
+
+  [[nodiscard]] MappedContact map(int index) const {
+    MappedContact mapped;
+    mapped.contact = index;
+    const Contact& contact = mechanism_.contacts[static_cast<std::size_t>(index)];
+    const auto follower = follower_of(index);
+    if (contact.rolling) {
+      mapped.refusal = "it rolls: its arcs, not only its tangency, tie the two bodies";
+    } else if (!follower) {
+      mapped.refusal = "no body is placed by this contact alone: it is solved together with other conditions";
+    } else {
+      mapped.known_is_first = contact.second.body == *follower;
+      set_pair(contact, *follower, mapped);
+    }
+    return mapped;
+  }
+
+private:
+  // The body that a contact places by itself.
+  [[nodiscard]] std::optional<int> follower_of(int contact) const {
+    for (const Group& group : plan_.groups) {
+      if (const auto* tracked = std::get_if<TrackedPair>(&group.kind);
+          tracked != nullptr && tracked->contact == contact) {
+        return tracked->follower.body;
+      }
+      if (const auto* touching = std::get_if<TouchingBody>(&group.kind);
+          touching != nullptr && touching->contact == contact) {
+        return touching->follower.body;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const std::string& name_of(int body) const {
+    return mechanism_.bodies[static_cast<std::size_t>(body)].name;
+  }
+
+  void set_pair(const Contact& contact, int follower, MappedContact& mapped) const {
+    const CurveRef& on_known = mapped.known_is_first ? contact.first : contact.second;
+    const CurveRef& on_follower = mapped.known_is_first ? contact.second : contact.first;
+    const auto known_joint = ground_joint(mechanism_, on_known.body);
+    const auto follower_joint = ground_joint(mechanism_, follower);
+    if (!known_joint || !follower_joint) {
+      mapped.refusal = name_of(known_joint ? follower : on_known.body) +
+                       " has no revolute or prismatic joint to ground that leaves it one coordinate";
+      return;
+    }
+    const auto joint = [&](int i) { return mechanism_.joints[static_cast<std::size_t>(i)]; };
+    mapped.known_joint = *known_joint;
+    mapped.follower_joint = *follower_joint;
+    mapped.known = carried_body(mechanism_, joint(*known_joint), on_known.body);
+    mapped.follower = carried_body(mechanism_, joint(*follower_joint), follower);
+    mapped.pair = {curve_of(mechanism_, on_known), mapped.known.freedom, curve_of(mechanism_, on_follower),
+                   mapped.follower.freedom};
+    mapped.driver = driver_of(mechanism_, *known_joint);
+    mapped.posed = coordinate(mapped.follower, posed_);
+    set_position(mapped);
+  }
+
+  void set_position(MappedContact& mapped) const {
+    if (run_) {
+      const State& state = run_->state;
+      const Vector2d n_W = state.contacts[static_cast<std::size_t>(mapped.contact)].at.n_W;
+      mapped.q = coordinate(mapped.follower, state.bodies);
+      mapped.n_W = mapped.known_is_first ? n_W : Vector2d(-n_W);
+    }
+    if (mapped.driver) {
+      mapped.u = mapped.known.sign * drivers_[static_cast<std::size_t>(*mapped.driver)];
+    } else if (!mapped.pair.motion1.turns) {
+      mapped.refusal = name_of(mapped.known.body) + " slides and is not driven: no range is given for it";
+    } else if (run_) {
+      mapped.u = coordinate(mapped.known, run_->state.bodies);
+    } else {
+      mapped.u = coordinate(mapped.known, posed_);
+    }
+  }
+
+  [[nodiscard]] static double coordinate(const CarriedBody& carried, const std::vector<BodyMotion>& bodies) {
+    return carried_coordinate(carried, bodies[static_cast<std::size_t>(carried.carrier)],
+                              bodies[static_cast<std::size_t>(carried.body)]);
+  }
+
+  const Mechanism& mechanism_;
+  const Plan& plan_;
+  const std::vector<double>& drivers_;
+  const tl::expected<Run, StartFailure>& run_;
+  std::vector<BodyMotion> posed_;
+};
+
+}  // namespace
+
+tl::expected<MappedContacts, std::string> mapped_contacts(const Mechanism& mechanism,
+                                                          const std::vector<double>& drivers,
+                                                          double tolerance) {
+  const auto plan = make_plan(mechanism);
+  if (!plan) {
+    return tl::unexpected(plan.error());
+  }
+  const auto run = start_run(mechanism, drivers, tolerance);
+  MappedContacts found;
+  found.not_started = run ? "" : run.error().reason;
+  const Mapper mapper(mechanism, *plan, drivers, run);
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    found.contacts.push_back(mapper.map(static_cast<int>(i)));
+  }
+  return found;
+}
+
+}  // namespace higherpair

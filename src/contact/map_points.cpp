@@ -1,0 +1,74 @@
+#include "map_points.hpp"
+
+#include "higherpair/contact/separation.hpp"
+#include "map_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+// Whether the interiors of the bodies are disjoint; the line between two convex ones parts them.
+bool is_free(const ContactPair& pair, bool opposed, const ContactPosition& at, double tolerance) {
+  if (!opposed) {
+    return false;
+  }
+  const bool outside1 = pair.curve1.side == Side::kOutside;
+  const bool outside2 = pair.curve2.side == Side::kOutside;
+  const bool point = pair.curve1.kind == CurveKind::kPoint || pair.curve2.kind == CurveKind::kPoint;
+  if (point || (!outside1 && !outside2)) {
+    return true;
+  }
+  if ((outside1 && outside2) || !is_conic(pair.curve1) || !is_conic(pair.curve2)) {
+    return false;
+  }
+  const double radii = std::abs(at.rho1) + std::abs(at.rho2);
+  // One is convex, the other concave: κ1 + κ2 >= 0 iff (ρ1 + ρ2) ρ1 ρ2 >= 0.
+  if ((at.rho1 + at.rho2) * at.rho1 * at.rho2 < -1e-12 * radii * radii * radii) {
+    return false;
+  }
+  const Separation apart = separation(pair.curve1, pose_at(pair.motion1, at.u), pair.curve2,
+                                      pose_at(pair.motion2, at.q), tolerance / 100);
+  return apart.gap >= -tolerance;
+}
+
+double tolerance_of(const ContactPair& pair, const MapRange& range) {
+  const double size = (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
+                      (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
+                      std::min(pair.curve1.semi_latus, pair.curve2.semi_latus);
+  return range.tolerance * size;
+}
+
+std::optional<ContactTrack> track_of(const ContactPair& pair, const MapBranch& branch, const MapPoint& from) {
+  const ContactPair facing = branch.opposed ? pair : with_other_side(pair);
+  const int sense = from.n_W.dot(velocity_per_q(pair.motion2, from.p_W)) > 0 ? 1 : -1;
+  const ContactResult result = solve_contact(facing, from.u, from.q, from.n_W, sense);
+  if (result.status != ContactStatus::kOk) {
+    return std::nullopt;
+  }
+  return start_track(facing, result.at, sense);
+}
+
+}  // namespace
+
+MapPoint point_of(const ContactPair& pair, const MapRange& range, bool opposed, const ContactPosition& at) {
+  MapPoint point;
+  point.u = at.u;
+  point.q = at.q;
+  point.p_W = at.p1_W;
+  point.n_W = at.n_W;
+  point.free = is_free(pair, opposed, at, tolerance_of(pair, range));
+  return point;
+}
+
+std::optional<MapPoint> followed(const ContactPair& pair, const MapRange& range, const MapBranch& branch,
+                                 const MapPoint& from, double u) {
+  auto track = track_of(pair, branch, from);
+  if (!track || !walk_to(*track, u, false)) {
+    return std::nullopt;
+  }
+  return point_of(pair, range, branch.opposed, track->at);
+}
+
+}  // namespace higherpair

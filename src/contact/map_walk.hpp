@@ -1,0 +1,59 @@
+#pragma once
+
+#include "contact_points.hpp"
+#include "inner_step.hpp"
+
+#include <cmath>
+
+namespace higherpair {
+
+// Whether two contacts may lie on one smooth branch: at a cusp κ1 + κ2 changes its sign, and only there.
+[[nodiscard]] inline bool same_curvature(const ContactPair& pair, const ContactPosition& a,
+                                         const ContactPosition& b) {
+  const bool lines = is_line(pair.curve1) || is_line(pair.curve2);
+  return lines || (a.rho1 + a.rho2 > 0) == (b.rho1 + b.rho2 > 0);
+}
+
+// Whether the normal has turned as predicted, to a share of the step's change.
+[[nodiscard]] inline bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
+  const double turn = h * (track.at.dphi + h / 2 * track.d2phi);
+  const Vector2d predicted = predicted_turn(turn) * track.at.n_W;
+  return (step.result.at.n_W - predicted).norm() <= share * step.change + 1e-9;
+}
+
+/// Follows a contact to the driver coordinate u, within a range in which it is known to be smooth: nothing is
+/// looked for on the way, and nothing jumped over. False where it cannot be followed; the track then stands
+/// where it was last. \param may_cross  branches may cross on the way: ∂gap/∂q may change its sign
+[[nodiscard]] inline bool walk_to(ContactTrack& track, double u, bool may_cross) {
+  constexpr double kAgreement = 0.1;
+  constexpr double kCrossingAgreement = 0.03;
+  constexpr double kSmallest = 1e-14;  // step, of the driver's unit
+  const double unit = unit_of(track.pair.motion1, track);
+  const double largest = kMaxTurn * unit;
+  double h = largest;
+  while (track.at.u != u) {
+    const double rest = u - track.at.u;
+    const bool last = std::abs(rest) <= h;
+    const double length = last ? rest : std::copysign(h, rest);
+    const bool crosses = may_cross && (track.at.gap_q + gap_q_rate(track) * length) * track.at.gap_q < 0;
+    const int branch = crosses ? -track.branch : track.branch;
+    const double agreement = crosses ? kCrossingAgreement : kAgreement;
+    const Step step = try_step(track, length, branch);
+    if (agrees(step, agreement) && normal_agrees(track, step, length, agreement) &&
+        same_curvature(track.pair, track.at, step.result.at)) {
+      accept(track, step.result.at, branch);
+      h = std::min(2 * h, largest);
+      if (last) {
+        track.at.u = u;
+      }
+      continue;
+    }
+    h = std::abs(length) / 2;
+    if (h < kSmallest * (unit + std::abs(u))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace higherpair

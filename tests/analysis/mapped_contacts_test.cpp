@@ -1,0 +1,76 @@
+#include "higherpair/analysis/mapped_contacts.hpp"
+
+#include "analysis/mechanism_builder.hpp"
+#include "higherpair/contact/contact_map.hpp"
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using testing::Builder;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A disc on a crank pushes the disc of an arm; the crank is driven.
+struct Pair {
+  Builder builder;
+  int crank = builder.body("crank", {0, 0}, 0.2);
+  int arm = builder.body("arm", {0.08, 0}, 2.5);
+
+  explicit Pair(bool crank_second = true) {
+    const int pivot = crank_second ? builder.revolute(0, crank, {0, 0}) : builder.revolute(crank, 0, {0, 0});
+    (void)builder.revolute(0, arm, {0.08, 0});
+    builder.mechanism.drivers.push_back({"", pivot});
+    const Vector2d c1(0.01, 0);
+    const Vector2d c2 = c1 + 0.035 * unit_vector(1.1);
+    builder.contact(builder.circle(crank, c1, 0.02), builder.circle(arm, c2, 0.015));
+  }
+};
+
+TEST(MappedContacts, StandWhereTheMechanismStands) {
+  const Pair pair;
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2});
+  ASSERT_TRUE(mapped);
+  EXPECT_THAT(mapped->not_started, IsEmpty());
+  const MappedContact& contact = mapped->contacts.at(0);
+  ASSERT_THAT(contact.refusal, IsEmpty());
+  EXPECT_EQ(contact.known.body, pair.crank);
+  EXPECT_EQ(contact.follower.body, pair.arm);
+  EXPECT_EQ(contact.driver, 0);
+  EXPECT_NEAR(contact.u, 0.2, 1e-15);
+  EXPECT_NEAR(contact.q.value(), 2.5, 1e-14);
+  EXPECT_NEAR((contact.n_W - unit_vector(1.1)).norm(), 0, 1e-14);
+  MapRange range;
+  range.start = contact.u;
+  const ContactMap map = map_contacts(contact.pair, range);
+  EXPECT_TRUE(branch_of(map, contact.u, *contact.q, contact.n_W));
+}
+
+TEST(MappedContacts, TakeTheDriversSignFromItsJoint) {
+  const Pair pair(false);
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {-0.2});
+  ASSERT_TRUE(mapped);
+  EXPECT_EQ(mapped->contacts.at(0).known.sign, -1);
+  EXPECT_NEAR(mapped->contacts.at(0).u, 0.2, 1e-15);
+}
+
+TEST(MappedContacts, OfRollingBodiesAreRefused) {
+  Pair pair;
+  pair.builder.mechanism.contacts.front().rolling = true;
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2});
+  ASSERT_TRUE(mapped);
+  EXPECT_THAT(mapped->contacts.at(0).refusal, HasSubstr("rolls"));
+}
+
+TEST(MappedContacts, OfAMechanismThatLacksADriverSayWhatIsMissing) {
+  Pair pair;
+  const int loose = pair.builder.body("loose", {0.3, 0}, 0);
+  (void)pair.builder.revolute(0, loose, {0.3, 0});
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2});
+  ASSERT_FALSE(mapped);
+  EXPECT_THAT(mapped.error(), HasSubstr("driver"));
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <sys/wait.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Answer {
+  std::string text;  ///< standard output and error
+  int code = 0;
+};
+
+Answer map_of(const std::string& arguments) {
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " map " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Answer answer;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
+    answer.text += static_cast<char>(c);
+  }
+  answer.code = WEXITSTATUS(pclose(pipe));
+  return answer;
+}
+
+std::string profile(const std::string& name) {
+  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
+}
+
+nlohmann::json json_of(const std::string& arguments) {
+  const Answer answer = map_of(arguments + " --json -");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  return nlohmann::json::parse(answer.text);
+}
+
+TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
+  const auto json = json_of(profile("lock_up.toml"));
+  const nlohmann::json& contact = json.at("contacts").at(0);
+  EXPECT_TRUE(contact.at("complete").get<bool>());
+  const nlohmann::json& own = contact.at("own");
+  const nlohmann::json& branch = contact.at("branches").at(own.at("branch").get<std::size_t>() - 1);
+  // |O2 - C1| = 75 mm, as `analyze` reports it.
+  EXPECT_NEAR(branch.at("begin").at("driver").get<double>(), -65.83442067466342, 1e-12);
+  EXPECT_NEAR(branch.at("end").at("driver").get<double>(), 65.83442067466342, 1e-12);
+  EXPECT_EQ(branch.at("end").at("type"), "fold");
+  EXPECT_EQ(branch.at("end").at("other"), own.at("neighbour").at("branch"));
+  EXPECT_EQ(own.at("nearest").at("distance"), 0.0);
+  EXPECT_EQ(own.at("driver"), 0.0);
+}
+
+TEST(Map, HoldsTheFlatFacedFollowersClosedForm) {
+  const auto json = json_of(profile("flat_faced_translating.toml") + " --samples 13");
+  ASSERT_EQ(json.at("rows").size(), 26U);
+  EXPECT_EQ(json.at("columns").size(), json.at("rows").at(0).size());
+  for (const auto& row : json.at("rows")) {
+    // Eccentricity 8, radius 20.
+    const double lift = 8 * std::sin(row.at(2).get<double>() * std::acos(-1) / 180);
+    EXPECT_NEAR(row.at(3).get<double>(), lift + (row.at(7).get<bool>() ? 20 : -20), 1e-12);
+  }
+}
+
+TEST(Map, AsCsvHasAHeadWithUnitsAndOneRowASample) {
+  const Answer answer = map_of(profile("flat_faced_translating.toml") + " --samples 5 --csv -");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(
+      answer.text,
+      StartsWith("contact,branch,driver[deg],position[mm],x[mm],y[mm],normal[deg],opposed,free\ntouch,1,0,"));
+  EXPECT_EQ(std::count(answer.text.begin(), answer.text.end(), '\n'), 11);
+}
+
+TEST(Map, TakesAsManyRowsAsTheProfile) {
+  const auto json = json_of(profile("flat_faced_translating.toml") + " --set driver.samples=9");
+  EXPECT_EQ(json.at("rows").size(), 18U);
+}
+
+TEST(Map, AsTextSaysWhichBranchTheMechanismIsOn) {
+  const Answer answer = map_of(profile("lock_up.toml"));
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.text, HasSubstr("contact touch: 6 branches, cam_pivot from 0 to 360 deg"));
+  EXPECT_THAT(answer.text, HasSubstr("* the mechanism is on branch"));
+  EXPECT_THAT(answer.text,
+              HasSubstr("the driver can go back by 65.8344206747 deg and on by 65.8344206747 deg"));
+}
+
+TEST(Map, OfAChainHasEveryContactOverItsOwnKnownBody) {
+  const auto json = json_of(profile("cam_chain.toml") + " --samples 7");
+  ASSERT_EQ(json.at("contacts").size(), 2U);
+  EXPECT_EQ(json.at("contacts").at(0).at("driver").at("joint"), "cam_pivot");
+  EXPECT_EQ(json.at("contacts").at(1).at("driver").at("joint"), "arm_pivot");
+  // The second contact's driver stands where the first has put it.
+  EXPECT_EQ(json.at("contacts").at(1).at("own").at("driver"),
+            json.at("contacts").at(0).at("own").at("position"));
+}
+
+TEST(Map, MarksTheSecondContactsOfAnOvalInARing) {
+  const auto json = json_of(profile("oval_in_ring.toml"));
+  const nlohmann::json& contact = json.at("contacts").at(0);
+  const auto own = contact.at("own").at("branch").get<std::size_t>();
+  const nlohmann::json& marks = contact.at("branches").at(own - 1).at("second_contacts");
+  ASSERT_EQ(marks.size(), 2U);
+  // The event second_contact of `analyze`.
+  EXPECT_NEAR(marks.at(1).at("driver").get<double>(), 99.39339667515178, 1e-11);
+}
+
+TEST(Map, IsRefusedWhereNoContactHasOne) {
+  const Answer rolling = map_of(profile("rolling_ellipses.toml"));
+  EXPECT_EQ(rolling.code, 3);
+  EXPECT_THAT(rolling.text, HasSubstr("contacts.roll: it rolls"));
+  const Answer linkage = map_of(profile("four_bar.toml"));
+  EXPECT_EQ(linkage.code, 3);
+  EXPECT_THAT(linkage.text, HasSubstr("the mechanism has no contact to map"));
+  const Answer coupled = map_of(profile("roller_body.toml"));
+  EXPECT_EQ(coupled.code, 3);
+  EXPECT_THAT(coupled.text, HasSubstr("solved together"));
+}
+
+TEST(Map, SaysWhyADistanceThatNeverChangesHasNone) {
+  const Answer answer =
+      map_of(profile("lock_up.toml") + " --set bodies.follower.curves.disc.center='[0,0]' --json -");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.text, HasSubstr("joint does not change their distance"));
+}
+
+TEST(Map, OfAMechanismThatCannotStartIsDrawnAllTheSame) {
+  const Answer answer = map_of(profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.text, HasSubstr("the mechanism stands on no branch"));
+  EXPECT_EQ(map_of(profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null --quiet").text, "");
+}
+
+TEST(Map, RefusesWrongOptionsAndFiles) {
+  EXPECT_EQ(map_of(profile("lock_up.toml") + " --samples 1").code, 2);
+  EXPECT_EQ(map_of(profile("lock_up.toml") + " --tolerance -1").code, 2);
+  EXPECT_EQ(map_of("no_such_file.toml").code, 2);
+  EXPECT_EQ(map_of(profile("lock_up.toml") + " --csv /no/such/folder/map.csv").code, 1);
+}
+
+}  // namespace

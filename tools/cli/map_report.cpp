@@ -1,0 +1,169 @@
+#include "map_report.hpp"
+
+#include "higherpair/io/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair::cli {
+namespace {
+
+double plus_zero(double value) {
+  return value == 0 ? 0.0 : value;
+}
+
+// From the coordinates of the pair to those of the joints.
+class Converter {
+public:
+  Converter(const Profile& profile, const MappedContact& mapped)
+      : mapped_(mapped),
+        length_(from_si(dimension::kLength, profile.units)),
+        angle_(from_si(dimension::kAngle, profile.units)),
+        of_driver_(mapped.pair.motion1.turns ? angle_ : length_),
+        of_follower_(mapped.pair.motion2.turns ? angle_ : length_) {}
+
+  [[nodiscard]] double driver(double u) const { return plus_zero(of_driver_.apply(mapped_.known.sign * u)); }
+  [[nodiscard]] double position(double q) const {
+    return plus_zero(of_follower_.apply(mapped_.follower.sign * q));
+  }
+  [[nodiscard]] double distance(double q) const { return of_follower_.apply(q); }
+  [[nodiscard]] bool reverses() const { return mapped_.known.sign < 0; }
+
+  // \param turn  added to q  \param phi  angle that the normal is to be near
+  [[nodiscard]] MapRow row(const MapPoint& point, bool opposed, double turn, double& phi) const {
+    const bool reversed = !mapped_.known_is_first && opposed;
+    phi = nearest_turn(angle_of(reversed ? Vector2d(-point.n_W) : point.n_W), phi);
+    MapRow row;
+    row.driver = driver(point.u);
+    row.position = position(point.q + turn);
+    row.x = plus_zero(length_.apply(point.p_W.x()));
+    row.y = plus_zero(length_.apply(point.p_W.y()));
+    row.normal = plus_zero(angle_.apply(phi));
+    row.free = point.free;
+    return row;
+  }
+
+private:
+  const MappedContact& mapped_;
+  Scaling length_, angle_, of_driver_, of_follower_;
+};
+
+// Whole turns that bring a branch nearest to the pose, at its point nearest to the start.
+double turn_of(const MapBranch& branch, const MappedContact& mapped) {
+  if (!mapped.pair.motion2.turns || branch.points.empty()) {
+    return 0;
+  }
+  const auto nearest =
+      std::min_element(branch.points.begin(), branch.points.end(), [&](const MapPoint& a, const MapPoint& b) {
+        return std::abs(a.u - mapped.u) < std::abs(b.u - mapped.u);
+      });
+  return nearest_turn(nearest->q, mapped.q.value_or(mapped.posed)) - nearest->q;
+}
+
+MapEndReport end_of(const MapEnd& end, const Converter& convert, double turn) {
+  MapEndReport report;
+  report.type = name_of(end.type);
+  report.driver = convert.driver(end.u);
+  report.position = convert.position(end.q + turn);
+  if (end.other >= 0) {
+    report.other = end.other + 1;
+  }
+  return report;
+}
+
+MapBranchReport branch_of(const MapBranch& branch, const MappedContact& mapped, const Converter& convert) {
+  const double turn = turn_of(branch, mapped);
+  MapBranchReport report;
+  report.opposed = branch.opposed;
+  report.turns = branch.turns;
+  report.begin = end_of(branch.begin, convert, turn);
+  report.end = end_of(branch.end, convert, turn);
+  const auto add = [&](const std::vector<MapPoint>& points, std::vector<MapRow>& rows) {
+    double phi = 0;
+    for (const MapPoint& point : points) {
+      rows.push_back(convert.row(point, branch.opposed, turn, phi));
+    }
+    if (convert.reverses()) {
+      std::reverse(rows.begin(), rows.end());
+    }
+  };
+  add(branch.points, report.rows);
+  add(branch.free_changes, report.free_changes);
+  add(branch.extremes, report.extremes);
+  if (convert.reverses()) {
+    std::swap(report.begin, report.end);
+  }
+  return report;
+}
+
+MapEventReport event_of(const MapEvent& event, const Converter& convert) {
+  MapEventReport report;
+  const bool fold = event.at.type == CriticalType::kFold;
+  report.type = fold ? "fold" : event.at.type == CriticalType::kCrossing ? "crossing" : "conforming";
+  double phi = 0;
+  report.at = convert.row({event.at.u, event.at.q, event.at.p_W, event.at.n_W, false, std::nullopt},
+                          event.at.opposed, 0, phi);
+  report.opposed = event.at.opposed;
+  for (const int branch : event.branches) {
+    report.branches.push_back(branch + 1);
+  }
+  return report;
+}
+
+std::optional<NeighbourReport> neighbour_of(const std::optional<Neighbour>& found, const Converter& convert) {
+  if (!found) {
+    return std::nullopt;
+  }
+  return NeighbourReport{found->branch + 1, convert.driver(found->u), convert.distance(found->distance)};
+}
+
+std::optional<OwnBranch> own_of(const ContactMap& map, const MappedContact& mapped,
+                                const Converter& convert) {
+  if (!mapped.q) {
+    return std::nullopt;
+  }
+  const auto branch = higherpair::branch_of(map, mapped.u, *mapped.q, mapped.n_W);
+  if (!branch) {
+    return std::nullopt;
+  }
+  OwnBranch own;
+  own.branch = *branch + 1;
+  own.driver = convert.driver(mapped.u);
+  own.position = convert.position(*mapped.q);
+  own.at_start = neighbour_of(neighbour_at(map, *branch, mapped.u), convert);
+  own.nearest = neighbour_of(nearest_neighbour(map, *branch), convert);
+  return own;
+}
+
+}  // namespace
+
+ContactMapReport map_report(const Profile& profile, const MappedContact& mapped, const ContactMap& map) {
+  const Mechanism& mechanism = profile.mechanism;
+  const Converter convert(profile, mapped);
+  const auto unit = [&](bool turns) {
+    return unit_text(turns ? dimension::kAngle : dimension::kLength, profile.units);
+  };
+  ContactMapReport report;
+  report.contact = mechanism.contacts[static_cast<std::size_t>(mapped.contact)].name;
+  report.driver_joint = mechanism.joints[static_cast<std::size_t>(mapped.known_joint)].name;
+  report.position_joint = mechanism.joints[static_cast<std::size_t>(mapped.follower_joint)].name;
+  report.driver_unit = unit(mapped.pair.motion1.turns);
+  report.position_unit = unit(mapped.pair.motion2.turns);
+  report.start = convert.driver(map.range.start);
+  report.end = convert.driver(mapped.pair.motion1.turns ? map.range.start + 2 * kPi : map.range.end);
+  report.complete = map.complete;
+  if (map.status != MapStatus::kOk) {
+    report.refusal = describe(map.status);
+    return report;
+  }
+  for (const MapBranch& branch : map.branches) {
+    report.branches.push_back(branch_of(branch, mapped, convert));
+  }
+  for (const MapEvent& event : map.events) {
+    report.events.push_back(event_of(event, convert));
+  }
+  report.own = own_of(map, mapped, convert);
+  return report;
+}
+
+}  // namespace higherpair::cli

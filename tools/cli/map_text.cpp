@@ -1,0 +1,143 @@
+#include "map_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+std::string head(const std::string& name, const std::string& unit) {
+  return name + " [" + unit + "]";
+}
+
+// 12 digits, and 0 where only the rounding of a unit is left.
+std::string number(double value) {
+  return fmt::format("{:.12g}", std::abs(value) < 1e-13 ? 0.0 : value);
+}
+
+std::string free_word(const MapBranchReport& branch) {
+  const auto free = [](const MapRow& row) { return row.free; };
+  if (std::all_of(branch.rows.begin(), branch.rows.end(), free)) {
+    return "yes";
+  }
+  return std::any_of(branch.rows.begin(), branch.rows.end(), free) ? "partly" : "no";
+}
+
+std::string end_word(const MapEndReport& end, int turns) {
+  if (end.type == "closed") {
+    return turns == 1 ? "closed" : fmt::format("closed, {} turns", turns);
+  }
+  return end.other ? fmt::format("{} with {}", end.type, *end.other) : end.type;
+}
+
+std::string branches_table(const ContactMapReport& contact) {
+  std::string text = fmt::format("\n{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}free\n", "branch",
+                                 "from [" + contact.driver_unit + "]", "", "to [" + contact.driver_unit + "]",
+                                 "", "opposed");
+  for (std::size_t i = 0; i < contact.branches.size(); ++i) {
+    const MapBranchReport& branch = contact.branches[i];
+    const int index = static_cast<int>(i) + 1;
+    const bool own = contact.own && contact.own->branch == index;
+    text += fmt::format("{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}{}\n",
+                        (own ? "* " : "") + std::to_string(index), number(branch.begin.driver),
+                        end_word(branch.begin, branch.turns), number(branch.end.driver),
+                        end_word(branch.end, branch.turns), branch.opposed ? "yes" : "no", free_word(branch));
+  }
+  return text;
+}
+
+std::string list_of(const std::vector<int>& branches) {
+  std::string text;
+  for (const int branch : branches) {
+    text += (text.empty() ? "" : ", ") + std::to_string(branch);
+  }
+  return text.empty() ? "-" : text;
+}
+
+std::string events_table(const ContactMapReport& contact, const MapReport& report) {
+  if (contact.events.empty()) {
+    return "\nno folds: the driver can go round on every branch\n";
+  }
+  std::string text =
+      fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", "at [" + contact.driver_unit + "]",
+                  head(contact.position_joint, contact.position_unit), head("x", report.length_unit),
+                  head("y", report.length_unit), "opposed");
+  for (const MapEventReport& event : contact.events) {
+    text += fmt::format("{:<12}{:>22}{:>26}{:>16.8g}{:>16.8g}  {:<9}{}\n", event.type,
+                        number(event.at.driver), number(event.at.position), event.at.x, event.at.y,
+                        event.opposed ? "yes" : "no", list_of(event.branches));
+  }
+  return text;
+}
+
+// Where second contacts appear, and where the follower turns back.
+std::string marks_text(const ContactMapReport& contact) {
+  std::string text;
+  for (std::size_t i = 0; i < contact.branches.size(); ++i) {
+    const MapBranchReport& branch = contact.branches[i];
+    for (const MapRow& row : branch.free_changes) {
+      text += fmt::format("branch {}: a second contact of the two bodies at {} {}\n", i + 1,
+                          number(row.driver), contact.driver_unit);
+    }
+    if (!branch.opposed) {
+      continue;
+    }
+    for (const MapRow& row : branch.extremes) {
+      text +=
+          fmt::format("branch {}: the follower turns back at {} {}, standing at {} {}\n", i + 1,
+                      number(row.driver), contact.driver_unit, number(row.position), contact.position_unit);
+    }
+  }
+  return text.empty() ? text : "\n" + text;
+}
+
+std::string neighbour_text(const NeighbourReport& near, const ContactMapReport& contact) {
+  return fmt::format("branch {}, {} {} away", near.branch, number(near.distance), contact.position_unit);
+}
+
+std::string own_text(const ContactMapReport& contact) {
+  if (!contact.own) {
+    return "\nthe mechanism is on none of these branches\n";
+  }
+  const OwnBranch& own = *contact.own;
+  const MapBranchReport& branch = contact.branches[static_cast<std::size_t>(own.branch - 1)];
+  std::string text = fmt::format("\n* the mechanism is on branch {}, at {} {} with {} = {} {}\n", own.branch,
+                                 number(own.driver), contact.driver_unit, contact.position_joint,
+                                 number(own.position), contact.position_unit);
+  if (branch.turns == 0) {
+    text += fmt::format("  the driver can go back by {} {} and on by {} {}\n",
+                        number(own.driver - branch.begin.driver), contact.driver_unit,
+                        number(branch.end.driver - own.driver), contact.driver_unit);
+  }
+  if (!own.at_start || !own.nearest) {
+    return text + "  no other opposed contact shares a driver position with it\n";
+  }
+  text += "  next to it there: " + neighbour_text(*own.at_start, contact) + "\n";
+  return text + fmt::format("  nearest to it: {}, at {} {}\n", neighbour_text(*own.nearest, contact),
+                            number(own.nearest->driver), contact.driver_unit);
+}
+
+}  // namespace
+
+std::string map_text(const MapReport& report) {
+  std::string text = report.title.empty() ? "" : report.title + "\n";
+  for (const ContactMapReport& contact : report.contacts) {
+    if (!contact.refusal.empty()) {
+      text += fmt::format("\ncontact {}: no map: {}\n", contact.contact, contact.refusal);
+      continue;
+    }
+    text +=
+        fmt::format("\ncontact {}: {} {}, {} from {} to {} {}\n", contact.contact, contact.branches.size(),
+                    contact.branches.size() == 1 ? "branch" : "branches", contact.driver_joint,
+                    number(contact.start), number(contact.end), contact.driver_unit);
+    if (!contact.complete) {
+      text += "not every branch could be followed to its end: the map is not complete\n";
+    }
+    text += branches_table(contact) + events_table(contact, report) + marks_text(contact) + own_text(contact);
+  }
+  return text;
+}
+
+}  // namespace higherpair::cli
