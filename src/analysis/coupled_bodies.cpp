@@ -169,7 +169,7 @@ void hold_angles(const std::vector<int>& held, const State& from, const State& t
   }
 }
 
-Eigen::VectorXd column_of(const std::vector<ConstraintRow>& rows, double ConstraintRow::* member) {
+Eigen::VectorXd column_of(const std::vector<ConstraintRow>& rows, double ConstraintRow::*member) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     values(static_cast<Eigen::Index>(i)) = rows[i].*member;
@@ -228,8 +228,9 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
     if (length == 0 || (length < 1e-9 && length >= last / 2)) {
       to.groups[g].sine = solver.determinant();
       to.groups[g].noise = 1e-14;
-      return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk
-                                                                  : GroupStatus::kOutOfReach;
+      return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size
+                 ? GroupStatus::kOk
+                 : GroupStatus::kOutOfReach;
     }
     last = length;
     step *= std::min(1.0, kMaxStep / length);

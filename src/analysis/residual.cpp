@@ -88,10 +88,9 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
   errors.compare((v + v1).squaredNorm());
   const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
   const double along_normal = v.dot(motion.at.n_W);
-  errors.add((motion.at.p2_W - motion.at.p1_W).squaredNorm(),
-             !rates            ? 0
-             : contact.rolling ? v.squaredNorm()
-                               : square(along_normal));
+  errors.add((motion.at.p2_W - motion.at.p1_W).squaredNorm(), !rates            ? 0
+                                                              : contact.rolling ? v.squaredNorm()
+                                                                                : square(along_normal));
 }
 
 }  // namespace
@@ -104,8 +103,7 @@ double residual_of(const Run& run) {
   for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
     add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
   }
-  const double scaled2 =
-      errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan.size) : 0;
+  const double scaled2 = errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan.size) : 0;
   return std::sqrt(errors.distance2 >= scaled2 ? errors.distance2 : scaled2);
 }
 

@@ -141,8 +141,8 @@ void ContactWatch::look_between(const Run& run, const std::vector<DriverMotion>&
   }
 }
 
-void ContactWatch::look_at(const Run& run, const std::vector<DriverMotion>& drivers, InverseDynamics& dynamics,
-                           const Reactions& reactions) {
+void ContactWatch::look_at(const Run& run, const std::vector<DriverMotion>& drivers,
+                           InverseDynamics& dynamics, const Reactions& reactions) {
   for (std::size_t i = 0; i < reactions.contacts.size(); ++i) {
     const ContactReaction& contact = reactions.contacts[i];
     if (contact.pulls && !pulled_before_[i]) {

@@ -81,10 +81,9 @@ TEST_F(Program, ReportsTheLimitPositionsToTheLastDigits) {
 
 // The driver starts with 60 deg/s and speeds up with 20 deg/s²: t = (√(3600 + 40 θ) - 60)/20, θ in degrees.
 TEST_F(Program, TellsTheTimeOfEventsBetweenTheRowsOfAStep) {
-  const Outcome outcome =
-      run("step " + profile("lock_up.toml") +
-          " --set driver.velocity=60 --set driver.acceleration=20 --set driver.duration=4"
-          " --set driver.time_step=0.07 --json -");
+  const Outcome outcome = run("step " + profile("lock_up.toml") +
+                              " --set driver.velocity=60 --set driver.acceleration=20 --set driver.duration=4"
+                              " --set driver.time_step=0.07 --json -");
   EXPECT_EQ(outcome.code, 4) << outcome.err;
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
   int limits = 0;

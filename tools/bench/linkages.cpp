@@ -71,8 +71,8 @@ void check_sixbar_forces(const SixBarByHand& bar, const SixBarByHand::Motion& ha
   static const char* const kNames[] = {"A", "B", "C", "E", "H", "D", "F"};
   for (std::size_t i = 0; i < forces.pins.size(); ++i) {
     const auto& joints = run.mechanism.joints;
-    const auto found =
-        std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == kNames[i]; });
+    const auto found = std::find_if(joints.begin(), joints.end(),
+                                    [&](const Joint& joint) { return joint.name == kNames[i]; });
     require(found != joints.end(), "no such pin");
     const JointReaction& pin = reactions.joints[static_cast<std::size_t>(found - joints.begin())];
     require((Vector2d(pin.fx.value(), pin.fy.value()) - forces.pins[i]).norm() <= 1e-9,

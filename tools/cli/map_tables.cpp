@@ -1,31 +1,20 @@
 #include "map_report.hpp"
-
-#include <algorithm>
+#include "unit_columns.hpp"
 
 #include <fmt/format.h>
 
 namespace higherpair::cli {
 namespace {
 
-// The units of one coordinate over all contacts: each has a column of its own.
-std::vector<std::string> units_of(const MapReport& report, std::string ContactMapReport::*unit) {
+// The columns of one coordinate over all contacts.
+UnitColumns columns_of(const MapReport& report, std::string ContactMapReport::*unit) {
   std::vector<std::string> units;
   for (const ContactMapReport& contact : report.contacts) {
-    const bool known = std::find(units.begin(), units.end(), contact.*unit) != units.end();
-    if (contact.refusal.empty() && !known) {
+    if (contact.refusal.empty()) {
       units.push_back(contact.*unit);
     }
   }
-  return units;
-}
-
-// The value in the column of its unit; the others are empty.
-std::string in_columns(const std::vector<std::string>& units, const std::string& unit, double value) {
-  std::string text;
-  for (const std::string& column : units) {
-    text += ',' + (column == unit ? fmt::format("{}", value) : "");
-  }
-  return text;
+  return UnitColumns(units);
 }
 
 using Json = nlohmann::ordered_json;
@@ -110,24 +99,19 @@ Json json_of(const ContactMapReport& contact) {
 }  // namespace
 
 std::string map_csv(const MapReport& report) {
-  const auto driver_units = units_of(report, &ContactMapReport::driver_unit);
-  const auto position_units = units_of(report, &ContactMapReport::position_unit);
-  std::string text = "contact,branch";
-  for (const std::string& unit : driver_units) {
-    text += ",driver[" + unit + "]";
-  }
-  for (const std::string& unit : position_units) {
-    text += ",position[" + unit + "]";
-  }
-  text += fmt::format(",x[{0}],y[{0}],normal[{1}],opposed,free\n", report.length_unit, report.angle_unit);
+  const UnitColumns drivers = columns_of(report, &ContactMapReport::driver_unit);
+  const UnitColumns positions = columns_of(report, &ContactMapReport::position_unit);
+  std::string text =
+      "contact,branch" + drivers.heads("driver") + positions.heads("position") +
+      fmt::format(",x[{0}],y[{0}],normal[{1}],opposed,free\n", report.length_unit, report.angle_unit);
   for (const ContactMapReport& contact : report.contacts) {
     for (std::size_t i = 0; i < contact.branches.size(); ++i) {
       const MapBranchReport& branch = contact.branches[i];
       for (const MapRow& row : branch.rows) {
         text += fmt::format("{},{}{}{},{},{},{},{},{}\n", contact.contact, i + 1,
-                            in_columns(driver_units, contact.driver_unit, row.driver),
-                            in_columns(position_units, contact.position_unit, row.position), row.x, row.y,
-                            row.normal, branch.opposed, row.free);
+                            drivers.cells(contact.driver_unit, row.driver),
+                            positions.cells(contact.position_unit, row.position), row.x, row.y, row.normal,
+                            branch.opposed, row.free);
       }
     }
   }

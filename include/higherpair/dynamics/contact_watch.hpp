@@ -20,8 +20,8 @@ struct ContactOpening {
   double driver = 0;  ///< coordinate of the first driven joint [rad or m]
 };
 
-/// What one preload would have to be for a contact to press at all positions seen: the contact force is linear
-/// in it, so that every position bounds it from one side.
+/// What one preload would have to be for a contact to press at all positions seen: the contact force is
+/// linear in it, so that every position bounds it from one side.
 struct PreloadNeed {
   std::size_t contact = 0;
   Preload preload;
