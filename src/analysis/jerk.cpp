@@ -55,6 +55,16 @@ Conditions conditions_of(const Run& run, const Group& group, ContactShape shape)
     append_driver_row(mechanism, joint, 0, 0, 0, bodies, size, conditions.rows);
     append_driver_jerk_term(mechanism, joint, bodies, conditions.deltas);
   }
+  // A body whose turning nothing sets keeps its angle.
+  for (const int body : run.plan.idle_bodies) {
+    if (std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end()) {
+      ConstraintRow hold;
+      hold.body = {0, body, 0};
+      hold.coefficient[1].z() = size;
+      conditions.rows.push_back(hold);
+      conditions.deltas.push_back(0);
+    }
+  }
   conditions.along_tangent.resize(conditions.rows.size(), false);
   return conditions;
 }

@@ -1,4 +1,5 @@
 #include "branches_command.hpp"
+#include "higherpair/analysis/derivatives.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
 #include "run_command.hpp"
@@ -33,6 +34,10 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
   command->add_flag("--quiet", options.quiet, "no events and no progress on standard error");
   command->add_flag("--jerk", options.jerk,
                     "columns of the true jerk, and of that of the frozen equivalent linkage");
+  command
+      ->add_option("--derivatives", options.derivatives,
+                   "columns of all time derivatives of bodies and points from the third to this one")
+      ->check(CLI::Range(3, higherpair::kHighestDerivative));
   command->add_flag("--summary", options.summary, "print the range of every column on standard output");
   return command;
 }

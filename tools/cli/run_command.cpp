@@ -1,6 +1,7 @@
 #include "run_command.hpp"
 
 #include "force_rows.hpp"
+#include "higherpair/io/derivative_table.hpp"
 #include "higherpair/io/jerk_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "progress.hpp"
@@ -120,7 +121,18 @@ struct Tables {
   MotionTable motion;
   std::optional<ForceRows> forces;
   std::optional<JerkTable> jerk;
+  std::optional<DerivativeTable> derivatives;
   std::vector<Column> columns;
+
+  // The cells of a row, valid until the next call.
+  const std::vector<Cell>& cells(const Run& run, const std::vector<DriverState>& states,
+                                 const std::vector<DriverMotion>& motions, double time,
+                                 std::vector<Event>& events) {
+    const std::vector<Cell>* cells = &motion.cells(run.row, states, time);
+    cells = forces ? &forces->row(run, motions, *cells, events) : cells;
+    cells = jerk ? &jerk->behind(*cells, run) : cells;
+    return derivatives ? derivatives->behind(*cells, run, motions) : *cells;
+  }
 
   [[nodiscard]] std::size_t status_column() const {
     const auto found = std::find_if(columns.begin(), columns.end(),
@@ -135,7 +147,7 @@ tl::expected<Tables, Diagnostics> make_tables(const RunOptions& options, const P
   if (!motion) {
     return tl::unexpected(Diagnostics{about(options.profile, motion.error())});
   }
-  Tables tables{*std::move(motion), std::nullopt, std::nullopt, {}};
+  Tables tables{*std::move(motion), std::nullopt, std::nullopt, std::nullopt, {}};
   tables.columns = tables.motion.columns();
   if (options.forces) {
     auto forces = ForceTable::make(profile, tables.columns);
@@ -148,6 +160,11 @@ tl::expected<Tables, Diagnostics> make_tables(const RunOptions& options, const P
   if (options.jerk) {
     tables.jerk.emplace(profile, run.plan);
     tables.columns.insert(tables.columns.end(), tables.jerk->columns().begin(), tables.jerk->columns().end());
+  }
+  if (options.derivatives) {
+    tables.derivatives.emplace(profile, *options.derivatives);
+    const std::vector<Column>& columns = tables.derivatives->columns();
+    tables.columns.insert(tables.columns.end(), columns.begin(), columns.end());
   }
   return tables;
 }
@@ -201,9 +218,7 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
       events.push_back(printed(event, profile, schedule, k));
     }
     all_ok = all_ok && run.row.status == RowStatus::kOk;
-    const auto& motion = tables.motion.cells(run.row, states, schedule.time(k));
-    const auto& with_forces = tables.forces ? tables.forces->row(run, motions, motion, events) : motion;
-    const auto& cells = tables.jerk ? tables.jerk->behind(with_forces, run) : with_forces;
+    const auto& cells = tables.cells(run, states, motions, schedule.time(k), events);
     for (RowWriter& writer : writers) {
       writer.row(cells);
     }

@@ -28,6 +28,7 @@ struct RunOptions {
   bool quiet = false;
   bool summary = false;
   bool jerk = false;  ///< columns of jerk behind those of the motion
+  std::optional<int> derivatives;  ///< columns of the third to this derivative behind them
 };
 
 /// Prints what is wrong with the input on standard error; returns the exit code.

@@ -8,7 +8,8 @@
 namespace higherpair {
 
 /// `a` where the condition holds, else `b`; overloaded for scalars that hold several configurations.
-[[nodiscard]] inline double select(bool condition, double a, double b) {
+template <class T>
+[[nodiscard]] inline T select(bool condition, T a, T b) {
   return condition ? a : b;
 }
 

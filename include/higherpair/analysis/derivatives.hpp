@@ -1,0 +1,32 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+inline constexpr int kHighestDerivative = 6;
+
+/// Time derivatives of a body's frame in ground, from the 0th to the one asked for; the others are 0.
+struct BodyDerivatives {
+  std::array<Vector2d, kHighestDerivative + 1> p_WB;  ///< of the origin [m/s^k]
+  std::array<double, kHighestDerivative + 1> theta;   ///< of the angle [rad/s^k]
+};
+
+/// The time derivatives of all bodies up to `order` where run.row stands, the drivers' accelerations being
+/// constant. With every coordinate a power series in time, the conditions of joints, contacts (gap, common
+/// normal, no slip) and drivers hold order by order:
+///     J x_k = -(what lower orders leave of the conditions at order k),
+/// with the same Jacobian J in each. No differences are taken, and no equivalent linkage. None where the
+/// conditions leave a body free to move (a singular position), or the row has no rates.
+/// \param drivers  those of the row \param order  1 … kHighestDerivative
+[[nodiscard]] std::optional<std::vector<BodyDerivatives>> derivatives_of(
+    const Run& run, const std::vector<DriverMotion>& drivers, int order);
+
+/// The k-th time derivative of a point of the body, in ground [m/s^k]. \param p_B  in the body's frame [m]
+[[nodiscard]] Vector2d point_derivative(const BodyDerivatives& body, const Vector2d& p_B, int k);
+
+}  // namespace higherpair

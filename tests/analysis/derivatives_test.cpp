@@ -1,0 +1,216 @@
+// Higher derivatives, by the equations of motion of order k, against closed forms, against the jerk that is
+// worked out otherwise, and against differences of the next lower derivative.
+#include "higherpair/analysis/derivatives.hpp"
+
+#include "higherpair/analysis/jerk.hpp"
+#include "io/profile_testing.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+Run started(const Profile& profile) {
+  std::vector<double> drivers;
+  for (const DriverProgram& program : profile.programs) {
+    const Joint& joint = profile.mechanism.joints[static_cast<std::size_t>(
+        profile.mechanism.drivers[drivers.size()].joint)];
+    const Dimension dimension = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+    drivers.push_back(to_si(dimension, profile.units).apply(program.start));
+  }
+  auto run = start_run(profile.mechanism, drivers);
+  EXPECT_TRUE(run) << run.error().reason;
+  return *std::move(run);
+}
+
+Profile shipped(const std::string& name) {
+  return read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml").value();
+}
+
+std::size_t body_index(const Run& run, const std::string& name) {
+  std::size_t i = 0;
+  while (run.mechanism.bodies.at(i).name != name) {
+    ++i;
+  }
+  return i;
+}
+
+// s = (cos wt)-like motions: y = 30 + 10 sin(u) mm at a constant rate.
+TEST(Derivatives, OfAFlatFollowerOnAnEccentricDiscAreThoseOfASine) {
+  const Profile profile = testing::read(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O    = [0, 0]
+curves.disc = { type = "circle", center = [10, 0], radius = 30 }
+[bodies.follower]
+pose        = { x = 0, y = 30 }
+points.P    = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints]
+cam_pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
+[contacts.touch]
+between = ["cam.disc", "follower.face"]
+[driver]
+joint = "cam_pivot"
+)");
+  auto run = started(profile);
+  const double w = 3;
+  for (const double u : {0.2, 1.9, 4.4}) {
+    const std::vector<DriverMotion> drivers{{u, w, 0}};
+    move_to(run, drivers);
+    const auto bodies = derivatives_of(run, drivers, 6);
+    ASSERT_TRUE(bodies);
+    const BodyDerivatives& follower = bodies->at(body_index(run, "follower"));
+    for (int k = 1; k <= 6; ++k) {
+      const double expected = 0.01 * std::pow(w, k) * std::sin(u + k * kPi / 2);
+      EXPECT_NEAR(follower.p_WB[static_cast<std::size_t>(k)].y(), expected, 1e-15 * std::pow(w, k));
+      EXPECT_NEAR(follower.theta[static_cast<std::size_t>(k)], 0, 1e-13);
+    }
+  }
+}
+
+// The ellipse 2 x 1 about its centre under a flat follower: s = sqrt(4 sin^2 u + cos^2 u). Its derivatives by
+// a power series worked out by hand: s^2 = g gives s s_k = (g_k - sum of products)/2.
+TEST(Derivatives, OfAFlatFollowerOnAnEllipseAreThoseOfItsSupport) {
+  const Profile profile = testing::read(R"(units = { length = "m", angle = "rad" }
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O    = [0, 0]
+curves.edge = { type = "ellipse", center = [0, 0], semi_axes = [2, 1] }
+[bodies.follower]
+pose        = { x = 0, y = 1 }
+points.P    = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints]
+cam_pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
+[contacts.touch]
+between = ["cam.edge", "follower.face"]
+[driver]
+joint = "cam_pivot"
+)");
+  auto run = started(profile);
+  for (const double u : {kPi / 12, 1.0, 2.6}) {
+    const std::vector<DriverMotion> drivers{{u, 1, 0}};
+    move_to(run, drivers);
+    const auto bodies = derivatives_of(run, drivers, 6);
+    ASSERT_TRUE(bodies);
+    // g = 5/2 - 3/2 cos 2u.
+    std::array<double, 7> g{}, s{};
+    double factorial = 1;
+    for (std::size_t k = 0; k < g.size(); ++k) {
+      factorial *= k == 0 ? 1 : static_cast<double>(k);
+      const auto order = static_cast<double>(k);
+      g[k] = ((k == 0 ? 2.5 : 0) - 1.5 * std::pow(2, order) * std::cos(2 * u + order * kPi / 2)) / factorial;
+      double sum = g[k];
+      for (std::size_t i = 1; i < k; ++i) {
+        sum -= s[i] * s[k - i];
+      }
+      s[k] = k == 0 ? std::sqrt(g[0]) : sum / (2 * s[0]);
+      EXPECT_NEAR(bodies->at(2).p_WB[k].y(), s[k] * factorial, 1e-12 * (1 + std::abs(s[k] * factorial)));
+    }
+  }
+  // The jerk at 15 degrees.
+  const std::vector<DriverMotion> drivers{{kPi / 12, 1, 0}};
+  move_to(run, drivers);
+  EXPECT_NEAR(derivatives_of(run, drivers, 3)->at(2).p_WB[3].y(), -6.378404883307, 1e-12);
+}
+
+// Position, velocity, acceleration as the run has them and the jerk as --jerk has it, in all shipped profiles:
+// two derivations that share nothing but the mechanism.
+TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
+  int compared = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
+    const Profile profile = shipped(entry.path().stem().string());
+    auto run = started(profile);
+    std::vector<DriverMotion> drivers;
+    for (const double start : run.drivers) {
+      drivers.push_back({start + 0.021, 1.3, -0.7});
+    }
+    move_to(run, drivers);
+    if (run.row.status != RowStatus::kOk) {
+      continue;
+    }
+    const auto bodies = derivatives_of(run, drivers, 3);
+    ASSERT_TRUE(bodies) << entry.path();
+    const JerkRow jerks = jerks_of(run);
+    for (std::size_t i = 1; i < bodies->size(); ++i) {
+      const BodyDerivatives& body = (*bodies)[i];
+      const BodyMotion& row = run.row.bodies[i];
+      const double size = run.plan.size;
+      const double scale = 1 + std::abs(body.theta[2]) + std::abs(body.theta[3]) + body.p_WB[3].norm() / size;
+      EXPECT_NEAR((body.p_WB[1] - row.v_WB).norm(), 0, 1e-11 * size * scale) << entry.path();
+      EXPECT_NEAR(body.theta[1], row.omega, 1e-11 * scale) << entry.path();
+      EXPECT_NEAR((body.p_WB[2] - row.a_WB).norm(), 0, 1e-10 * size * scale) << entry.path();
+      EXPECT_NEAR(body.theta[2], row.alpha, 1e-10 * scale) << entry.path();
+      ASSERT_TRUE(jerks.bodies[i]) << entry.path();
+      EXPECT_NEAR((body.p_WB[3] - jerks.bodies[i]->j_WB).norm(), 0, 1e-9 * size * scale) << entry.path();
+      EXPECT_NEAR(body.theta[3], jerks.bodies[i]->angular, 1e-9 * scale) << entry.path();
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 60);
+}
+
+// The (k+1)th derivative against central differences of the kth along the motion.
+TEST(Derivatives, AreTheRatesOfThoseBelow) {
+  for (const char* name : {"ellipse_cam_roller", "watt_sixbar", "rolling_ellipses", "cam_chain"}) {
+    const Profile profile = shipped(name);
+    auto run = started(profile);
+    const double start = run.drivers.front() + 0.4, h = 1e-3;
+    const auto at = [&](double u) {
+      const std::vector<DriverMotion> drivers{{u, 1, 0}};
+      move_to(run, drivers);
+      EXPECT_EQ(run.row.status, RowStatus::kOk) << name;
+      return derivatives_of(run, drivers, 6).value();
+    };
+    const auto before2 = at(start - 2 * h), before = at(start - h), here = at(start);
+    const auto after = at(start + h), after2 = at(start + 2 * h);
+    for (std::size_t body = 1; body < here.size(); ++body) {
+      for (std::size_t k = 2; k < 6; ++k) {
+        const double rate = (8 * (after[body].theta[k] - before[body].theta[k]) -
+                             (after2[body].theta[k] - before2[body].theta[k])) /
+                            (12 * h);
+        double largest = 1;
+        for (const double derivative : here[body].theta) {
+          largest = std::max(largest, std::abs(derivative));
+        }
+        EXPECT_NEAR(here[body].theta[k + 1], rate, 1e-6 * largest) << name << " " << body << " " << k;
+      }
+    }
+  }
+}
+
+TEST(Derivatives, OfAPointAreThoseOfACircle) {
+  auto run = started(shipped("four_bar"));
+  const std::vector<DriverMotion> drivers{{0.7, 2, 0}};
+  move_to(run, drivers);
+  const auto bodies = derivatives_of(run, drivers, 6).value();
+  const std::size_t crank = body_index(run, "crank");
+  const double angle = bodies[crank].theta[0];
+  for (int k = 0; k <= 6; ++k) {
+    const Vector2d point = point_derivative(bodies[crank], {0.02, 0}, k);
+    const Vector2d expected = 0.02 * std::pow(2, k) * unit_vector(angle + k * kPi / 2);
+    EXPECT_NEAR((point - expected).norm(), 0, 1e-14 * std::pow(2, k));
+  }
+}
+
+TEST(Derivatives, AreNotDefinedWhereTheMechanismIsSingular) {
+  // A parallelogram in line.
+  auto run = started(shipped("parallelogram"));
+  const std::vector<DriverMotion> drivers{{0, 1, 0}};
+  move_to(run, drivers);
+  const auto here = derivatives_of(run, drivers, 3);
+  move_to(run, {{0.5, 1, 0}});
+  EXPECT_FALSE(here);
+  EXPECT_TRUE(derivatives_of(run, {{0.5, 1, 0}}, 3));
+}
+
+}  // namespace
+}  // namespace higherpair
