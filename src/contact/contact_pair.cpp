@@ -105,7 +105,7 @@ ContactResult solve_contact(const ContactPair& pair, double u, double q, const V
     const double size = extent(pair, placed, points.pass);
     const LastStep last = last_step(pair, placed, points, size);
     if (last.exact || is_closed(points, size)) {
-      const LastStep step = last.sound ? last : LastStep{};
+      const LastStep step = last.sound ? last : closing_step(points, last);
       const ContactPoints end = moved(pair, placed, step, size, points);
       result.at = position_of(pair, end, u, q + step.delta);
       result.step_n = (end.pass.n - n_guess).norm();

@@ -90,6 +90,21 @@ struct LastStep {
   return step;
 }
 
+// The same with the follower at rest: the two points come together along their curves, φ = ψ = w s. For
+// points that are closed already where δ would be noise: far out on two branches the normal fixes the points
+// only to a rounding of it times their radii, which may be much more than the rounding of the gap.
+[[nodiscard]] inline LastStep closing_step(const ContactPoints& points, const LastStep& last) {
+  const double turn = points.pass.weights.w * points.pass.s;
+  if (!(std::abs(turn) <= kLastTurn)) {
+    return {};
+  }
+  LastStep step = last;
+  step.delta = 0;
+  step.phi = turn;
+  step.psi = turn;
+  return step;
+}
+
 // Moves normal, points and radii by the last step. Points are moved along the osculating circles:
 // c1 stays, c2 moves with body 2.
 [[nodiscard]] inline ContactPoints moved(const ContactPair& pair, const PlacedPair& placed,

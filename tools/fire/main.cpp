@@ -13,13 +13,14 @@ namespace {
 using higherpair::fire::Case;
 using higherpair::fire::Cases;
 using higherpair::fire::Counts;
+using higherpair::fire::Depth;
 using higherpair::fire::Trial;
 
-void print_failure(long number, const Case& one, const Trial& trial) {
+void print_failure(long number, const Case& one, const Trial& trial, Depth depth) {
   fmt::print("# case {}, row {}: {}: {}\n", number, trial.failure.row, trial.failure.law,
              trial.failure.detail);
-  const Case small = higherpair::fire::shrink(one, trial.failure.law);
-  const Trial again = higherpair::fire::try_case(small);
+  const Case small = higherpair::fire::shrink(one, trial.failure.law, depth);
+  const Trial again = higherpair::fire::try_case(small, depth);
   fmt::print("# shrunk, row {}: {}\n{}\n", again.failure.row, again.failure.detail,
              higherpair::fire::profile_of(small, "broken law: " + trial.failure.law));
 }
@@ -28,11 +29,14 @@ int run(int argc, char** argv) {
   std::uint64_t seed = 1;
   long count = 1000;
   double seconds = 0;
+  long every = 1;
   long shown = 10;
   CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
   app.add_option("--seed", seed, "of the first case; the same cases for a seed everywhere");
   app.add_option("--count", count, "number of cases")->check(CLI::NonNegativeNumber);
   app.add_option("--seconds", seconds, "stop after so long, however few cases")->check(CLI::PositiveNumber);
+  app.add_option("--whole", every, "read and run the whole profile of every so manyth case only")
+      ->check(CLI::PositiveNumber);
   app.add_option("--show", shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
   CLI11_PARSE(app, argc, argv);
 
@@ -45,10 +49,11 @@ int run(int argc, char** argv) {
       break;
     }
     const Case one = cases.next();
-    const Trial trial = higherpair::fire::try_case(one);
+    const Depth depth = i % every == 0 ? Depth::kWhole : Depth::kPair;
+    const Trial trial = higherpair::fire::try_case(one, depth);
     counts += trial.counts;
     if (trial.failure && counts.failed <= shown) {
-      print_failure(i, one, trial);
+      print_failure(i, one, trial, depth);
     }
   }
   fmt::print(

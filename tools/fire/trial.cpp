@@ -271,7 +271,7 @@ Counts& Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-Trial try_case(const Case& one) {
+Trial try_case(const Case& one, Depth depth) {
   Trial trial;
   ++trial.counts.cases;
   const auto pair = pair_of(one);
@@ -279,16 +279,16 @@ Trial try_case(const Case& one) {
     return trial;
   }
   trial.failure = track_pair(one, *pair, trial.counts);
-  if (!trial.failure) {
+  if (!trial.failure && depth == Depth::kWhole) {
     trial.failure = run_profile(one, trial.counts);
   }
   trial.counts.failed += trial.failure ? 1 : 0;
   return trial;
 }
 
-Case shrink(Case one, const std::string& law) {
+Case shrink(Case one, const std::string& law, Depth depth) {
   const auto keep = [&](const Case& smaller) {
-    if (try_case(smaller).failure.law != law) {
+    if (try_case(smaller, depth).failure.law != law) {
       return false;
     }
     one = smaller;
