@@ -86,7 +86,9 @@ struct LastStep {
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
   const double arm = w == 0 ? extent : std::min(extent, 1 / std::abs(w));
   step.sound = turn <= kLastTurn && std::abs(g_qq * delta) <= kLastTurn * std::abs(slope);
-  step.exact = step.sound && slopes * turn * turn <= kLeftOut * arm;
+  // From far away the follower would bring the rounding of that place along.
+  const bool short_way = 8 * std::abs(delta) * manhattan(v2) <= extent;
+  step.exact = step.sound && short_way && slopes * turn * turn <= kLeftOut * arm;
   return step;
 }
 

@@ -3,6 +3,7 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "inner_step.hpp"
+#include "last_step.hpp"
 #include "limit.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
 constexpr double kNearCrossing = 1e-3;   // of the driver's scale: how near a crossing is interpolated over
+constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
 constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
 constexpr int kAttempts = 2000;          // inner steps that may fail
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
@@ -60,7 +62,9 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   at.dphi = (a.dphi + b.dphi) / 2;
   at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
   at.gap_q = 0;
-  if (!place_points(track.pair, at)) {
+  // Between two contacts of different branches there may also be a limit of each, and no contact at all.
+  if (!place_points(track.pair, at) ||
+      !((at.p2_W - at.p1_W).norm() <= kClosed * (track.size + manhattan(at.p1_W)))) {
     return false;
   }
   accept(track, at, -track.branch);
