@@ -155,11 +155,18 @@ private:
            std::abs(equation(rho1_, rho2_ + doubt2_).rest - rest);
   }
 
-  // The speeds that go into those of the centres; next to a pivot a centre has less, but not less rounding.
+  // The speeds that go into those of the centres: next to a pivot a point has less, but its distance from the
+  // pivot has the rounding of their places.
   [[nodiscard]] Real carried() const {
-    const Real speed1 = one_.velocity(p_).norm() + one_.omega() * std::abs(rho1_);
-    const Real speed2 = two_.velocity(p_).norm() + two_.omega() * std::abs(rho2_);
+    const Real speed1 = one_.velocity(p_).norm() + one_.omega() * (std::abs(rho1_) + Real(length_));
+    const Real speed2 = two_.velocity(p_).norm() + two_.omega() * (std::abs(rho2_) + Real(length_));
     return speed1 + std::abs(at_.dq) * speed2;
+  }
+
+  // The same for accelerations, of places alone.
+  [[nodiscard]] Real carried_acceleration() const {
+    const Real turning2 = (at_.dq * at_.dq + std::abs(at_.d2q)) * two_.omega();
+    return (one_.omega() + turning2) * Real(length_);
   }
 
   // n·(v2(c2) - v1(c1)) = 0 and n·(a2(c2) - a1(c1)) + |v2(c2) - v1(c1)|²/(ρ1 + ρ2) = 0.
@@ -180,7 +187,9 @@ private:
     // Where both bodies move nearly alike, v2 - v1 is what rounding of the two leaves of it; where the curves
     // nearly conform, ρ1 + ρ2 magnifies it.
     const Real squared = 4e-16L * carried() * carried() / std::abs(rho1_ + rho2_);
-    expect_small(whole.rest, 1e-11L * whole.terms + 3e-14L * lever + squared + owed_to_radii(balance),
+    expect_small(whole.rest,
+                 1e-11L * whole.terms + 3e-14L * lever + 1e-15L * carried_acceleration() + squared +
+                     owed_to_radii(balance),
                  "acceleration of the link");
   }
 
@@ -204,7 +213,8 @@ private:
                  "velocity in the slot");
     const Balance whole = balance(rho1_, rho2_);
     expect_small(whole.rest,
-                 1e-11L * whole.terms + 1e-12L * (r.a_pin.norm() + r.a_face.norm()) + owed_to_radii(balance),
+                 1e-11L * whole.terms + 1e-12L * (r.a_pin.norm() + r.a_face.norm()) +
+                     1e-15L * carried_acceleration() + owed_to_radii(balance),
                  "acceleration in the slot");
   }
 
