@@ -1,0 +1,114 @@
+// Cases in which random trials broke a law, made small; each tells what went wrong.
+#include "contact_laws.hpp"
+#include "higherpair/contact/conic_contacts.hpp"
+#include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/tracker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+OneFreedom slide(const Vector2d& p_WO, const Vector2d& p_BO, double direction, double theta) {
+  OneFreedom freedom;
+  freedom.turns = false;
+  freedom.p_WO = p_WO;
+  freedom.p_BO = p_BO;
+  freedom.direction_W = unit_vector(direction);
+  freedom.theta = theta;
+  freedom.R_WB = Rotation<double>::from_angle(theta);
+  return freedom;
+}
+
+OneFreedom pivot(const Vector2d& p_WO, const Vector2d& p_BO) {
+  OneFreedom freedom;
+  freedom.p_WO = p_WO;
+  freedom.p_BO = p_BO;
+  return freedom;
+}
+
+Curve hyperbola(const Vector2d& vertex, const std::array<double, 2>& semi_axes, double angle) {
+  Curve curve = make_hyperbola({0, 0}, semi_axes, angle).value();
+  curve.vertex_B = vertex;
+  return curve;
+}
+
+// The branches touch a million times farther out than the smaller one is large. There the normal leaves the
+// place on it open by metres, the last step was dropped whole, and the two points stayed that far apart.
+TEST(FoundByFire, BranchesThatTouchFarOutDoMeet) {
+  const ContactPair pair = {
+      hyperbola({-3.3203, -1.6089}, {3.6869, 3.0762}, -2.6931),
+      slide({-0.0028019, 0.016887}, {-0.011608, -0.0094738}, 1.9888, 2.878),
+      hyperbola({-0.00049555, 0.015634}, {0.0093452, 0.0084029}, 2.9339),
+      pivot({0.016513, 0.021943}, {-0.017182, -0.014013}),
+  };
+  int far = 0;
+  for (const CurveContact& contact : find_curve_contacts(pair, 0.0085129).contacts) {
+    if (!contact.free || contact.branch == 0) {
+      continue;
+    }
+    const ContactResult solved = solve_contact(pair, 0.0085129, contact.q, contact.n_W, contact.branch);
+    ASSERT_EQ(solved.status, ContactStatus::kOk);
+    const testing::ContactLaws laws(pair, solved.at);
+    EXPECT_TRUE(laws.broken.empty()) << contact.q << ": " << laws.broken.front();
+    EXPECT_LE((solved.at.p1_W - contact.p_W).norm(), 1e-3 * contact.p_W.norm());
+    far += contact.p_W.norm() > 1e4 ? 1 : 0;
+  }
+  EXPECT_EQ(far, 1);
+}
+
+// A small ellipse in a large ring, just before a limit: the contact of the other branch is two thousandths of
+// the mechanism away. The place between the two was given as a crossing of the branches, though nothing
+// touches there.
+TEST(FoundByFire, TwoContactsNextToALimitAreNotACrossing) {
+  const ContactPair pair = {
+      make_ellipse({0.013681, -0.01822}, {0.002, 0.000462}, -1.416).value(),
+      slide({-0.012538, 0.033075}, {-0.03623, -0.04004}, 1.29363, 0.2751),
+      make_circle({0.00974, -0.005153}, 0.115812, Side::kOutside).value(),
+      slide({0.020287, 0.079704}, {0.009, -0.027338}, 1.9687, 2),
+  };
+  const double u = 0.142772;
+  const FindResult found = find_nearest_contact(pair, u, 0.1);
+  ASSERT_EQ(found.status, FindStatus::kFound);
+  for (const double step : {-0.0001, -0.0002, -0.000285, -0.0003, -0.0004}) {
+    ContactTrack track = start_track(pair, found.at, found.branch);
+    const bool held = follow_to(track, u + step).status == TrackStatus::kOk;
+    const auto list = find_curve_contacts(pair, u + step).contacts;
+    const bool there = std::any_of(list.begin(), list.end(), [&](const CurveContact& contact) {
+      return contact.free && contact.branch == found.branch;
+    });
+    EXPECT_EQ(held, there) << step;
+    if (held) {
+      const testing::ContactLaws laws(pair, track.at);
+      EXPECT_TRUE(laws.broken.empty()) << step << ": " << laws.broken.front();
+      EXPECT_EQ(track.branch, found.branch) << step;
+    }
+  }
+}
+
+// A face and a slide are linear, so that one step leads to the contact from anywhere; but it brought the
+// rounding of the place where it began, here 10⁻⁷ of the curve.
+TEST(FoundByFire, AStepFromFarAwayDoesNotBringItsRoundingAlong) {
+  const ContactPair pair = {
+      make_line({0, 0}, unit_vector(1.30777)).value(),
+      pivot({35000, 0}, {0, 20000}),
+      make_parabola({2000, 6810}, 300, 1).value(),
+      slide({13000, -20000}, {9660, -20000}, -1.2, -0.01),
+  };
+  const double u = -1.3296;
+  for (const double q : {0.0, 1e6, -1e9, 1e12}) {
+    const ContactResult solved = solve_contact(pair, u, q, Vector2d::UnitX(), 1);
+    const ContactResult other = solve_contact(pair, u, q, Vector2d::UnitX(), -1);
+    ASSERT_TRUE(solved.status == ContactStatus::kOk || other.status == ContactStatus::kOk) << q;
+    const ContactPosition& at = solved.status == ContactStatus::kOk ? solved.at : other.at;
+    const testing::ContactLaws laws(pair, at);
+    EXPECT_TRUE(laws.broken.empty()) << q << ": " << laws.broken.front();
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
