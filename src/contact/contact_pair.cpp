@@ -9,6 +9,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxPasses = 12;
+constexpr double kLargestSlip = 0.01;
 
 // 2 atan(x); the series is exact to rounding for small x.
 double twice_arc_tangent(double x) {
@@ -83,11 +84,13 @@ Moved osculating_pass(const ContactPair& pair, const PassGeometry<double>& at, P
   return {second, q, step.n.normalized(), possible};
 }
 
-// Whether the two points coincide as far as their rounding allows.
+// Whether the two points coincide as far as their rounding allows; along the curves never more than a small
+// share of all lengths, or they are places at infinity.
 bool is_closed(const ContactPoints& points, double extent) {
   const double radii = std::abs(points.first.rho) + std::abs(points.second.rho);
-  return std::abs(points.pass.g) <= 2 * kEps * extent &&
-         std::abs(points.pass.s) <= 2 * kEps * (extent + radii);
+  const double s = std::abs(points.pass.s);
+  return std::abs(points.pass.g) <= 2 * kEps * extent && s <= 2 * kEps * (extent + radii) &&
+         s <= kLargestSlip * extent;
 }
 
 }  // namespace

@@ -197,7 +197,8 @@ Failure contact_laws(const Mechanism& m, const MotionRow& row, double size, int 
   const CommonNormal& at = row.contacts.front().at;
   const auto one = stand(m, contact.first, row);
   const auto two = stand(m, contact.second, row);
-  const double length = size + at.p1_W.norm() + one.curve.vertex_B.norm() + two.curve.vertex_B.norm();
+  const double length = size + at.p1_W.norm() + one.curve.vertex_B.norm() + two.curve.vertex_B.norm() +
+                        one.freedom.p_WO.norm() + two.freedom.p_WO.norm();
   const auto d1 = one.shape_at(testing::wide(at.p1_W)).distance;
   const auto d2 = two.shape_at(testing::wide(at.p2_W)).distance;
   const double gap = (at.p2_W - at.p1_W).norm();
