@@ -118,6 +118,7 @@ struct LastStep {
   const Vector2d t = pass.t;
   const double rho2 = points.second.rho;
   pass.n = n + phi * t - phi * phi / 2 * n;
+  pass.n *= 1.5 - pass.n.squaredNorm() / 2;  // a unit vector also after a million steps
   pass.t = perp(pass.n);
   pass.p1 += points.first.rho * (phi * t - phi * phi / 2 * n);
   const Vector2d along2 = rho2 * psi * ((phi + turns2 * delta) / 2 * n - t);

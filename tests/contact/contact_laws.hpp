@@ -116,6 +116,20 @@ private:
     return body.curve.kind == CurveKind::kPoint ? 0 : 1 / shape.kappa;
   }
 
+  [[nodiscard]] static bool is_curved(const Standing& body) {
+    return body.curve.kind != CurveKind::kPoint && body.curve.kind != CurveKind::kLine;
+  }
+
+  // Of a curve not larger than the rounding of its place, the place does not tell the curvature; there the
+  // radius given does: κ = ℓ²/arm³.
+  static Real sharpest(const Standing& body, const Standing::Shape& shape, Real rho) {
+    return is_curved(body) ? std::max(std::abs(shape.kappa), 1 / std::abs(rho)) : std::abs(shape.kappa);
+  }
+  static Real shortest_arm(const Standing& body, const Standing::Shape& shape, Real rho) {
+    const Real l = body.curve.semi_latus;
+    return is_curved(body) ? std::min(shape.arm, std::cbrt(l * l * std::abs(rho))) : shape.arm;
+  }
+
   void position() {
     // What one rounding of the normal moves along a nearly flat curve is not seen across it.
     const double tiny = 1e-13 * length_;
@@ -125,15 +139,15 @@ private:
     expect_small(s1.distance, tiny, "point 1 on curve 1");
     expect_small(s2.distance, tiny, "point 2 on curve 2");
     if (!s1.on_branch || !s2.on_branch) broken.emplace_back("branch of a hyperbola");
-    const Real slack1 = 1e-12L + 1e-13L * length_ * std::abs(s1.kappa);
-    const Real slack2 = 1e-12L + 1e-13L * length_ * std::abs(s2.kappa);
+    const Real slack1 = 1e-12L + 1e-13L * length_ * sharpest(one_, s1, at_.rho1);
+    const Real slack2 = 1e-12L + 1e-13L * length_ * sharpest(two_, s2, at_.rho2);
     if (one_.curve.kind != CurveKind::kPoint) expect_small((s1.n - n_).norm(), slack1, "normal of 1");
     if (two_.curve.kind != CurveKind::kPoint) expect_small((s2.n + n_).norm(), slack2, "normal of 2");
     expect_small(n_.norm() - 1, 1e-14L, "unit normal");
     rho1_ = flat1() ? 0 : radius(one_, s1);
     rho2_ = flat2() ? 0 : radius(two_, s2);
-    doubt1_ = 1e-14L * length_ / s1.arm * std::abs(rho1_);
-    doubt2_ = 1e-14L * length_ / s2.arm * std::abs(rho2_);
+    doubt1_ = 1e-14L * length_ / shortest_arm(one_, s1, at_.rho1) * std::abs(rho1_);
+    doubt2_ = 1e-14L * length_ / shortest_arm(two_, s2, at_.rho2) * std::abs(rho2_);
     if (!flat1()) expect_small(rho1_ - at_.rho1, 1e-10L * std::abs(rho1_) + doubt1_, "radius 1");
     if (!flat2()) expect_small(rho2_ - at_.rho2, 1e-10L * std::abs(rho2_) + doubt2_, "radius 2");
     const bool curved = one_.curve.kind != CurveKind::kPoint && two_.curve.kind != CurveKind::kPoint;

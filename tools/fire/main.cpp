@@ -3,7 +3,11 @@
 #include "trial.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <exception>
+#include <limits>
+#include <map>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -23,6 +27,18 @@ void print_failure(long number, const Case& one, const Trial& trial, Depth depth
   const Trial again = higherpair::fire::try_case(small, depth);
   fmt::print("# shrunk, row {}: {}\n{}\n", again.failure.row, again.failure.detail,
              higherpair::fire::profile_of(small, "broken law: " + trial.failure.law));
+  std::fflush(stdout);  // a long run may be stopped by hand
+}
+
+void print_summary(std::uint64_t seed, const Counts& counts, const std::map<std::string, long>& broken) {
+  for (const auto& [law, times] : broken) {
+    fmt::print("broken law: {}: {}\n", law, times);
+  }
+  fmt::print(
+      "seed {}: {} cases, {} with a contact, {} profiles run, {} refused, {} rows of which {} flagged, {} "
+      "rates against differences, {} cases failed\n",
+      seed, counts.cases, counts.found, counts.runs, counts.refused, counts.rows, counts.flagged,
+      counts.compared, counts.failed);
 }
 
 int run(int argc, char** argv) {
@@ -33,15 +49,21 @@ int run(int argc, char** argv) {
   long shown = 10;
   CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
   app.add_option("--seed", seed, "of the first case; the same cases for a seed everywhere");
-  app.add_option("--count", count, "number of cases")->check(CLI::NonNegativeNumber);
+  CLI::Option* number =
+      app.add_option("--count", count, "number of cases; 1000 if neither this nor --seconds is given")
+          ->check(CLI::NonNegativeNumber);
   app.add_option("--seconds", seconds, "stop after so long, however few cases")->check(CLI::PositiveNumber);
   app.add_option("--whole", every, "read and run the whole profile of every so manyth case only")
       ->check(CLI::PositiveNumber);
   app.add_option("--show", shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
   CLI11_PARSE(app, argc, argv);
+  if (seconds > 0 && number->count() == 0) {
+    count = std::numeric_limits<long>::max();
+  }
 
   Cases cases(seed);
   Counts counts;
+  std::map<std::string, long> broken;  // how often each law
   const auto start = std::chrono::steady_clock::now();
   for (long i = 0; i < count; ++i) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -52,16 +74,14 @@ int run(int argc, char** argv) {
     const Depth depth = i % every == 0 ? Depth::kWhole : Depth::kPair;
     const Trial trial = higherpair::fire::try_case(one, depth);
     counts += trial.counts;
-    if (trial.failure && counts.failed <= shown) {
-      print_failure(i, one, trial, depth);
+    if (trial.failure) {
+      ++broken[trial.failure.law];
+      if (counts.failed <= shown) {
+        print_failure(i, one, trial, depth);
+      }
     }
   }
-  fmt::print(
-      "seed {}: {} cases, {} with a contact, {} profiles run, {} refused, {} rows of which {} flagged, {} "
-      "rates "
-      "against differences, {} cases failed\n",
-      seed, counts.cases, counts.found, counts.runs, counts.refused, counts.rows, counts.flagged,
-      counts.compared, counts.failed);
+  print_summary(seed, counts, broken);
   return counts.failed == 0 && counts.found > 0 ? 0 : 1;
 }
 
