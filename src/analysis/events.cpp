@@ -22,12 +22,19 @@ std::optional<double> root_between(const std::function<double(double)>& f, doubl
   if (!(at_0 * at_h < 0)) {
     return at_h == 0 ? std::optional(h) : std::nullopt;
   }
+  // A place that cannot be assembled ends the search: 0 is where it stops.
+  bool known = true;
+  const auto known_value = [&](double x) {
+    const double value = f(x);
+    known = known && std::isfinite(value);
+    return known ? value : 0;
+  };
   std::uintmax_t calls = 200;
   const bool forward = h > 0;
   const auto bracket = boost::math::tools::toms748_solve(
-      f, forward ? 0 : h, forward ? h : 0, forward ? at_0 : at_h, forward ? at_h : at_0,
+      known_value, forward ? 0 : h, forward ? h : 0, forward ? at_0 : at_h, forward ? at_h : at_0,
       boost::math::tools::eps_tolerance<double>(52), calls);
-  return (bracket.first + bracket.second) / 2;
+  return known ? std::optional((bracket.first + bracket.second) / 2) : std::nullopt;
 }
 
 double output_velocity(const OutputJoint& output, const State& state) {

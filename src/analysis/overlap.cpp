@@ -66,12 +66,19 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   const double after = gap_in(kept);
   double x = h;
   if (before * after < 0) {
+    // A place that cannot be assembled ends the search: 0 is where it stops.
+    bool known = true;
+    const auto known_gap = [&](double at) {
+      const double value = gap(at);
+      known = known && std::isfinite(value);
+      return known ? value : 0;
+    };
     std::uintmax_t calls = 200;
     const bool forward = h > 0;
     const auto bracket = boost::math::tools::toms748_solve(
-        gap, forward ? 0 : h, forward ? h : 0, forward ? before : after, forward ? after : before,
+        known_gap, forward ? 0 : h, forward ? h : 0, forward ? before : after, forward ? after : before,
         boost::math::tools::eps_tolerance<double>(52), calls);
-    x = (bracket.first + bracket.second) / 2;
+    x = known ? (bracket.first + bracket.second) / 2 : h;
   }
   run.trial = kept;
   return x;

@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxSteps = 20000;
+constexpr int kMaxSteps = 2000;  // the list of all contacts costs no more than so many
 constexpr double kTouching =
     1e-9;  // of the size: distances below count as a touch, the start of the last iteration
 

@@ -176,6 +176,9 @@ ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int
 
 TrackResult follow_to(ContactTrack& track, double u) {
   TrackResult result;
+  if (!std::isfinite(u)) {
+    return result;
+  }
   const bool held = track.assembled ? follow(track, u, result.limit) : resume(track, u, result.limit);
   if (!held && track.assembled) {
     // The branch may be there again at u, past a stretch in which it is not.
