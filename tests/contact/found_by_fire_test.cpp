@@ -110,5 +110,43 @@ TEST(FoundByFire, AStepFromFarAwayDoesNotBringItsRoundingAlong) {
   }
 }
 
+// The ellipse turns about its centre, so that the ring hardly moves while the normal runs round the ellipse;
+// on its flat side the two conform and the contact jumps. Steps were held against the prediction of the
+// ring's motion only, and a long one went past the jump unseen.
+TEST(FoundByFire, AJumpOfTheNormalAloneIsALimit) {
+  const ContactPair pair = {
+      make_ellipse({0, 0}, {0.00257, 0.000325}, 0.6986).value(),
+      pivot({0.00259, 0.00177}, {0, 0}),
+      make_circle({-0.000822, -0.000575}, 0.01537, Side::kOutside).value(),
+      slide({-0.000686, -0.00106}, {0.00107, 0.000138}, -1.734, 0.847),
+  };
+  const double u = 2.0208;
+  const FindResult found = find_nearest_contact(pair, u, 0.0093);
+  ASSERT_EQ(found.status, FindStatus::kFound);
+  for (const double step : {0.001, 0.01, 0.03, 0.1}) {
+    ContactTrack track = start_track(pair, found.at, found.branch);
+    bool lost = false;
+    for (int k = 1; k * step <= 0.3 && !lost; ++k) {
+      lost = follow_to(track, u + k * step).status != TrackStatus::kOk;
+    }
+    EXPECT_TRUE(lost) << step;
+    // It ends where the curvatures are opposite.
+    EXPECT_NEAR(track.at.rho1 / -track.at.rho2, 1, 1e-4) << step;
+  }
+}
+
+// A search for an event met a place that cannot be assembled, and asked for one that is not a number next.
+TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
+  const ContactPair pair = {make_circle({0.1, 0.02}, 0.3).value(), pivot({0, 0}, {0, 0}),
+                            make_circle({-0.6, 0.1}, 0.25).value(), pivot({0.8, 0}, {0, 0})};
+  const FindResult found = find_nearest_contact(pair, 0.2, 0);
+  ASSERT_EQ(found.status, FindStatus::kFound);
+  for (const double u : {NAN, INFINITY, -INFINITY}) {
+    ContactTrack track = start_track(pair, found.at, found.branch);
+    EXPECT_EQ(follow_to(track, u).status, TrackStatus::kNotAssemblable);
+    EXPECT_EQ(track.at.u, 0.2);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
