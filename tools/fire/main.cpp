@@ -41,55 +41,63 @@ void print_summary(std::uint64_t seed, const Counts& counts, const std::map<std:
       counts.compared, counts.failed);
 }
 
-int run(int argc, char** argv) {
+struct Options {
   std::uint64_t seed = 1;
   long count = 1000;
-  double seconds = 0;
+  double seconds = 0;  // 0: no limit
   long every = 1;
   long shown = 10;
-  CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
-  app.add_option("--seed", seed, "of the first case; the same cases for a seed everywhere");
-  CLI::Option* number =
-      app.add_option("--count", count, "number of cases; 1000 if neither this nor --seconds is given")
-          ->check(CLI::NonNegativeNumber);
-  app.add_option("--seconds", seconds, "stop after so long, however few cases")->check(CLI::PositiveNumber);
-  app.add_option("--whole", every, "read and run the whole profile of every so manyth case only")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--show", shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
-  CLI11_PARSE(app, argc, argv);
-  if (seconds > 0 && number->count() == 0) {
-    count = std::numeric_limits<long>::max();
-  }
+};
 
-  Cases cases(seed);
+int run(const Options& options) {
+  Cases cases(options.seed);
   Counts counts;
   std::map<std::string, long> broken;  // how often each law
   const auto start = std::chrono::steady_clock::now();
-  for (long i = 0; i < count; ++i) {
+  for (long i = 0; i < options.count; ++i) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    if (seconds > 0 && spent.count() > seconds) {
+    if (options.seconds > 0 && spent.count() > options.seconds) {
       break;
     }
     const Case one = cases.next();
-    const Depth depth = i % every == 0 ? Depth::kWhole : Depth::kPair;
+    const Depth depth = i % options.every == 0 ? Depth::kWhole : Depth::kPair;
     const Trial trial = higherpair::fire::try_case(one, depth);
     counts += trial.counts;
     if (trial.failure) {
       ++broken[trial.failure.law];
-      if (counts.failed <= shown) {
+      if (counts.failed <= options.shown) {
         print_failure(i, one, trial, depth);
       }
     }
   }
-  print_summary(seed, counts, broken);
+  print_summary(options.seed, counts, broken);
   return counts.failed == 0 && counts.found > 0 ? 0 : 1;
+}
+
+int start(int argc, char** argv) {
+  Options options;
+  CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
+  app.add_option("--seed", options.seed, "of the first case; the same cases for a seed everywhere");
+  const CLI::Option* count =
+      app.add_option("--count", options.count, "number of cases; 1000 if --seconds is not given either")
+          ->check(CLI::NonNegativeNumber);
+  app.add_option("--seconds", options.seconds, "stop after so long, however few cases")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--whole", options.every, "read and run the whole profile of every so manyth case only")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--show", options.shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
+  CLI11_PARSE(app, argc, argv);
+  if (options.seconds > 0 && count->count() == 0) {
+    options.count = std::numeric_limits<long>::max();
+  }
+  return run(options);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return start(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "fire: {}\n", error.what());
     return 1;
