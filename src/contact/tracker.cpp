@@ -19,6 +19,7 @@ constexpr double kNearCrossing = 1e-3;   // of the driver's scale: how near a cr
 constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
 constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
 constexpr int kAttempts = 2000;          // inner steps that may fail
+constexpr double kMostSteps = 2e5;       // of kMaxTurn that a way may be long; so many more inner steps
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
@@ -106,8 +107,14 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
   const double largest = kMaxTurn * unit;
   double h = largest;
   int halvings = 0;
-  int attempts = kAttempts + static_cast<int>(std::min(1e6, 4 * std::abs(u - track.at.u) / largest));
+  const int length = static_cast<int>(std::min(kMostSteps, std::abs(u - track.at.u) / largest));
+  int attempts = kAttempts + 4 * length;
+  int steps = static_cast<int>(kMostSteps) + 4 * length;  // some may be lost in the rounding of u
   while (track.at.u != u) {
+    if (--steps < 0) {
+      limit = LimitPosition{track.at.u, track.at.q};
+      return false;
+    }
     const double rest = u - track.at.u;
     bool last = std::abs(rest) <= h;
     double step = last ? rest : std::copysign(h, rest);

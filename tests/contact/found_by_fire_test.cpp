@@ -148,5 +148,17 @@ TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
   }
 }
 
+// Where a step of the driver is lost in the rounding of its position, steps lead nowhere.
+TEST(FoundByFire, StepsThatLeadNowhereEnd) {
+  const ContactPair pair = {make_circle({0.1, 0.02}, 0.3).value(), pivot({0, 0}, {0, 0}),
+                            make_circle({-0.6, 0.1}, 0.25).value(), pivot({0.8, 0}, {0, 0})};
+  const double far = 1e17;
+  const FindResult found = find_nearest_contact(pair, far, 0);
+  ASSERT_EQ(found.status, FindStatus::kFound);
+  ContactTrack track = start_track(pair, found.at, found.branch);
+  EXPECT_EQ(follow_to(track, far + 160).status, TrackStatus::kNotAssemblable);
+  EXPECT_EQ(track.at.u, far);
+}
+
 }  // namespace
 }  // namespace higherpair
