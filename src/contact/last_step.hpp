@@ -75,8 +75,8 @@ struct LastStep {
   LastStep step;
   const double slope = g_q + (w * (P + M) + turns2) * pass.s / 2;
   const double per_slope = 1 / slope;
-  double delta = -(pass.g + w * pass.s * pass.s / 2) * per_slope;
-  delta -= g_qq * delta * delta * per_slope / 2;
+  const double first = -(pass.g + w * pass.s * pass.s / 2) * per_slope;
+  const double delta = first - g_qq * first * first * per_slope / 2;
   step.delta = delta;
   step.phi = face2 ? turns2 * delta : w * (pass.s + delta * P);
   step.psi = face1 ? -turns2 * delta : w * (pass.s + delta * M);
@@ -85,7 +85,8 @@ struct LastStep {
   const double turn = std::max(std::abs(step.phi), std::abs(step.psi));
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
   const double arm = w == 0 ? extent : std::min(extent, 1 / std::abs(w));
-  step.sound = turn <= kLastTurn && std::abs(g_qq * delta) <= kLastTurn * std::abs(slope);
+  // Of the first order's step: the second order may undo a large one.
+  step.sound = turn <= kLastTurn && std::abs(g_qq * first) <= kLastTurn * std::abs(slope);
   // From far away the follower would bring the rounding of that place along.
   const bool short_way = 8 * std::abs(delta) * manhattan(v2) <= extent;
   step.exact = step.sound && short_way && slopes * turn * turn <= kLeftOut * arm;

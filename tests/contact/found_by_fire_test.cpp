@@ -135,6 +135,20 @@ TEST(FoundByFire, AJumpOfTheNormalAloneIsALimit) {
   }
 }
 
+// Far from the contact the second order of the last step may just undo the first; the step was small then,
+// and taken for the end. A disc (radius 1.3, centre 2 from its pivot) comes down on a face: gap = 2 sin q -
+// 1; the step is 0 where gap · 2 sin q = 2 (2 cos q)².
+TEST(FoundByFire, AStepThatItsSecondOrderUndoesIsNotTheLast) {
+  const ContactPair pair = {make_line({0, 0}, {0, 1}).value(), slide({0, 0}, {0, 0}, 0, 0),
+                            make_circle({2, 0}, 1.3).value(), pivot({0, 0.3}, {0, 0})};
+  const double undone = std::asin((0.5 + std::sqrt(24.25)) / 6);
+  for (int k = -20; k <= 20; ++k) {
+    const ContactResult result = solve_contact(pair, 0, undone + 1e-10 * k, Vector2d::UnitY(), 1);
+    ASSERT_EQ(result.status, ContactStatus::kOk);
+    EXPECT_NEAR(result.at.q, kPi / 6, 1e-15);
+  }
+}
+
 // A search for an event met a place that cannot be assembled, and asked for one that is not a number next.
 TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
   const ContactPair pair = {make_circle({0.1, 0.02}, 0.3).value(), pivot({0, 0}, {0, 0}),
