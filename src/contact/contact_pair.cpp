@@ -84,13 +84,19 @@ Moved osculating_pass(const ContactPair& pair, const PassGeometry<double>& at, P
   return {second, q, step.n.normalized(), possible};
 }
 
-// Whether the two points coincide as far as their rounding allows; along the curves never more than a small
-// share of all lengths, or they are places at infinity.
+// Whether the two points coincide as far as their rounding allows. Along nearly straight curves that may be
+// more than the rounding of all lengths; there they have to be near enough for the closing step.
 bool is_closed(const ContactPoints& points, double extent) {
-  const double radii = std::abs(points.first.rho) + std::abs(points.second.rho);
   const double s = std::abs(points.pass.s);
-  return std::abs(points.pass.g) <= 2 * kEps * extent && s <= 2 * kEps * (extent + radii) &&
-         s <= kLargestSlip * extent;
+  if (!(std::abs(points.pass.g) <= 2 * kEps * extent)) {
+    return false;
+  }
+  if (s <= 2 * kEps * extent) {
+    return true;
+  }
+  const double radii = std::abs(points.first.rho) + std::abs(points.second.rho);
+  return s <= 2 * kEps * (extent + radii) && s <= kLargestSlip * extent &&
+         s * std::abs(points.pass.weights.w) <= kLastTurn;
 }
 
 }  // namespace
