@@ -55,12 +55,19 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   }
   const ContactPosition& a = track.at;
   const ContactPosition& b = beyond.result.at;
+  // Cubic Hermite: h⁴ is left out.
+  const auto middle = [h](double from, double to, double rate_from, double rate_to) {
+    return (from + to) / 2 + h * (rate_from - rate_to) / 8;
+  };
+  const auto rate_in_middle = [h](double change, double rate_from, double rate_to) {
+    return 1.5 * change / h - (rate_from + rate_to) / 4;
+  };
   ContactPosition at = b;
   at.u = a.u + rest;
-  at.q = (a.q + b.q) / 2 + h * (a.dq - b.dq) / 8;
-  at.dq = (a.dq + b.dq) / 2;
-  at.d2q = (a.d2q + b.d2q) / 2;
-  at.dphi = (a.dphi + b.dphi) / 2;
+  at.q = middle(a.q, b.q, a.dq, b.dq);
+  at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
+  at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
+  at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
   at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
   at.gap_q = 0;
   // Between two contacts of different branches there may also be a limit of each, and no contact at all.
@@ -68,6 +75,9 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
       !((at.p2_W - at.p1_W).norm() <= kClosed * (track.size + manhattan(at.p1_W)))) {
     return false;
   }
+  at.sliding =
+      (at.dq * velocity_per_q(track.pair.motion2, at.p1_W) - velocity_per_q(track.pair.motion1, at.p1_W))
+          .dot(perp(at.n_W));
   accept(track, at, -track.branch);
   return true;
 }

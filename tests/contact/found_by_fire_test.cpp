@@ -149,6 +149,34 @@ TEST(FoundByFire, AStepThatItsSecondOrderUndoesIsNotTheLast) {
   }
 }
 
+// A point slides along y = r - e across a disc of radius r whose centre turns on a circle of radius e. When
+// the disc is lowest, v = 0, it touches the line only, and the branches cross smoothly: x = e sin v ± √(2e)
+// sin(v/2) √(2r - 2e sin²(v/2)). The rates there were the means of those beside.
+TEST(FoundByFire, RatesAtACrossingAreThoseOfTheSmoothMotion) {
+  const double e = 0.3;
+  const double r = 0.45;
+  const ContactPair pair = {make_circle({0, e}, r).value(), pivot({0, 0}, {0, 0}), make_point({0, 0}).value(),
+                            slide({0, r - e}, {0, 0}, 0, 0)};
+  const double v = -0.4;
+  for (const int sign : {1, -1}) {
+    const double half = std::sin(v / 2);
+    const double x =
+        e * std::sin(v) + sign * std::sqrt(2 * e) * half * std::sqrt(2 * r - 2 * e * half * half);
+    const FindResult found = find_nearest_contact(pair, kPi + v, x);
+    ASSERT_EQ(found.status, FindStatus::kFound);
+    ASSERT_NEAR(found.at.q, x, 1e-14);
+    ContactTrack track = start_track(pair, found.at, found.branch);
+    ASSERT_EQ(follow_to(track, kPi).status, TrackStatus::kOk);
+    const double rate = e + sign * std::sqrt(e * r);
+    EXPECT_NEAR(track.at.q, 0, 1e-13);
+    EXPECT_NEAR(track.at.dq, rate, 1e-10);
+    EXPECT_NEAR(track.at.d2q, 0, 1e-6);
+    // Of the point against the disc's material there, which moves by ω × p.
+    const double sliding = -(rate + (r - e));
+    EXPECT_NEAR(track.at.sliding, sliding, 1e-10);
+  }
+}
+
 // A search for an event met a place that cannot be assembled, and asked for one that is not a number next.
 TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
   const ContactPair pair = {make_circle({0.1, 0.02}, 0.3).value(), pivot({0, 0}, {0, 0}),
