@@ -9,7 +9,7 @@
 namespace higherpair {
 
 /// The root of f between 0 and h, to rounding; h may be negative. None where the values at the two ends have
-/// one sign.
+/// one sign, or f is not finite somewhere on the search.
 template <class F>
 [[nodiscard]] std::optional<double> root_between(const F& f, double at_0, double h, double at_h) {
   if (at_0 == 0) {
@@ -21,12 +21,19 @@ template <class F>
   if (!(std::signbit(at_0) != std::signbit(at_h)) || !std::isfinite(at_0) || !std::isfinite(at_h)) {
     return std::nullopt;
   }
+  // A place without a value ends the search: 0 is where it stops.
+  bool known = true;
+  const auto known_value = [&](double x) {
+    const double value = f(x);
+    known = known && std::isfinite(value);
+    return known ? value : 0;
+  };
   std::uintmax_t calls = 200;
   const bool forward = h > 0;
   const auto bracket = boost::math::tools::toms748_solve(
-      f, forward ? 0.0 : h, forward ? h : 0.0, forward ? at_0 : at_h, forward ? at_h : at_0,
+      known_value, forward ? 0.0 : h, forward ? h : 0.0, forward ? at_0 : at_h, forward ? at_h : at_0,
       boost::math::tools::eps_tolerance<double>(52), calls);
-  return (bracket.first + bracket.second) / 2;
+  return known ? std::optional((bracket.first + bracket.second) / 2) : std::nullopt;
 }
 
 }  // namespace higherpair

@@ -9,6 +9,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxPasses = 12;
+constexpr double kLargestSlip = 0.01;
 
 // 2 atan(x); the series is exact to rounding for small x.
 double twice_arc_tangent(double x) {
@@ -83,11 +84,19 @@ Moved osculating_pass(const ContactPair& pair, const PassGeometry<double>& at, P
   return {second, q, step.n.normalized(), possible};
 }
 
-// Whether the two points coincide as far as their rounding allows.
+// Whether the two points coincide as far as their rounding allows. Along nearly straight curves that may be
+// more than the rounding of all lengths; there they have to be near enough for the closing step.
 bool is_closed(const ContactPoints& points, double extent) {
+  const double s = std::abs(points.pass.s);
+  if (!(std::abs(points.pass.g) <= 2 * kEps * extent)) {
+    return false;
+  }
+  if (s <= 2 * kEps * extent) {
+    return true;
+  }
   const double radii = std::abs(points.first.rho) + std::abs(points.second.rho);
-  return std::abs(points.pass.g) <= 2 * kEps * extent &&
-         std::abs(points.pass.s) <= 2 * kEps * (extent + radii);
+  return s <= 2 * kEps * (extent + radii) && s <= kLargestSlip * extent &&
+         s * std::abs(points.pass.weights.w) <= kLastTurn;
 }
 
 }  // namespace
@@ -105,7 +114,7 @@ ContactResult solve_contact(const ContactPair& pair, double u, double q, const V
     const double size = extent(pair, placed, points.pass);
     const LastStep last = last_step(pair, placed, points, size);
     if (last.exact || is_closed(points, size)) {
-      const LastStep step = last.sound ? last : LastStep{};
+      const LastStep step = last.sound ? last : closing_step(points, last);
       const ContactPoints end = moved(pair, placed, step, size, points);
       result.at = position_of(pair, end, u, q + step.delta);
       result.step_n = (end.pass.n - n_guess).norm();

@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxSteps = 20000;
+constexpr int kMaxSteps = 2000;  // the list of all contacts costs no more than so many
 constexpr double kTouching =
     1e-9;  // of the size: distances below count as a touch, the start of the last iteration
 
@@ -93,14 +93,13 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
   return FindResult{FindStatus::kFound, result.at, branch};
 }
 
-}  // namespace
-
-FindResult find_contact(const ContactPair& pair, double u, double q, int direction, bool from_overlap) {
+FindResult search(const ContactPair& pair, double u, double q, int direction, bool from_overlap,
+                  ListedContacts& listed) {
   const double size = extent(pair, u, q);
   const std::optional<double> bound = speed_bound(pair, u, q);
   FindResult result;
   if (!bound) {
-    return find_listed_contact(pair, u, q, direction, from_overlap);
+    return listed.find(q, direction, from_overlap);
   }
   const double tolerance = 1e-12 * size;
   const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
@@ -109,12 +108,12 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
   double last_gap = size;
   for (int i = 0; std::abs(q - start) <= range; ++i) {
     if (i == kMaxSteps) {
-      return find_listed_contact(pair, u, start, direction, from_overlap);
+      return listed.find(start, direction, from_overlap);
     }
     const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);
     if (here.gap == -std::numeric_limits<double>::infinity()) {
       if (from_overlap) {
-        return find_listed_contact(pair, u, start, direction, from_overlap);
+        return listed.find(start, direction, from_overlap);
       }
       result.status = FindStatus::kOverlapAtStart;
       return result;
@@ -143,15 +142,23 @@ FindResult find_contact(const ContactPair& pair, double u, double q, int directi
   return result;
 }
 
+}  // namespace
+
+FindResult find_contact(const ContactPair& pair, double u, double q, int direction, bool from_overlap) {
+  ListedContacts listed(pair, u);
+  return search(pair, u, q, direction, from_overlap, listed);
+}
+
 FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std::optional<int> branch) {
+  ListedContacts listed(pair, u);
   FindResult best;
   for (const int direction : {1, -1}) {
-    FindResult found = find_contact(pair, u, q, direction, true);
+    FindResult found = search(pair, u, q, direction, true, listed);
     if (found.status == FindStatus::kFound && branch && found.branch != *branch) {
       // The other end of the overlap, or of the gap, has the other sign.
       const double size = extent(pair, u, found.at.q);
       const double beyond = direction * 1e-6 * (pair.motion2.turns ? 1 : size);
-      found = find_contact(pair, u, found.at.q + beyond, direction, true);
+      found = search(pair, u, found.at.q + beyond, direction, true, listed);
       if (found.branch != *branch) {
         found.status = FindStatus::kNoContact;
       }

@@ -45,7 +45,7 @@ inline constexpr double kAtCrossing =
 struct Step {
   ContactResult result;
   double change = 0;    // of q and φ, in units
-  double mismatch = 0;  // between prediction and solution, in units
+  double mismatch = 0;  // between prediction and solution, of q and φ, in units
   bool solved = false;
 };
 
@@ -60,7 +60,7 @@ struct Step {
   }
   const double unit = unit_of(track.pair.motion2, track);
   step.change = std::abs(to.q - from.q) / unit + std::abs(cross(from.n_W, to.n_W));
-  step.mismatch = std::abs(to.q - q) / unit;
+  step.mismatch = std::abs(to.q - q) / unit + step.result.step_n;
   const bool turned_far = to.n_W.dot(from.n_W) < kCosFarthestTurn ||
                           (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestTurn);
   step.solved = !turned_far;

@@ -75,8 +75,8 @@ struct LastStep {
   LastStep step;
   const double slope = g_q + (w * (P + M) + turns2) * pass.s / 2;
   const double per_slope = 1 / slope;
-  double delta = -(pass.g + w * pass.s * pass.s / 2) * per_slope;
-  delta -= g_qq * delta * delta * per_slope / 2;
+  const double first = -(pass.g + w * pass.s * pass.s / 2) * per_slope;
+  const double delta = first - g_qq * first * first * per_slope / 2;
   step.delta = delta;
   step.phi = face2 ? turns2 * delta : w * (pass.s + delta * P);
   step.psi = face1 ? -turns2 * delta : w * (pass.s + delta * M);
@@ -85,8 +85,26 @@ struct LastStep {
   const double turn = std::max(std::abs(step.phi), std::abs(step.psi));
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
   const double arm = w == 0 ? extent : std::min(extent, 1 / std::abs(w));
-  step.sound = turn <= kLastTurn && std::abs(g_qq * delta) <= kLastTurn * std::abs(slope);
-  step.exact = step.sound && slopes * turn * turn <= kLeftOut * arm;
+  // Of the first order's step: the second order may undo a large one.
+  step.sound = turn <= kLastTurn && std::abs(g_qq * first) <= kLastTurn * std::abs(slope);
+  // From far away the follower would bring the rounding of that place along.
+  const bool short_way = 8 * std::abs(delta) * manhattan(v2) <= extent;
+  step.exact = step.sound && short_way && slopes * turn * turn <= kLeftOut * arm;
+  return step;
+}
+
+// The same with the follower at rest: the two points come together along their curves, φ = ψ = w s. For
+// points that are closed already where δ would be noise: far out on two branches the normal fixes the points
+// only to a rounding of it times their radii, which may be much more than the rounding of the gap.
+[[nodiscard]] inline LastStep closing_step(const ContactPoints& points, const LastStep& last) {
+  const double turn = points.pass.weights.w * points.pass.s;
+  if (!(std::abs(turn) <= kLastTurn)) {
+    return {};
+  }
+  LastStep step = last;
+  step.delta = 0;
+  step.phi = turn;
+  step.psi = turn;
   return step;
 }
 
@@ -101,6 +119,7 @@ struct LastStep {
   const Vector2d t = pass.t;
   const double rho2 = points.second.rho;
   pass.n = n + phi * t - phi * phi / 2 * n;
+  pass.n *= 1.5 - pass.n.squaredNorm() / 2;  // a unit vector also after a million steps
   pass.t = perp(pass.n);
   pass.p1 += points.first.rho * (phi * t - phi * phi / 2 * n);
   const Vector2d along2 = rho2 * psi * ((phi + turns2 * delta) / 2 * n - t);

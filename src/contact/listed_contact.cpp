@@ -1,6 +1,5 @@
 #include "listed_contact.hpp"
 
-#include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
 
 #include <cmath>
@@ -23,11 +22,14 @@ double way_to(const ContactPair& pair, double q, int direction, const CurveConta
 
 }  // namespace
 
-FindResult find_listed_contact(const ContactPair& pair, double u, double q, int direction,
-                               bool from_overlap) {
+FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
+  const ContactPair& pair = pair_;
+  const double u = u_;
   FindResult result;
-  const CurveContacts list = find_curve_contacts(pair, u);
-  if (list.status == ContactsStatus::kTangentAtInfinity) {
+  if (!list_) {
+    list_ = find_curve_contacts(pair, u);
+  }
+  if (list_->status == ContactsStatus::kTangentAtInfinity) {
     result.status = FindStatus::kUnbounded;
     return result;
   }
@@ -44,7 +46,7 @@ FindResult find_listed_contact(const ContactPair& pair, double u, double q, int 
   // Coming from the gap the distance falls with q·direction; out of an overlap it grows.
   const int branch = overlapping ? direction : -direction;
   double shortest = INFINITY;
-  for (const CurveContact& contact : list.contacts) {
+  for (const CurveContact& contact : list_->contacts) {
     const double way = way_to(pair, q, direction, contact);
     if (!contact.free || contact.branch != branch || !(way >= -kTouching) || !(way < shortest)) {
       continue;

@@ -3,6 +3,7 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "inner_step.hpp"
+#include "last_step.hpp"
 #include "limit.hpp"
 
 #include <algorithm>
@@ -15,8 +16,10 @@ namespace {
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
 constexpr double kNearCrossing = 1e-3;   // of the driver's scale: how near a crossing is interpolated over
+constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
 constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
 constexpr int kAttempts = 2000;          // inner steps that may fail
+constexpr double kMostSteps = 2e5;       // of kMaxTurn that a way may be long; so many more inner steps
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
@@ -52,17 +55,29 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   }
   const ContactPosition& a = track.at;
   const ContactPosition& b = beyond.result.at;
+  // Cubic Hermite: h⁴ is left out.
+  const auto middle = [h](double from, double to, double rate_from, double rate_to) {
+    return (from + to) / 2 + h * (rate_from - rate_to) / 8;
+  };
+  const auto rate_in_middle = [h](double change, double rate_from, double rate_to) {
+    return 1.5 * change / h - (rate_from + rate_to) / 4;
+  };
   ContactPosition at = b;
   at.u = a.u + rest;
-  at.q = (a.q + b.q) / 2 + h * (a.dq - b.dq) / 8;
-  at.dq = (a.dq + b.dq) / 2;
-  at.d2q = (a.d2q + b.d2q) / 2;
-  at.dphi = (a.dphi + b.dphi) / 2;
+  at.q = middle(a.q, b.q, a.dq, b.dq);
+  at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
+  at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
+  at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
   at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
   at.gap_q = 0;
-  if (!place_points(track.pair, at)) {
+  // Between two contacts of different branches there may also be a limit of each, and no contact at all.
+  if (!place_points(track.pair, at) ||
+      !((at.p2_W - at.p1_W).norm() <= kClosed * (track.size + manhattan(at.p1_W)))) {
     return false;
   }
+  at.sliding =
+      (at.dq * velocity_per_q(track.pair.motion2, at.p1_W) - velocity_per_q(track.pair.motion1, at.p1_W))
+          .dot(perp(at.n_W));
   accept(track, at, -track.branch);
   return true;
 }
@@ -102,8 +117,14 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
   const double largest = kMaxTurn * unit;
   double h = largest;
   int halvings = 0;
-  int attempts = kAttempts + static_cast<int>(std::min(1e6, 4 * std::abs(u - track.at.u) / largest));
+  const int length = static_cast<int>(std::min(kMostSteps, std::abs(u - track.at.u) / largest));
+  int attempts = kAttempts + 4 * length;
+  int steps = static_cast<int>(kMostSteps) + 4 * length;  // some may be lost in the rounding of u
   while (track.at.u != u) {
+    if (--steps < 0) {
+      limit = LimitPosition{track.at.u, track.at.q};
+      return false;
+    }
     const double rest = u - track.at.u;
     bool last = std::abs(rest) <= h;
     double step = last ? rest : std::copysign(h, rest);
@@ -172,6 +193,9 @@ ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int
 
 TrackResult follow_to(ContactTrack& track, double u) {
   TrackResult result;
+  if (!std::isfinite(u)) {
+    return result;
+  }
   const bool held = track.assembled ? follow(track, u, result.limit) : resume(track, u, result.limit);
   if (!held && track.assembled) {
     // The branch may be there again at u, past a stretch in which it is not.

@@ -348,7 +348,7 @@ std::array<double, 6> implicit_coefficients(const Curve& curve) {
           2 * scale * (w.x() * w.y() + q * u.x() * u.y()),
           linear.x(),
           linear.y(),
-          scale * (y0 * y0 + q * x0 * x0) + sign * x0};
+          scale * y0 * y0 + q * (scale * x0) * x0 + sign * x0};  // squares alone would underflow
 }
 
 std::array<double, 2> semi_axes(const Curve& curve) {

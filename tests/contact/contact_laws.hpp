@@ -116,6 +116,20 @@ private:
     return body.curve.kind == CurveKind::kPoint ? 0 : 1 / shape.kappa;
   }
 
+  [[nodiscard]] static bool is_curved(const Standing& body) {
+    return body.curve.kind != CurveKind::kPoint && body.curve.kind != CurveKind::kLine;
+  }
+
+  // Of a curve not larger than the rounding of its place, the place does not tell the curvature; there the
+  // radius given does: κ = ℓ²/arm³.
+  static Real sharpest(const Standing& body, const Standing::Shape& shape, Real rho) {
+    return is_curved(body) ? std::max(std::abs(shape.kappa), 1 / std::abs(rho)) : std::abs(shape.kappa);
+  }
+  static Real shortest_arm(const Standing& body, const Standing::Shape& shape, Real rho) {
+    const Real l = body.curve.semi_latus;
+    return is_curved(body) ? std::min(shape.arm, std::cbrt(l * l * std::abs(rho))) : shape.arm;
+  }
+
   void position() {
     // What one rounding of the normal moves along a nearly flat curve is not seen across it.
     const double tiny = 1e-13 * length_;
@@ -125,19 +139,54 @@ private:
     expect_small(s1.distance, tiny, "point 1 on curve 1");
     expect_small(s2.distance, tiny, "point 2 on curve 2");
     if (!s1.on_branch || !s2.on_branch) broken.emplace_back("branch of a hyperbola");
-    const Real slack1 = 1e-12L + 1e-13L * length_ * std::abs(s1.kappa);
-    const Real slack2 = 1e-12L + 1e-13L * length_ * std::abs(s2.kappa);
+    const Real per_arm1 = 1e-14L * length_ / shortest_arm(one_, s1, at_.rho1);
+    const Real per_arm2 = 1e-14L * length_ / shortest_arm(two_, s2, at_.rho2);
+    const Real slack1 = 1e-12L + 1e-13L * length_ * sharpest(one_, s1, at_.rho1) + per_arm1;
+    const Real slack2 = 1e-12L + 1e-13L * length_ * sharpest(two_, s2, at_.rho2) + per_arm2;
     if (one_.curve.kind != CurveKind::kPoint) expect_small((s1.n - n_).norm(), slack1, "normal of 1");
     if (two_.curve.kind != CurveKind::kPoint) expect_small((s2.n + n_).norm(), slack2, "normal of 2");
     expect_small(n_.norm() - 1, 1e-14L, "unit normal");
     rho1_ = flat1() ? 0 : radius(one_, s1);
     rho2_ = flat2() ? 0 : radius(two_, s2);
-    if (!flat1())
-      expect_small(rho1_ - at_.rho1, (1e-10L + 1e-14L * length_ / s1.arm) * std::abs(rho1_), "radius 1");
-    if (!flat2())
-      expect_small(rho2_ - at_.rho2, (1e-10L + 1e-14L * length_ / s2.arm) * std::abs(rho2_), "radius 2");
+    doubt1_ = per_arm1 * std::abs(rho1_);
+    doubt2_ = per_arm2 * std::abs(rho2_);
+    if (!flat1()) expect_small(rho1_ - at_.rho1, 1e-10L * std::abs(rho1_) + doubt1_, "radius 1");
+    if (!flat2()) expect_small(rho2_ - at_.rho2, 1e-10L * std::abs(rho2_) + doubt2_, "radius 2");
     const bool curved = one_.curve.kind != CurveKind::kPoint && two_.curve.kind != CurveKind::kPoint;
     conforming_ = curved ? (s1.kappa + s2.kappa) / (std::abs(s1.kappa) + std::abs(s2.kappa)) : 1;
+  }
+
+  // What is left of an equation, and the size of its terms.
+  struct Balance {
+    Real rest = 0;
+    Real terms = 0;
+  };
+
+  // What an equation that uses measured radii owes to their uncertainty: a radius is that of a place known to
+  // a rounding of length_.
+  template <class Equation>
+  [[nodiscard]] Real owed_to_radii(const Equation& equation) const {
+    const Real rest = equation(rho1_, rho2_).rest;
+    return std::abs(equation(rho1_ + doubt1_, rho2_).rest - rest) +
+           std::abs(equation(rho1_, rho2_ + doubt2_).rest - rest);
+  }
+
+  // The speeds that go into those of the centres: next to a pivot a point has less, but its distance from the
+  // pivot has the rounding of their places.
+  [[nodiscard]] Real carried() const {
+    const Real speed1 = one_.velocity(p_).norm() + one_.omega() * (std::abs(rho1_) + Real(length_));
+    const Real speed2 = two_.velocity(p_).norm() + two_.omega() * (std::abs(rho2_) + Real(length_));
+    return speed1 + std::abs(at_.dq) * speed2;
+  }
+
+  // Of the terms of an equation. Exactly at a crossing of branches the rates are interpolated from places
+  // beside it, whose own are as uncertain as 1e-16 over their distance to it.
+  [[nodiscard]] Real share() const { return at_.gap_q == 0 ? 1e-9L : 1e-11L; }
+
+  // What is carried of accelerations, of places alone.
+  [[nodiscard]] Real carried_acceleration() const {
+    const Real turning2 = (at_.dq * at_.dq + std::abs(at_.d2q)) * two_.omega();
+    return (one_.omega() + turning2) * Real(length_);
   }
 
   // n·(v2(c2) - v1(c1)) = 0 and n·(a2(c2) - a1(c1)) + |v2(c2) - v1(c1)|²/(ρ1 + ρ2) = 0.
@@ -146,39 +195,74 @@ private:
     const Vec c2 = p_ + rho2_ * n_;
     const Vec v1 = one_.velocity(c1);
     const Vec v2 = Real(at_.dq) * two_.velocity(c2);
-    const Real relative = (v2 - v1).squaredNorm() / (rho1_ + rho2_);
-    const Vec a1 = one_.acceleration(c1);
-    const Vec a2 = Real(at_.d2q) * two_.velocity(c2) + Real(at_.dq * at_.dq) * two_.acceleration(c2);
     const Real speed = one_.velocity(p_).norm() + std::abs(at_.dq) * two_.velocity(p_).norm();
-    expect_small(n_.dot(v2 - v1), 1e-12L * speed + 1e-15L * (v1.norm() + v2.norm()), "velocity of the link");
-    const Real terms = std::abs(relative) + std::abs(n_.dot(a1)) + std::abs(n_.dot(a2));
+    expect_small(n_.dot(v2 - v1), 1e-12L * speed + 1e-15L * carried(), "velocity of the link");
+    const auto balance = [&](Real rho1, Real rho2) { return acceleration_of_link(rho1, rho2); };
+    const Balance whole = balance(rho1_, rho2_);
     // Where n·v2 nearly vanishes, its rounding is magnified; a centre is as good as the normal times its
     // radius.
-    const Real lever = std::abs(at_.d2q) * two_.velocity(p_).norm() + a1.norm() + a2.norm() +
+    const Real lever = std::abs(at_.d2q) * (two_.velocity(p_).norm() + two_.velocity(c2).norm()) +
+                       one_.acceleration(c1).norm() + at_.dq * at_.dq * two_.acceleration(c2).norm() +
                        (std::abs(rho1_) + std::abs(rho2_)) * (one_.omega() + at_.dq * at_.dq * two_.omega());
-    expect_small(n_.dot(a2 - a1) + relative, 1e-11L * terms + 3e-14L * lever, "acceleration of the link");
+    // Where both bodies move nearly alike, v2 - v1 is what rounding of the two leaves of it; where the curves
+    // nearly conform, ρ1 + ρ2 magnifies it.
+    const Real squared = 4e-16L * carried() * carried() / std::abs(rho1_ + rho2_);
+    expect_small(whole.rest,
+                 share() * whole.terms + 3e-14L * lever + 1e-15L * carried_acceleration() + squared +
+                     owed_to_radii(balance),
+                 "acceleration of the link");
+  }
+
+  [[nodiscard]] Balance acceleration_of_link(Real rho1, Real rho2) const {
+    const Vec c1 = p_ - rho1 * n_;
+    const Vec c2 = p_ + rho2 * n_;
+    const Vec v1 = one_.velocity(c1);
+    const Vec v2 = Real(at_.dq) * two_.velocity(c2);
+    const Real relative = (v2 - v1).squaredNorm() / (rho1 + rho2);
+    const Vec a1 = one_.acceleration(c1);
+    const Vec a2 = Real(at_.d2q) * two_.velocity(c2) + Real(at_.dq * at_.dq) * two_.acceleration(c2);
+    return {n_.dot(a2 - a1) + relative, std::abs(relative) + std::abs(n_.dot(a1)) + std::abs(n_.dot(a2))};
   }
 
   // The centre of the curved body moves along the face as a pin in a slot.
   void slot() {
+    const auto balance = [&](Real rho1, Real rho2) { return acceleration_in_slot(flat2() ? rho1 : -rho2); };
+    const Vec c = p_ - (flat2() ? rho1_ : -rho2_) * n_;
+    const SlotRates r = slot_rates(c);
+    expect_small(n_.dot(r.v_pin - r.v_face), 1e-12L * (r.v_pin.norm() + r.v_face.norm()) + 1e-15L * carried(),
+                 "velocity in the slot");
+    const Balance whole = balance(rho1_, rho2_);
+    expect_small(whole.rest,
+                 share() * whole.terms + 1e-12L * (r.a_pin.norm() + r.a_face.norm()) +
+                     1e-15L * carried_acceleration() + owed_to_radii(balance),
+                 "acceleration in the slot");
+  }
+
+  struct SlotRates {
+    Vec v_pin, v_face, a_pin, a_face;
+    Real omega = 0;  // of the face
+  };
+
+  [[nodiscard]] SlotRates slot_rates(const Vec& c) const {
     const bool second = flat2();
     const Standing& face = second ? two_ : one_;
     const Standing& pin = second ? one_ : two_;
-    const Vec c = second ? Vec(p_ - rho1_ * n_) : Vec(p_ + rho2_ * n_);
     const Real face_rate = second ? at_.dq : 1;
     const Real pin_rate = second ? 1 : at_.dq;
     const Real face_second = second ? at_.d2q : 0;
     const Real pin_second = second ? 0 : at_.d2q;
-    const Vec v_pin = pin_rate * pin.velocity(c);
-    const Vec v_face = face_rate * face.velocity(c);
-    const Real omega = face.omega() * face_rate;
-    const Vec a_pin = pin_second * pin.velocity(c) + pin_rate * pin_rate * pin.acceleration(c);
-    const Vec a_face = face_second * face.velocity(c) + face_rate * face_rate * face.acceleration(c);
-    const Real coriolis = 2 * omega * n_.dot(perp(Vec(v_pin - v_face)));
-    expect_small(n_.dot(v_pin - v_face), 1e-12L * (v_pin.norm() + v_face.norm()), "velocity in the slot");
-    const Real terms = std::abs(n_.dot(a_pin)) + std::abs(n_.dot(a_face)) + std::abs(coriolis);
-    expect_small(n_.dot(a_pin - a_face) - coriolis, 1e-11L * terms + 1e-12L * (a_pin.norm() + a_face.norm()),
-                 "acceleration in the slot");
+    return {pin_rate * pin.velocity(c), face_rate * face.velocity(c),
+            pin_second * pin.velocity(c) + pin_rate * pin_rate * pin.acceleration(c),
+            face_second * face.velocity(c) + face_rate * face_rate * face.acceleration(c),
+            face.omega() * face_rate};
+  }
+
+  // \param radius  from the centre to the contact point, along n
+  [[nodiscard]] Balance acceleration_in_slot(Real radius) const {
+    const SlotRates r = slot_rates(Vec(p_ - radius * n_));
+    const Real coriolis = 2 * r.omega * n_.dot(perp(Vec(r.v_pin - r.v_face)));
+    return {n_.dot(r.a_pin - r.a_face) - coriolis,
+            std::abs(n_.dot(r.a_pin)) + std::abs(n_.dot(r.a_face)) + std::abs(coriolis)};
   }
 
   ContactPosition at_;
@@ -189,6 +273,8 @@ private:
   double length_;
   Real rho1_ = 0;
   Real rho2_ = 0;
+  Real doubt1_ = 0;
+  Real doubt2_ = 0;
 
 public:
   Real conforming_ = 1;  ///< (κ1 + κ2)/(|κ1| + |κ2|): > 0 where the bodies do not cut each other at p

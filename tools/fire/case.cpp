@@ -132,8 +132,11 @@ Shape Cases::shape(int kind, bool ring) {
   s.side = ring ? Side::kOutside : Side::kInside;
   s.x = between(-1, 1);
   s.y = between(-1, 1);
-  s.a = (ring ? 4 : 1) * std::pow(10.0, pick(4) == 0 ? between(-3, 3) : between(-0.7, 0.3));
-  s.b = s.a * std::pow(10.0, between(-1, 0));
+  const int decades = pick(8);
+  s.a = (ring ? 4 : 1) * std::pow(10.0, decades == 0   ? between(-6, 6)
+                                        : decades == 1 ? between(-3, 3)
+                                                       : between(-0.7, 0.3));
+  s.b = s.a * std::pow(10.0, pick(8) == 0 ? between(-5, 0) : between(-1, 0));
   s.angle = between(-kPi, kPi);
   return s;
 }
@@ -174,6 +177,31 @@ void Cases::move_beside_limit(Case& one) {
   }
 }
 
+// A joint that hardly changes the distance of the curves: a pivot beside the centre of a curve, a slide
+// nearly along a face.
+void Cases::make_singular(Case& one) {
+  const double off = std::pow(10.0, between(-14, -1));
+  Shape& shape = pick(2) == 0 ? one.curve1 : one.curve2;
+  Mount& mount = &shape == &one.curve1 ? one.mount1 : one.mount2;
+  if (shape.kind == CurveKind::kLine) {
+    mount.turns = false;
+    mount.direction = mount.theta + shape.angle + kPi / 2 + off;
+    return;
+  }
+  mount.turns = true;
+  mount.bx = shape.x + off * between(-1, 1);
+  mount.by = shape.y + off * between(-1, 1);
+}
+
+// Both bodies on like joints beside each other: they move nearly as one.
+void Cases::make_parallel(Case& one) {
+  const double off = std::pow(10.0, between(-14, -1));
+  one.mount2.turns = one.mount1.turns;
+  one.mount2.x = one.mount1.x + off * between(-1, 1);
+  one.mount2.y = one.mount1.y + off * between(-1, 1);
+  one.mount2.direction = one.mount1.direction + off;
+}
+
 Case Cases::next() {
   Case one;
   const int kind1 = pick(6);
@@ -189,7 +217,7 @@ Case Cases::next() {
   one.mount2 = mount();
   one.u = between(-kPi, kPi);
   one.q = between(-kPi, kPi);
-  switch (pick(8)) {
+  switch (pick(10)) {
     case 0:
       make_conforming(one);
       break;
@@ -205,6 +233,12 @@ Case Cases::next() {
         s->b = std::max(s->b, 0.25);
       }
       one.step = 0.03125;
+      break;
+    case 3:
+      make_singular(one);
+      break;
+    case 4:
+      make_parallel(one);
       break;
     default:
       break;

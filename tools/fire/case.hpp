@@ -57,6 +57,8 @@ private:
   Shape shape(int kind, bool ring);
   Mount mount();
   void make_conforming(Case& one);
+  void make_singular(Case& one);
+  void make_parallel(Case& one);
   void move_beside_limit(Case& one);
 
   std::mt19937_64 engine_;

@@ -9,6 +9,7 @@
 #include "higherpair/io/motion_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -58,6 +59,32 @@ Failure compare(const char* law, double rate, const Difference& difference, doub
   return {law, fmt::format("{} but a difference gives {} ± {}", rate, difference.value, tolerance), row};
 }
 
+// What rounding of the pair's numbers makes of q and dq. A gap of that size moves q by it over ∂gap/∂q, and
+// dq by d²q/dq for each unit of q; an angle moves the contact point along the curves by z, and with it both
+// levers in dq = (n·v1)/(n·v2).
+struct Doubt {
+  double q = 0;
+  double dq = 0;
+};
+
+Doubt doubt_of(const ContactPair& pair, const ContactPosition& at) {
+  constexpr double kRounding = 1e-15;
+  const double length = testing::length_scale(pair, at);
+  const double turns1 = pair.motion1.turns ? 1 : 0;
+  const double turns2 = pair.motion2.turns ? 1 : 0;
+  const double per_gap = 1 / std::abs(at.gap_q);
+  const bool face = pair.curve1.kind == CurveKind::kLine || pair.curve2.kind == CurveKind::kLine;
+  const double z = face ? at.rho1 + at.rho2 : at.rho1 * at.rho2 / (at.rho1 + at.rho2);
+  const double angles = 1 + turns1 * std::abs(at.u) + turns2 * std::abs(at.q);
+  const double along = length + std::abs(z) * angles;
+  const double lever = velocity_per_q(pair.motion2, at.p2_W).norm() + turns2 * length;
+  Doubt doubt;
+  doubt.q = kRounding * (std::abs(at.q) + length * per_gap);
+  doubt.dq = kRounding * per_gap * (along * std::abs(turns1 - at.dq * turns2) + lever * std::abs(at.dq)) +
+             (at.d2q == 0 ? 0 : std::abs(at.d2q / at.dq) * doubt.q);
+  return doubt;
+}
+
 Failure rates(const ContactTrack& track, double h, int row) {
   const auto beside = [&](auto of) {
     return [&track, of](double offset) -> std::optional<double> {
@@ -68,17 +95,19 @@ Failure rates(const ContactTrack& track, double h, int row) {
       return of(moved.at);
     };
   };
-  const double noise = position_noise(track.at.u, h);
-  const auto q_of = [](const ContactPosition& at) { return at.q; };
-  const auto dq_of = [](const ContactPosition& at) { return at.dq; };
-  const double unit = track.pair.motion2.turns ? 1 : testing::length_scale(track.pair, track.at);
-  const double u_unit = track.pair.motion1.turns ? 1 : testing::length_scale(track.pair, track.at);
-  const double rounding = 1e-13 * (std::abs(track.at.q) + unit) / std::abs(h);
-  if (auto f = compare("dq", track.at.dq, testing::difference(h, beside(q_of)), noise, rounding, row)) {
+  const ContactPosition& at = track.at;
+  const double noise = position_noise(at.u, h);
+  const auto q_of = [](const ContactPosition& place) { return place.q; };
+  const auto dq_of = [](const ContactPosition& place) { return place.dq; };
+  const double unit = track.pair.motion2.turns ? 1 : testing::length_scale(track.pair, at);
+  const double u_unit = track.pair.motion1.turns ? 1 : testing::length_scale(track.pair, at);
+  const Doubt doubt = doubt_of(track.pair, at);
+  const double rounding = (1e-13 * (std::abs(at.q) + unit) + doubt.q) / std::abs(h);
+  if (auto f = compare("dq", at.dq, testing::difference(h, beside(q_of)), noise, rounding, row)) {
     return f;
   }
-  const double second = 1e-12 * std::abs(track.at.dq) / std::abs(h) + rounding / u_unit;
-  return compare("d2q", track.at.d2q, testing::difference(h, beside(dq_of)), noise, second, row);
+  const double second = (1e-12 * std::abs(at.dq) + doubt.dq) / std::abs(h) + rounding / u_unit;
+  return compare("d2q", at.d2q, testing::difference(h, beside(dq_of)), noise, second, row);
 }
 
 Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
@@ -91,12 +120,18 @@ Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
     return f;
   }
   ContactTrack track = start_track(pair, found.at, found.branch);
+  int lost = 0;  // rows in succession; each next one is a search anew, so few of them will do
   for (int k = 1; k <= one.rows; ++k) {
+    if (lost > 2 && k % 8 != 0 && k != one.rows) {
+      continue;
+    }
     ++counts.rows;
     if (follow_to(track, one.u + k * one.step).status != TrackStatus::kOk) {
       ++counts.flagged;
+      ++lost;
       continue;
     }
+    lost = 0;
     if (auto f = laws(pair, track.at, k)) {
       return f;
     }
@@ -162,7 +197,8 @@ Failure contact_laws(const Mechanism& m, const MotionRow& row, double size, int 
   const CommonNormal& at = row.contacts.front().at;
   const auto one = stand(m, contact.first, row);
   const auto two = stand(m, contact.second, row);
-  const double length = size + at.p1_W.norm() + one.curve.vertex_B.norm() + two.curve.vertex_B.norm();
+  const double length = size + at.p1_W.norm() + one.curve.vertex_B.norm() + two.curve.vertex_B.norm() +
+                        one.freedom.p_WO.norm() + two.freedom.p_WO.norm();
   const auto d1 = one.shape_at(testing::wide(at.p1_W)).distance;
   const auto d2 = two.shape_at(testing::wide(at.p2_W)).distance;
   const double gap = (at.p2_W - at.p1_W).norm();
@@ -193,6 +229,18 @@ Failure row_laws(const Run& run, int k) {
   return contact_laws(run.mechanism, run.row, run.plan.size, k);
 }
 
+// A difference that does not know how near the mechanism stands to a limit: what rounding does to it shows in
+// other half-widths.
+template <class At>
+Difference steady_difference(double h, const At& at) {
+  Difference best = testing::difference(h, at);
+  for (const double share : {0.7, 0.45}) {
+    const Difference other = testing::difference(share * h, at);
+    best.error = std::max({best.error, other.error, 2 * std::abs(other.value - best.value)});
+  }
+  return best;
+}
+
 // Angular rates of every body against differences of the run.
 Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
   const double noise = position_noise(driver.position, h);
@@ -210,12 +258,12 @@ Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
     const BodyMotion& B = run.row.bodies[i];
     const std::string& name = run.mechanism.bodies[i].name;
     const double rounding = 1e-13 * (1 + std::abs(B.theta)) / std::abs(h);
-    if (auto f = compare("omega", B.omega, testing::difference(h, beside(false)), noise, rounding, k)) {
+    if (auto f = compare("omega", B.omega, steady_difference(h, beside(false)), noise, rounding, k)) {
       f.detail = name + ": " + f.detail;
       return f;
     }
     const double second = 1e-12 * std::abs(B.omega) / std::abs(h) + rounding;
-    if (auto f = compare("alpha", B.alpha, testing::difference(h, beside(true)), noise, second, k)) {
+    if (auto f = compare("alpha", B.alpha, steady_difference(h, beside(true)), noise, second, k)) {
       f.detail = name + ": " + f.detail;
       return f;
     }
@@ -271,7 +319,7 @@ Counts& Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-Trial try_case(const Case& one) {
+Trial try_case(const Case& one, Depth depth) {
   Trial trial;
   ++trial.counts.cases;
   const auto pair = pair_of(one);
@@ -279,16 +327,16 @@ Trial try_case(const Case& one) {
     return trial;
   }
   trial.failure = track_pair(one, *pair, trial.counts);
-  if (!trial.failure) {
+  if (!trial.failure && depth == Depth::kWhole) {
     trial.failure = run_profile(one, trial.counts);
   }
   trial.counts.failed += trial.failure ? 1 : 0;
   return trial;
 }
 
-Case shrink(Case one, const std::string& law) {
+Case shrink(Case one, const std::string& law, Depth depth) {
   const auto keep = [&](const Case& smaller) {
-    if (try_case(smaller).failure.law != law) {
+    if (try_case(smaller, depth).failure.law != law) {
       return false;
     }
     one = smaller;

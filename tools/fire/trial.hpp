@@ -32,11 +32,17 @@ struct Trial {
   Failure failure;  ///< the first
 };
 
+/// How much of a case is tried.
+enum class Depth {
+  kPair,   ///< the contact is found and followed
+  kWhole,  ///< and the profile of the whole case is read and run
+};
+
 /// Finds and tracks the contact of the pair, then reads and runs the profile of the whole case; every row
 /// that counts as ok is held against laws that know nothing of how it was found.
-[[nodiscard]] Trial try_case(const Case& one);
+[[nodiscard]] Trial try_case(const Case& one, Depth depth);
 
 /// A smaller case that fails by the same law: fewer rows, rounder numbers.
-[[nodiscard]] Case shrink(Case one, const std::string& law);
+[[nodiscard]] Case shrink(Case one, const std::string& law, Depth depth);
 
 }  // namespace higherpair::fire

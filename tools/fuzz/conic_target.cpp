@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 namespace {
 
@@ -20,15 +21,17 @@ void check(const Curve& curve) {
     std::abort();
   }
   const auto k = implicit_coefficients(curve);
-  double terms = 0;
-  double value = 0;
   const double x = curve.vertex_B.x();
   const double y = curve.vertex_B.y();
+  // The quadratic coefficients share the rounding of the largest of them.
+  double terms = std::max({std::abs(k[0]), std::abs(k[1]), std::abs(k[2])}) * (x * x + y * y);
+  double value = 0;
   for (const double term : {k[0] * x * x, k[1] * y * y, k[2] * x * y, k[3] * x, k[4] * y, k[5]}) {
     value += term;
     terms += std::abs(term);
   }
-  if (!(std::abs(value) <= 1e-12 * terms) && std::isfinite(terms)) {
+  const double tolerance = 1e-12 * terms + std::numeric_limits<double>::min();  // below it digits are lost
+  if (!(std::abs(value) <= tolerance) && std::isfinite(terms)) {
     std::abort();
   }
 }
