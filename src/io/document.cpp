@@ -125,6 +125,15 @@ std::string items_text(const Array& items) {
   return text + "]";
 }
 
+// A message of the parser quotes what it saw, line ends included.
+std::string on_one_line(std::string_view message) {
+  std::string text;
+  for (const char c : message) {
+    text += c == '\n' ? "\\n" : c == '\r' ? "\\r" : std::string(1, c);
+  }
+  return text;
+}
+
 }  // namespace
 
 const Value* find(const Table& table, std::string_view key) {
@@ -158,7 +167,7 @@ tl::expected<Value, Diagnostic> parse_document(std::string_view text, const std:
     const toml::source_position place = table.error().source().begin;
     return tl::unexpected(
         Diagnostic{{source_name, static_cast<int>(place.line), static_cast<int>(place.column)},
-                   std::string(table.error().description())});
+                   on_one_line(table.error().description())});
   }
   return convert(*table, 0);
 }

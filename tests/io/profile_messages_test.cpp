@@ -61,6 +61,14 @@ length = "furlong"
           "test.toml:13:10: units.length = \"furlong\": expected one of m, cm, mm, um, km, in, ft"));
 }
 
+TEST(ProfileMessages, TheParsersOwnAreOneLine) {
+  const auto all = messages("[contacts.k]\nrolling = tru\n");
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_THAT(all[0], ::testing::StartsWith("test.toml:2:14: "));
+  EXPECT_THAT(all[0], ::testing::HasSubstr("tru\\n"));
+  EXPECT_THAT(all[0], ::testing::Not(::testing::HasSubstr("\n")));
+}
+
 TEST(ProfileMessages, ANewerFormatIsTheOnlyComplaint) {
   EXPECT_THAT(
       messages("format = 2\nnonsense = 3\n"),
