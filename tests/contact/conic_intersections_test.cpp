@@ -140,7 +140,7 @@ int crossings(const Curve& first, const Pose<double>& X1, const Curve& second, c
 
 TEST(Intersections, OfRandomConicsAreAsManyAsAWalkAlongTheFirstCrosses) {
   std::array<int, 5> seen = {};
-  for (unsigned number = 0; number < 320; ++number) {
+  for (unsigned number = 0; number < 480; ++number) {
     std::mt19937 random(7000 + number);
     const Curve a = testing::random_curve(static_cast<int>(number % 4), random);
     const Curve b = testing::random_curve(static_cast<int>(number / 4 % 4), random);
