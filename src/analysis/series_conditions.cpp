@@ -109,8 +109,7 @@ public:
     }
     const SeriesVector t = perp(n);
     const SeriesVector p1 = is_line(curve1) ? first.vertex_W : support_point(first, n).p_W;
-    const SeriesVector p2 =
-        is_line(curve2) ? second.vertex_W : support_point(second, SeriesVector(-n)).p_W;
+    const SeriesVector p2 = is_line(curve2) ? second.vertex_W : support_point(second, SeriesVector(-n)).p_W;
     const SeriesVector apart = p2 - p1;
     values_.push_back(dot(apart, n));
     if (!is_line(curve1) && !is_line(curve2)) {

@@ -159,7 +159,8 @@ void judge_drivers(const SizedMechanism& sized, const Freedom& all, const Mechan
   mobility.useless_drivers = useless_drivers(rates, all.floor);
   const Freedom left{all.directions * null_spaces(rates, all.floor).right, all.floor};
   mobility.idle = idle_freedoms(sized, left, position, mobility.start);
-  mobility.missing_drivers = static_cast<int>(left.directions.cols()) - static_cast<int>(mobility.idle.size());
+  mobility.missing_drivers =
+      static_cast<int>(left.directions.cols()) - static_cast<int>(mobility.idle.size());
   if (mobility.missing_drivers == 0) {
     return;
   }

@@ -17,8 +17,8 @@ namespace {
 Run started(const Profile& profile) {
   std::vector<double> drivers;
   for (const DriverProgram& program : profile.programs) {
-    const Joint& joint = profile.mechanism.joints[static_cast<std::size_t>(
-        profile.mechanism.drivers[drivers.size()].joint)];
+    const Joint& joint =
+        profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers[drivers.size()].joint)];
     const Dimension dimension = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
     drivers.push_back(to_si(dimension, profile.units).apply(program.start));
   }
@@ -122,8 +122,8 @@ joint = "cam_pivot"
   EXPECT_NEAR(derivatives_of(run, drivers, 3)->at(2).p_WB[3].y(), -6.378404883307, 1e-12);
 }
 
-// Position, velocity, acceleration as the run has them and the jerk as --jerk has it, in all shipped profiles:
-// two derivations that share nothing but the mechanism.
+// Position, velocity, acceleration as the run has them and the jerk as --jerk has it, in all shipped
+// profiles: two derivations that share nothing but the mechanism.
 TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
   int compared = 0;
   for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {

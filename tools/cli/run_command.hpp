@@ -27,7 +27,7 @@ struct RunOptions {
   double tolerance = 1e-9;
   bool quiet = false;
   bool summary = false;
-  bool jerk = false;  ///< columns of jerk behind those of the motion
+  bool jerk = false;               ///< columns of jerk behind those of the motion
   std::optional<int> derivatives;  ///< columns of the third to this derivative behind them
 };
 

@@ -2,8 +2,8 @@
 
 #include "higherpair/io/motion_table.hpp"
 
-#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,8 +23,8 @@ public:
 
 private:
   struct Range {
-    double low = INFINITY;
-    double high = -INFINITY;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
   };
 
   std::size_t status_;

@@ -28,7 +28,7 @@ public:
   [[nodiscard]] std::string heads(const std::string& name) const {
     std::string text;
     for (const std::string& unit : units_) {
-      text += ',' + name + '[' + unit + ']';
+      text += fmt::format(",{}[{}]", name, unit);
     }
     return text;
   }
@@ -37,7 +37,7 @@ public:
   [[nodiscard]] std::string cells(const std::string& unit, std::optional<double> value) const {
     std::string text;
     for (const std::string& column : units_) {
-      text += ',' + (value && column == unit ? fmt::format("{}", *value) : "");
+      text += value && column == unit ? fmt::format(",{}", *value) : ",";
     }
     return text;
   }

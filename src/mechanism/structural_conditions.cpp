@@ -1,0 +1,185 @@
+#include "structural_conditions.hpp"
+
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace higherpair {
+namespace {
+
+// Indices in the order of the names.
+template <class T>
+std::vector<int> by_name(const std::vector<T>& items) {
+  std::vector<int> order(items.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto name = [&](int index) -> const std::string& {
+    return items[static_cast<std::size_t>(index)].name;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return name(a) < name(b); });
+  return order;
+}
+
+class Conditions {
+public:
+  Conditions(const Mechanism& mechanism, const NameOrder& order)
+      : mechanism_(mechanism), reference_(mechanism.bodies.size()) {
+    for (const int index : order.joints) {
+      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      if (joint.type == JointType::kRevolute) {
+        choose_reference(joint.first);
+        choose_reference(joint.second);
+      }
+    }
+    for (const int index : order.drivers) {
+      const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
+      add_driver(mechanism.joints[static_cast<std::size_t>(driver.joint)]);
+    }
+    for (const int index : order.joints) {
+      add_joint(mechanism.joints[static_cast<std::size_t>(index)]);
+    }
+    for (const int index : order.contacts) {
+      add_contact(mechanism.contacts[static_cast<std::size_t>(index)]);
+    }
+    for (const int index : order.contacts) {
+      const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+      if (contact.rolling) {
+        add_slip(contact);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Condition>& all() const { return conditions_; }
+
+private:
+  void choose_reference(const PointRef& ref) {
+    auto& reference = reference_[static_cast<std::size_t>(ref.body)];
+    if (!reference) {
+      reference = point_of(mechanism_, ref);
+    }
+  }
+
+  [[nodiscard]] bool is_reference(int body, const Vector2d& p_B) const {
+    const Vector2d reference =
+        reference_[static_cast<std::size_t>(body)].value_or(Vector2d(Vector2d::Zero()));
+    return (p_B - reference).norm() <= 1e-12 * (p_B.norm() + reference.norm());
+  }
+
+  void enter(Condition& condition, int body, std::initializer_list<Coordinate> coordinates) const {
+    if (body == 0) {
+      return;
+    }
+    condition.bodies.push_back(body);
+    for (const Coordinate coordinate : coordinates) {
+      condition.variables.push_back(variable(body, coordinate));
+    }
+  }
+
+  void enter_all(Condition& condition, int body) const {
+    enter(condition, body, {Coordinate::kX, Coordinate::kY, Coordinate::kAngle});
+  }
+
+  // One component of the place of a point.
+  void enter_point(Condition& condition, const PointRef& ref, Coordinate coordinate) const {
+    if (is_reference(ref.body, point_of(mechanism_, ref))) {
+      enter(condition, ref.body, {coordinate});
+    } else {
+      enter(condition, ref.body, {coordinate, Coordinate::kAngle});
+    }
+  }
+
+  void add_joint(const Joint& joint) {
+    if (joint.type == JointType::kRevolute) {
+      for (const Coordinate coordinate : {Coordinate::kX, Coordinate::kY}) {
+        Condition condition;
+        enter_point(condition, joint.first, coordinate);
+        enter_point(condition, joint.second, coordinate);
+        conditions_.push_back(condition);
+      }
+      return;
+    }
+    if (couples_turning(joint.type)) {
+      add_turning(joint);
+      return;
+    }
+    add_along_line(joint);
+    if (joint.type == JointType::kPrismatic) {
+      add_angle(joint);
+    }
+  }
+
+  void add_along_line(const Joint& joint) {
+    Condition condition;
+    enter_all(condition, joint.first.body);
+    enter_all(condition, joint.second.body);
+    conditions_.push_back(condition);
+  }
+
+  void add_angle(const Joint& joint) {
+    Condition condition;
+    enter(condition, joint.first.body, {Coordinate::kAngle});
+    enter(condition, joint.second.body, {Coordinate::kAngle});
+    conditions_.push_back(condition);
+  }
+
+  void add_turning(const Joint& joint) {
+    Condition condition;
+    enter(condition, joint.first.body, {Coordinate::kAngle});
+    enter(condition, joint.second.body, {Coordinate::kAngle});
+    // Wheels that turn alike do not see their carrier turn.
+    if (joint.turning_ratio != 1) {
+      enter(condition, joint.carrier, {Coordinate::kAngle});
+    }
+    conditions_.push_back(condition);
+  }
+
+  void add_driver(const Joint& joint) {
+    joint.type == JointType::kRevolute ? add_angle(joint) : add_along_line(joint);
+  }
+
+  // A circle about its body's reference pin, or a knife edge there, does not see the body's turning.
+  void enter_curve(Condition& condition, const CurveRef& ref) const {
+    const Curve& curve = curve_of(mechanism_, ref);
+    const bool round = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kPoint;
+    const Vector2d middle = curve.kind == CurveKind::kCircle ? center(curve) : curve.vertex_B;
+    if (round && reference_[static_cast<std::size_t>(ref.body)] && is_reference(ref.body, middle)) {
+      enter(condition, ref.body, {Coordinate::kX, Coordinate::kY});
+    } else {
+      enter_all(condition, ref.body);
+    }
+  }
+
+  void add_contact(const Contact& contact) {
+    Condition condition;
+    enter_curve(condition, contact.first);
+    enter_curve(condition, contact.second);
+    conditions_.push_back(condition);
+  }
+
+  void add_slip(const Contact& contact) {
+    Condition slip;
+    enter_all(slip, contact.first.body);
+    enter_all(slip, contact.second.body);
+    conditions_.push_back(slip);
+  }
+
+  const Mechanism& mechanism_;
+  std::vector<std::optional<Vector2d>> reference_;
+  std::vector<Condition> conditions_;
+};
+
+}  // namespace
+
+NameOrder::NameOrder(const Mechanism& mechanism)
+    : bodies(by_name(mechanism.bodies)),
+      joints(by_name(mechanism.joints)),
+      contacts(by_name(mechanism.contacts)),
+      drivers(by_name(mechanism.drivers)) {}
+
+std::vector<Condition> structural_conditions(const Mechanism& mechanism, const NameOrder& order) {
+  return Conditions(mechanism, order).all();
+}
+
+}  // namespace higherpair
