@@ -4,6 +4,8 @@
 #include "group_solver.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
+#include <algorithm>
+
 namespace higherpair {
 namespace {
 
@@ -36,6 +38,42 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
   return place;
 }
 
+// Whether pins hang the bodies one on the other without a loop, so that gears and drivers of pins set their
+// angles by linear equations: there is one assembly, whatever the poses.
+bool is_gear_train(const Mechanism& mechanism, const Group& group) {
+  std::vector<int> pins;
+  for (const int index : group.joints) {
+    const JointType type = mechanism.joints[static_cast<std::size_t>(index)].type;
+    if (type == JointType::kRevolute) {
+      pins.push_back(index);
+    } else if (!couples_turning(type)) {
+      return false;
+    }
+  }
+  const bool turning_drivers = std::all_of(group.drivers.begin(), group.drivers.end(), [&](int driver) {
+    const auto joint = static_cast<std::size_t>(mechanism.drivers[static_cast<std::size_t>(driver)].joint);
+    return mechanism.joints[joint].type == JointType::kRevolute;
+  });
+  if (!group.contacts.empty() || !turning_drivers || pins.size() != group.bodies.size()) {
+    return false;
+  }
+  // As many pins as bodies make no loop if every body hangs on them.
+  std::vector<int> loose = group.bodies;
+  const auto is_loose = [&](int body) { return std::find(loose.begin(), loose.end(), body) != loose.end(); };
+  for (std::size_t left = loose.size() + 1; loose.size() < left;) {
+    left = loose.size();
+    for (const int index : pins) {
+      const Joint& pin = mechanism.joints[static_cast<std::size_t>(index)];
+      const int a = pin.first.body;
+      const int b = pin.second.body;
+      if (is_loose(a) != is_loose(b)) {
+        loose.erase(std::find(loose.begin(), loose.end(), is_loose(a) ? a : b));
+      }
+    }
+  }
+  return loose.empty();
+}
+
 }  // namespace
 
 tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
@@ -61,7 +99,9 @@ tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
                touching != nullptr && assembled) {
       branches.contacts.push_back(place_of_touching(run, *touching));
     }
-    branches.complete = branches.complete && !std::holds_alternative<CoupledBodies>(group.kind);
+    const bool one_of_many =
+        std::holds_alternative<CoupledBodies>(group.kind) && !is_gear_train(mechanism, group);
+    branches.complete = branches.complete && !one_of_many;
   }
   for (ContactPlace& place : branches.contacts) {
     place.posed = posed_coordinate(posed, place.follower);

@@ -1,6 +1,7 @@
 #include "summary.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,8 @@ void Summary::print(const std::string& title, const std::vector<Column>& columns
     fmt::print(" {} {}", count, status);
   }
   fmt::print("\n");
+  // Events follow on standard error.
+  std::fflush(stdout);
 }
 
 }  // namespace higherpair::cli
