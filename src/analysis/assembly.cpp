@@ -348,6 +348,18 @@ void prepare(Run& run) {
 
 }  // namespace
 
+tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism, const std::vector<double>& drivers) {
+  auto plan = make_plan(mechanism);
+  if (!plan) {
+    return tl::unexpected(StartFailure{plan.error(), std::nullopt});
+  }
+  Run run;
+  run.mechanism = mechanism;
+  run.plan = *std::move(plan);
+  run.drivers = drivers;
+  return run;
+}
+
 std::optional<StartFailure> assemble(Run& run) {
   prepare(run);
   return Assembler(run).run();

@@ -78,14 +78,11 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
 
 tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
                                                    const std::vector<double>& drivers) {
-  auto plan = make_plan(mechanism);
-  if (!plan) {
-    return tl::unexpected(StartFailure{plan.error(), std::nullopt});
+  auto planned = planned_run(mechanism, drivers);
+  if (!planned) {
+    return tl::unexpected(std::move(planned.error()));
   }
-  Run run;
-  run.mechanism = mechanism;
-  run.plan = std::move(*plan);
-  run.drivers = drivers;
+  Run run = *std::move(planned);
   const Assemblies found = assemble_all(run);
 
   Branches branches;

@@ -88,15 +88,12 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
 
 tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
                                           double tolerance) {
-  auto plan = make_plan(mechanism);
-  if (!plan) {
-    return tl::unexpected(StartFailure{plan.error(), std::nullopt});
+  auto planned = planned_run(mechanism, drivers);
+  if (!planned) {
+    return tl::unexpected(std::move(planned.error()));
   }
-  Run run;
-  run.mechanism = mechanism;
-  run.plan = std::move(*plan);
+  Run run = *std::move(planned);
   run.tolerance = tolerance;
-  run.drivers = drivers;
   if (auto objection = surplus_objection(mechanism, run.plan, drivers)) {
     return tl::unexpected(StartFailure{*objection, std::nullopt});
   }

@@ -287,4 +287,12 @@ DriverState DriverSchedule::state(std::int64_t row, std::size_t driver) const {
            one.acceleration_to_si.apply(profile.acceleration)}};
 }
 
+std::vector<double> DriverSchedule::first_positions() const {
+  std::vector<double> positions;
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    positions.push_back(state(0, i).si.position);
+  }
+  return positions;
+}
+
 }  // namespace higherpair

@@ -11,26 +11,16 @@
 namespace higherpair::cli {
 namespace {
 
-bool write(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-  if (!file.good()) {
-    fmt::print(stderr, "higherpair: {}\n", file.error());
-  }
-  return file.good();
-}
-
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
   bool good = true;
   if (options.csv) {
-    good = write(*options.csv, branches_csv(report)) && good;
+    good = write_file(*options.csv, branches_csv(report)) && good;
   }
   if (options.json) {
-    good = write(*options.json, branches_json(report).dump(2) + "\n") && good;
+    good = write_file(*options.json, branches_json(report).dump(2) + "\n") && good;
   }
   if (!options.csv && !options.json) {
-    good = write("-", branches_text(report));
+    good = write_file("-", branches_text(report));
   } else if (!options.quiet) {
     for (const ContactReport& contact : report.contacts) {
       for (const std::string& remark : {contact.note, contact.certificate}) {
@@ -79,11 +69,7 @@ int branches_command(const BranchesOptions& options) {
   if (!schedule) {
     return report_input(schedule.error());
   }
-  std::vector<double> drivers;
-  for (std::size_t i = 0; i < schedule->driver_count(); ++i) {
-    drivers.push_back(schedule->state(0, i).si.position);
-  }
-  const auto branches = list_branches(profile->mechanism, drivers);
+  const auto branches = list_branches(profile->mechanism, schedule->first_positions());
   if (!branches) {
     return fail(options, branches.error().reason);
   }

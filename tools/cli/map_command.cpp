@@ -16,26 +16,16 @@
 namespace higherpair::cli {
 namespace {
 
-bool write(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-  if (!file.good()) {
-    fmt::print(stderr, "higherpair: {}\n", file.error());
-  }
-  return file.good();
-}
-
 bool write_all(const MapOptions& options, const MapReport& report) {
   bool good = true;
   if (options.csv) {
-    good = write(*options.csv, map_csv(report));
+    good = write_file(*options.csv, map_csv(report));
   }
   if (options.json) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    good = write(*options.json, map_json(report).dump(-1, ' ', false, replace) + "\n") && good;
+    good = write_file(*options.json, map_json(report).dump(-1, ' ', false, replace) + "\n") && good;
   }
-  return options.csv || options.json ? good : write("-", map_text(report));
+  return options.csv || options.json ? good : write_file("-", map_text(report));
 }
 
 // The whole turn from the start; of a slide the way that the profile drives it.
@@ -143,11 +133,7 @@ int map_command(const MapOptions& options) {
   if (!schedule) {
     return report_input(schedule.error());
   }
-  std::vector<double> drivers;
-  for (std::size_t i = 0; i < schedule->driver_count(); ++i) {
-    drivers.push_back(schedule->state(0, i).si.position);
-  }
-  const auto mapped = mapped_contacts(profile->mechanism, drivers, options.tolerance);
+  const auto mapped = mapped_contacts(profile->mechanism, schedule->first_positions(), options.tolerance);
   if (!mapped) {
     return fail(options, mapped.error());
   }

@@ -14,13 +14,6 @@
 namespace higherpair::cli {
 namespace {
 
-int report(const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) {
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
-  }
-  return kExitInput;
-}
-
 MobilityQuestion question_of(const DriverSchedule& schedule) {
   MobilityQuestion question;
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
@@ -32,11 +25,8 @@ MobilityQuestion question_of(const DriverSchedule& schedule) {
 }
 
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
-  OutputFile file(options.json.value_or("-"));
-  file.write(options.json ? mobility_json(findings).dump(2) + "\n" : mobility_text(findings));
-  file.commit();
-  if (!file.good()) {
-    fmt::print(stderr, "higherpair: {}\n", file.error());
+  const std::string text = options.json ? mobility_json(findings).dump(2) + "\n" : mobility_text(findings);
+  if (!write_file(options.json.value_or("-"), text)) {
     return kExitMachine;
   }
   return kExitOk;
@@ -79,11 +69,11 @@ int mobility_command(const MobilityOptions& options) {
   }
   const auto profile = read_profile_file(options.profile, options.overrides);
   if (!profile) {
-    return report(profile.error());
+    return report_input(profile.error());
   }
   const auto schedule = DriverSchedule::analyze(*profile, std::nullopt);
   if (!schedule) {
-    return report(schedule.error());
+    return report_input(schedule.error());
   }
   MobilityQuestion question = question_of(*schedule);
   const auto run = start_run(profile->mechanism, question.drivers, options.tolerance);

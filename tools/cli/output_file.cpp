@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 namespace higherpair::cli {
 
 namespace fs = std::filesystem;
@@ -75,6 +77,16 @@ void OutputFile::commit() {
     return;
   }
   temporary_.clear();
+}
+
+bool write_file(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+  if (!file.good()) {
+    fmt::print(stderr, "higherpair: {}\n", file.error());
+  }
+  return file.good();
 }
 
 }  // namespace higherpair::cli

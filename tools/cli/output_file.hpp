@@ -32,4 +32,7 @@ private:
   std::string error_;
 };
 
+/// Writes a whole file; false, with the reason on standard error, where that fails.
+[[nodiscard]] bool write_file(const std::string& path, std::string_view text);
+
 }  // namespace higherpair::cli

@@ -108,14 +108,6 @@ void read_row(const DriverSchedule& schedule, std::int64_t k, std::vector<Driver
   }
 }
 
-std::vector<double> first_positions(const DriverSchedule& schedule) {
-  std::vector<double> positions;
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    positions.push_back(schedule.state(0, i).si.position);
-  }
-  return positions;
-}
-
 // The tables of a run side by side.
 struct Tables {
   MotionTable motion;
@@ -172,7 +164,7 @@ tl::expected<Tables, Diagnostics> make_tables(const RunOptions& options, const P
 // The mechanism at its first position; else the message is printed.
 tl::expected<Run, int> start(const RunOptions& options, const Profile& profile,
                              const DriverSchedule& schedule) {
-  auto run = start_run(profile.mechanism, first_positions(schedule), options.tolerance);
+  auto run = start_run(profile.mechanism, schedule.first_positions(), options.tolerance);
   const auto slip = run ? find_slip(*run, some_positions(schedule)) : run.error().slip;
   if (slip) {
     return tl::unexpected(report_slip(*slip, options, profile));

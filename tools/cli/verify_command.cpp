@@ -63,12 +63,9 @@ int write_json(const std::string& path, const std::vector<Verdict>& verdicts, do
     references.push_back(json_of(verdict, bound));
   }
   const nlohmann::ordered_json json = {{"format", 1}, {"bound", bound}, {"references", references}};
-  OutputFile file(path);
   // Titles and messages may quote a file that is not UTF-8.
-  file.write(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-  file.commit();
-  if (!file.good()) {
-    fmt::print(stderr, "higherpair: {}\n", file.error());
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  if (!write_file(path, json.dump(1, ' ', false, replace) + "\n")) {
     return kExitMachine;
   }
   return kExitOk;

@@ -69,6 +69,9 @@ public:
   /// One driver in one row. \pre 0 <= row < size(), driver < driver_count().
   [[nodiscard]] DriverState state(std::int64_t row, std::size_t driver = 0) const;
 
+  /// The positions of all drivers in the first row [rad or m].
+  [[nodiscard]] std::vector<double> first_positions() const;
+
 private:
   struct OneDriver {
     std::vector<double> positions;  ///< explicit ones; else start … end
