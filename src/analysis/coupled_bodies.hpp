@@ -5,8 +5,8 @@
 namespace higherpair {
 
 /// Newton's method on all conditions of a coupled group, from where `from` and its rates lead after `h`;
-/// least squares where there are more conditions than coordinates. \param held  bodies that keep their angle
-/// in `from`
+/// least squares where there are more conditions than coordinates.
+/// \param held  bodies that keep their angle in `from`
 [[nodiscard]] GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
                                         const std::vector<double>& drivers, State& to,
                                         const std::vector<int>& held = {});

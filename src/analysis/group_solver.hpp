@@ -21,7 +21,8 @@ enum class GroupStatus {
 };
 
 /// Places the bodies of group `g` of `to`, whose earlier groups stand: near where `from` and its rates lead
-/// after `h` of the path, in mode to.groups[g].mode. \param drivers  positions of Mechanism::drivers
+/// after `h` of the path, in mode to.groups[g].mode.
+/// \param drivers  positions of Mechanism::drivers
 [[nodiscard]] GroupStatus place_group(const Model& model, std::size_t g, const State& from, double h,
                                       const std::vector<double>& drivers, State& to,
                                       std::optional<LimitPosition>& limit);

@@ -35,18 +35,18 @@ void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosi
   const double omega1 = pair.motion1.turns ? 1 : 0;
   const double omega2 = pair.motion2.turns ? at.dq : 0;
   const double omega_r = omega2 - omega1;
-  at.sliding = (at.dq * per_q - v1).dot(pass.t);
+  at.sliding = at.dq * per_q.dot(pass.t) - v1.dot(pass.t);
   const double u1 = z * omega_r + w2 * at.sliding;
   const double u2 = z * omega_r - w1 * at.sliding;
   at.dphi = omega1 + w1 * omega_r + w * at.sliding;
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
-  const Vector2d a2_centripetal = at.dq * at.dq * acceleration_per_q(pair.motion2, p);
+  const double a2_n = at.dq * at.dq * acceleration_per_q(pair.motion2, p).dot(pass.n);  // centripetal
   const double normal = omega2 * u2 - omega1 * u1 - at.sliding * at.dphi;
-  at.d2q = (normal + (a1 - a2_centripetal).dot(pass.n)) * per_gap_q;
+  at.d2q = (normal + (a1.dot(pass.n) - a2_n)) * per_gap_q;
 }
 
-ContactPosition position_of(const ContactPair& pair, const ContactPoints& points, double u, double q) {
-  ContactPosition at;
+void set_position(const ContactPair& pair, const ContactPoints& points, double u, double q,
+                  ContactPosition& at) {
   at.u = u;
   at.q = q;
   at.n_W = points.pass.n;
@@ -55,7 +55,6 @@ ContactPosition position_of(const ContactPair& pair, const ContactPoints& points
   at.rho1 = points.first.rho;
   at.rho2 = points.second.rho;
   add_rates(pair, points, at);
-  return at;
 }
 
 // One osculating pass: the follower, its curve and the normal after it; false where the circles cannot touch.
@@ -104,19 +103,23 @@ bool is_closed(const ContactPoints& points, double extent) {
 ContactResult solve_contact(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch) {
   ContactResult result;
   PlacedPair placed = place_pair(pair, u, q);
-  ContactPoints points = points_at(pair, placed, n_W);
-  const Vector2d n_guess = points.pass.n;
+  Vector2d n = n_W;
+  Vector2d n_guess = n;
   for (int pass = 0; pass <= kMaxPasses; ++pass) {
+    const ContactPoints points = points_at(pair, placed, n);
     if (!points.exist) {
       result.status = ContactStatus::kNoContact;
       return result;
+    }
+    if (pass == 0) {
+      n_guess = points.pass.n;
     }
     const double size = extent(pair, placed, points.pass);
     const LastStep last = last_step(pair, placed, points, size);
     if (last.exact || is_closed(points, size)) {
       const LastStep step = last.sound ? last : closing_step(points, last);
       const ContactPoints end = moved(pair, placed, step, size, points);
-      result.at = position_of(pair, end, u, q + step.delta);
+      set_position(pair, end, u, q + step.delta, result.at);
       result.step_n = (end.pass.n - n_guess).norm();
       const bool wanted = branch * result.at.gap_q >= 0;
       result.status = wanted ? ContactStatus::kOk : ContactStatus::kOtherBranch;
@@ -129,7 +132,7 @@ ContactResult solve_contact(const ContactPair& pair, double u, double q, const V
     }
     placed.second = next.second;
     q = next.q;
-    points = points_at(pair, placed, next.n_W);
+    n = next.n_W;
   }
   result.status = ContactStatus::kNotConverged;
   return result;

@@ -50,8 +50,9 @@ struct ContactPoints {
   return p - (p - at).dot(n) * n;
 }
 
-[[nodiscard]] inline ContactPoints points_at(const ContactPair& pair, const PlacedPair& placed,
-                                             const Vector2d& n) {
+[[nodiscard, gnu::always_inline]] inline ContactPoints points_at(const ContactPair& pair,
+                                                                 const PlacedPair& placed,
+                                                                 const Vector2d& n) {
   ContactPoints points;
   PassGeometry<double>& pass = points.pass;
   const bool line1 = is_line(pair.curve1);

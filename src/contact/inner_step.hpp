@@ -21,13 +21,13 @@ inline constexpr double kAtCrossing =
   return freedom.turns ? 1 : track.size;
 }
 
-// The rotation by a small or moderate angle; its direction need only be good enough for a prediction.
+// The rotation by a small or moderate angle, as good as a prediction needs; of unit length.
 [[nodiscard]] inline Rotation<double> predicted_turn(double angle) {
   const double square = angle * angle;
   if (square > 1e-3) {
     return Rotation<double>::from_angle(angle);
   }
-  const Rotation<double> turn{1 - square / 2 * (1 - square / 12), angle * (1 - square / 6)};
+  const Rotation<double> turn{1 - square / 2 * (1 - square * (1 / 12.0)), angle * (1 - square * (1 / 6.0))};
   return turn.normalised();
 }
 
@@ -51,7 +51,9 @@ struct Step {
 
 [[nodiscard]] inline Step try_step(const ContactTrack& track, double h, int branch) {
   const ContactPosition& from = track.at;
-  const double q = from.q + h * (from.dq + h / 2 * (from.d2q + h / 3 * track.d3q));
+  // Summed so that what is known last is added last.
+  const double half_h2 = h * h / 2;
+  const double q = from.q + h * from.dq + half_h2 * from.d2q + half_h2 * h * (1 / 3.0) * track.d3q;
   const Vector2d n = predicted_turn(h * (from.dphi + h / 2 * track.d2phi)) * from.n_W;
   Step step{solve_contact(track.pair, from.u + h, q, n, branch)};
   const ContactPosition& to = step.result.at;
@@ -74,8 +76,9 @@ struct Step {
 inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   const double h = at.u - track.at.u;
   const bool smooth = h != 0 && branch == track.branch;
-  track.d3q = smooth ? (at.d2q - track.at.d2q) / h : 0;
-  track.d2phi = smooth ? (at.dphi - track.at.dphi) / h : 0;
+  const double per_h = smooth ? 1 / h : 0;
+  track.d3q = per_h * (at.d2q - track.at.d2q);
+  track.d2phi = per_h * (at.dphi - track.at.dphi);
   track.phi += angle_between(track.at.n_W, at.n_W);
   track.at = at;
   track.branch = branch;

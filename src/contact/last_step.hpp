@@ -76,7 +76,7 @@ struct LastStep {
   const double slope = g_q + (w * (P + M) + turns2) * pass.s / 2;
   const double per_slope = 1 / slope;
   const double first = -(pass.g + w * pass.s * pass.s / 2) * per_slope;
-  const double delta = first - g_qq * first * first * per_slope / 2;
+  const double delta = first - (g_qq * per_slope / 2) * (first * first);
   step.delta = delta;
   step.phi = face2 ? turns2 * delta : w * (pass.s + delta * P);
   step.psi = face1 ? -turns2 * delta : w * (pass.s + delta * M);
@@ -84,12 +84,12 @@ struct LastStep {
   if (!face2) step.slope2 = radius_slope(placed.second, points.second.rho, pass.n);
   const double turn = std::max(std::abs(step.phi), std::abs(step.psi));
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
-  const double arm = w == 0 ? extent : std::min(extent, 1 / std::abs(w));
   // Of the first order's step: the second order may undo a large one.
   step.sound = turn <= kLastTurn && std::abs(g_qq * first) <= kLastTurn * std::abs(slope);
   // From far away the follower would bring the rounding of that place along.
   const bool short_way = 8 * std::abs(delta) * manhattan(v2) <= extent;
-  step.exact = step.sound && short_way && slopes * turn * turn <= kLeftOut * arm;
+  const double left_out = slopes * turn * turn;  // against the arm 1/w or the extent, the shorter
+  step.exact = step.sound && short_way && left_out <= kLeftOut * extent && left_out * std::abs(w) <= kLeftOut;
   return step;
 }
 
@@ -110,8 +110,9 @@ struct LastStep {
 
 // Moves normal, points and radii by the last step. Points are moved along the osculating circles:
 // c1 stays, c2 moves with body 2.
-[[nodiscard]] inline ContactPoints moved(const ContactPair& pair, const PlacedPair& placed,
-                                         const LastStep& step, double extent, ContactPoints points) {
+[[nodiscard, gnu::always_inline]] inline ContactPoints moved(const ContactPair& pair,
+                                                             const PlacedPair& placed, const LastStep& step,
+                                                             double extent, ContactPoints points) {
   PassGeometry<double>& pass = points.pass;
   const double turns2 = pair.motion2.turns ? 1 : 0;
   const auto [delta, phi, psi, slope1, slope2, sound, exact] = step;

@@ -21,7 +21,8 @@ struct GapDerivatives {
 [[nodiscard]] bool place_points(const ContactPair& pair, ContactPosition& at);
 
 /// The limit position near a contact, by Newton's method on g = g_φ = g_q = 0; none where it does not
-/// converge. \param length  what counts as one unit of a displacement [m]
+/// converge.
+/// \param length  what counts as one unit of a displacement [m]
 [[nodiscard]] std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& at,
                                                       double length);
 

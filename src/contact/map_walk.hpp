@@ -23,7 +23,8 @@ namespace higherpair {
 
 /// Follows a contact to the driver coordinate u, within a range in which it is known to be smooth: nothing is
 /// looked for on the way, and nothing jumped over. False where it cannot be followed; the track then stands
-/// where it was last. \param may_cross  branches may cross on the way: ∂gap/∂q may change its sign
+/// where it was last.
+/// \param may_cross  branches may cross on the way: ∂gap/∂q may change its sign
 [[nodiscard]] inline bool walk_to(ContactTrack& track, double u, bool may_cross) {
   constexpr double kAgreement = 0.1;
   constexpr double kCrossingAgreement = 0.03;

@@ -13,8 +13,8 @@ struct PossiblePlace {
 };
 
 /// The boxes, each set of those that hang together merged: whose normals (and turning coordinates) are, up to
-/// whole turns, nearer to each other than the tolerance [rad], on the same or on neighbouring pieces. \param
-/// range  of a sliding follower: the bounds of q are cut by it
+/// whole turns, nearer to each other than the tolerance [rad], on the same or on neighbouring pieces.
+/// \param range  of a sliding follower: the bounds of q are cut by it
 [[nodiscard]] std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interval& theta1,
                                                         const std::vector<PossiblePlace>& places,
                                                         const Bounds& range, double tolerance);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kNearCrossing = 1e-3;   // of the driver's scale: how near a crossing is interpolated over
+constexpr double kNearCrossing = 5e-3;   // of the driver's scale: how near a crossing is interpolated over
 constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
 constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
 constexpr int kAttempts = 2000;          // inner steps that may fail
@@ -41,6 +41,19 @@ bool step_by(ContactTrack& track, double h, double predicted_gap_q) {
   return true;
 }
 
+// Places the points with the bodies at rest and a normal that is nearly right, and turns it until they meet.
+bool place_closed(const ContactPair& pair, ContactPosition& at) {
+  if (!place_points(pair, at)) {
+    return false;
+  }
+  if (is_line(pair.curve1) || is_line(pair.curve2)) {
+    return true;
+  }
+  const Vector2d t = perp(at.n_W);
+  at.n_W = (at.n_W + t.dot(at.p2_W - at.p1_W) / (at.rho1 + at.rho2) * t).normalized();
+  return place_points(pair, at);
+}
+
 // The driver stops (nearly) where branches cross, `rest` ahead: the closure has lost its rank there. The
 // position is interpolated between here and a place just beyond; its gap_q is exactly 0 and its rates are
 // those of the smooth motion.
@@ -55,7 +68,8 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   }
   const ContactPosition& a = track.at;
   const ContactPosition& b = beyond.result.at;
-  // Cubic Hermite: h⁴ is left out.
+  // Hermite interpolation: h⁴ is left out of rates and normal, h⁶ of q. Rounding counts as its share of the
+  // squared distance from the crossing there, which is why the distance is not made smaller.
   const auto middle = [h](double from, double to, double rate_from, double rate_to) {
     return (from + to) / 2 + h * (rate_from - rate_to) / 8;
   };
@@ -64,14 +78,14 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   };
   ContactPosition at = b;
   at.u = a.u + rest;
-  at.q = middle(a.q, b.q, a.dq, b.dq);
+  at.q = (a.q + b.q) / 2 + h * (10 * (a.dq - b.dq) + h * (a.d2q + b.d2q)) / 64;
   at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
   at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
   at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
   at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
   at.gap_q = 0;
   // Between two contacts of different branches there may also be a limit of each, and no contact at all.
-  if (!place_points(track.pair, at) ||
+  if (!place_closed(track.pair, at) ||
       !((at.p2_W - at.p1_W).norm() <= kClosed * (track.size + manhattan(at.p1_W)))) {
     return false;
   }
@@ -117,7 +131,8 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
   const double largest = kMaxTurn * unit;
   double h = largest;
   int halvings = 0;
-  const int length = static_cast<int>(std::min(kMostSteps, std::abs(u - track.at.u) / largest));
+  const double way = std::abs(u - track.at.u);
+  const int length = way > largest ? static_cast<int>(std::min(kMostSteps, way / largest)) : 0;
   int attempts = kAttempts + 4 * length;
   int steps = static_cast<int>(kMostSteps) + 4 * length;  // some may be lost in the rounding of u
   while (track.at.u != u) {

@@ -15,7 +15,8 @@ struct OuterJoints {
   int on_b = 0;
 };
 
-/// None where they are not one of each. \param joints  indices of Mechanism::joints
+/// None where they are not one of each.
+/// \param joints  indices of Mechanism::joints
 [[nodiscard]] std::optional<OuterJoints> sort_joints(const Mechanism& mechanism,
                                                      const std::vector<int>& joints, int a, int b);
 

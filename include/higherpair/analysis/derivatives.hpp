@@ -26,7 +26,8 @@ struct BodyDerivatives {
 [[nodiscard]] std::optional<std::vector<BodyDerivatives>> derivatives_of(
     const Run& run, const std::vector<DriverMotion>& drivers, int order);
 
-/// The k-th time derivative of a point of the body, in ground [m/s^k]. \param p_B  in the body's frame [m]
+/// The k-th time derivative of a point of the body, in ground [m/s^k].
+/// \param p_B  in the body's frame [m]
 [[nodiscard]] Vector2d point_derivative(const BodyDerivatives& body, const Vector2d& p_B, int k);
 
 }  // namespace higherpair

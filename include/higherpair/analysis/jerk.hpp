@@ -22,8 +22,8 @@ struct JerkRow {
 [[nodiscard]] JerkRow jerks_of(const Run& run);
 
 /// Third time derivative of a joint's coordinate in run.row [rad/s³ or m/s³]: the angle of the second body
-/// relative to the first, or the displacement of the second point along the line of the first. \param bodies
-/// one of the members of JerkRow; none where a body of the joint has none
+/// relative to the first, or the displacement of the second point along the line of the first.
+/// \param bodies one of the members of JerkRow; none where a body of the joint has none
 [[nodiscard]] std::optional<double> joint_jerk(const Run& run, int joint,
                                                const std::vector<std::optional<BodyJerk>>& bodies);
 

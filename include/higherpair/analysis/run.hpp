@@ -119,7 +119,8 @@ struct Run {
 /// Moves along the straight path of the drivers to their given positions, in as many inner steps as it takes
 /// to stay on the branch, and fills run.row and run.events. A step is accepted only where the solution agrees
 /// with the prediction from the rates before. Does not allocate unless an event happens or bodies are
-/// coupled. \param drivers  of Mechanism::drivers; velocity and acceleration are those of the row
+/// coupled.
+/// \param drivers  of Mechanism::drivers; velocity and acceleration are those of the row
 void move_to(Run& run, const std::vector<DriverMotion>& drivers);
 
 /// Rolls through driver positions and returns the first at which a rolling contact of driver and follower

@@ -22,7 +22,8 @@ struct CommonNormal {
 
 /// The common normal near a guess: the root of (p2 - p1)·t = 0, t = n turned +90°, by Newton's method with
 /// d/dφ [(p2 - p1)·t] = -(ρ1 + ρ2) - gap. A line prescribes n. None where the iteration finds no such normal
-/// or leaves the normals that a curve has. \param n_W guess of the outward normal of curve 1
+/// or leaves the normals that a curve has.
+/// \param n_W guess of the outward normal of curve 1
 [[nodiscard]] std::optional<CommonNormal> find_common_normal(const Curve& curve1, const Pose<double>& X_W1,
                                                              const Curve& curve2, const Pose<double>& X_W2,
                                                              const Vector2d& n_W);

@@ -48,10 +48,12 @@ struct ContactResult {
 /// The follower's position that makes the two curves touch, by osculating circles: both curves are replaced
 /// by their circles of curvature for the normals n and -n, the equivalent linkage is solved in closed form
 /// for the follower, its line of centres is the next n. Written in increments from the present pose, so that
-/// huge radii do not cancel. \param u       driver coordinate \param q       guess of the follower's
-/// coordinate; the answer is continuous with it (no whole turns are taken off) \param n_W     guess of the
-/// common normal, out of body 1 (ignored where a body is a line) \param branch  +1 or -1: the sign of ∂gap/∂q
-/// of the contact wanted Rates are those of a unit driver velocity; they are 0 where gap_q = 0.
+/// huge radii do not cancel. Rates are those of a unit driver velocity; they are 0 where gap_q = 0.
+/// \param u       driver coordinate
+/// \param q       guess of the follower's coordinate; the answer is continuous with it (no whole turns are
+///                taken off)
+/// \param n_W     guess of the common normal, out of body 1; ignored where a body is a line
+/// \param branch  +1 or -1: the sign of ∂gap/∂q of the contact wanted
 [[nodiscard]] ContactResult solve_contact(const ContactPair& pair, double u, double q, const Vector2d& n_W,
                                           int branch);
 

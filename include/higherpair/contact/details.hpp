@@ -46,8 +46,8 @@ struct ContactBody {
 [[nodiscard]] ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi);
 
 /// Arc coordinate of a boundary point of a body, growing along its outward normal turned +90° [m]; on a line
-/// the distance from its given point, else from the vertex. \param normal_angle  angle of n_W, continuous
-/// over turns [rad]
+/// the distance from its given point, else from the vertex.
+/// \param normal_angle  angle of n_W, continuous over turns [rad]
 [[nodiscard]] double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W,
                                  const Vector2d& n_W, double normal_angle);
 

@@ -24,13 +24,15 @@ struct FindResult {
 /// follower's pivot), or the signed distance itself for a sliding follower, cannot jump over a contact; close
 /// to it the osculating iteration takes over. Where no such bound exists (two unbounded bodies) or the steps
 /// come to rest beside a grazing position, the list of all contacts (conic_contacts.hpp) answers. A turning
-/// follower searches one turn; a sliding one until the bodies are far apart. \param from_overlap  true: the
-/// bodies may overlap at the start; then the position where they come apart is meant
+/// follower searches one turn; a sliding one until the bodies are far apart.
+/// \param from_overlap  true: the bodies may overlap at the start; then the position where they come apart is
+///   meant
 [[nodiscard]] FindResult find_contact(const ContactPair& pair, double u, double q, int direction,
                                       bool from_overlap);
 
 /// Of the contacts that leave the interiors of the bodies disjoint the one whose coordinate is nearest to
-/// `q`. \param branch  if given, only contacts with this sign of ∂gap/∂q
+/// `q`.
+/// \param branch  if given, only contacts with this sign of ∂gap/∂q
 [[nodiscard]] FindResult find_nearest_contact(const ContactPair& pair, double u, double q,
                                               std::optional<int> branch = std::nullopt);
 

@@ -25,7 +25,8 @@ struct RollingResult {
 /// Looks for the rolling position nearest to the follower's coordinate q: gap = 0, common tangent, and a
 /// contact point at which the two joints let both bodies have the same velocity (for two pivots: on their
 /// line). Least squares, so that a coordinate which these do not fix (discs about their centres) stays q
-/// exactly. \param n_W guess of the normal out of body 1
+/// exactly.
+/// \param n_W guess of the normal out of body 1
 [[nodiscard]] RollingResult start_rolling(RollingTrack& track, const ContactPair& pair, double u, double q,
                                           const Vector2d& n_W);
 

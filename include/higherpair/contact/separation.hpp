@@ -17,8 +17,9 @@ struct Separation {
 /// > 0, and that maximum is the distance; a convex body is clear of one with a concave curve (in a ring) iff
 /// min g > 0. The extreme over all n is found by subdivision: on an arc of normals of half-width d about m,
 /// from g'' + g = -(ρ1 + ρ2) and a bound R of ±(ρ1 + ρ2), g is at most R + (g_m - R) cos δ + g'_m sin δ. No
-/// extreme is missed. \param tolerance the result is within this of the true distance [m]; > 0 -inf where no
-/// common normal exists (the bodies overlap however far they are moved along their opening).
+/// extreme is missed. -inf where no common normal exists (the bodies overlap however far they are moved along
+/// their opening).
+/// \param tolerance  the result is within this of the true distance [m]; > 0
 [[nodiscard]] Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
                                     const Pose<double>& X_W2, double tolerance);
 

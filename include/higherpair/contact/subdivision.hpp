@@ -81,8 +81,9 @@ struct SubdivisionContacts {
 [[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double u,
                                                                const SubdivisionOptions& options = {});
 
-/// The same for curves of the library. \param reach  of parabolas and hyperbolas, see make_support_curve [m]:
-/// contacts at points farther than this from their vertices are not looked for
+/// The same for curves of the library.
+/// \param reach  of parabolas and hyperbolas, see make_support_curve [m]: contacts at points farther than
+///   this from their vertices are not looked for
 [[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double u,
                                                                double reach,
                                                                const SubdivisionOptions& options = {});

@@ -19,7 +19,8 @@ using Wrench = Eigen::Vector3d;
 }
 
 /// Adds what acts on every body apart from joints, contacts and drivers: gravity at the centre of mass,
-/// loads, springs and dampers. \param bodies  motions of Mechanism::bodies; `wrenches` has one entry for each
+/// loads, springs and dampers.
+/// \param bodies  motions of Mechanism::bodies; `wrenches` has one entry for each
 void add_applied(const Mechanism& mechanism, const std::vector<BodyMotion>& bodies,
                  std::vector<Wrench>& wrenches);
 

@@ -17,8 +17,9 @@ struct CurvePointShape {
 /// By y' and y'': y' = -(2Ax + Cy + D)/(2By + Cx + E), y'' = -((2B y' + 2C) y' + 2A)/(2By + Cx + E),
 /// |κ| = |y''|/(1 + y'²)^{3/2}. Where the curve is steeper than 45° x and y change places, so that a vertical
 /// tangent is nothing special. The sign of κ is that of the body's side: the second derivative points into
-/// the body or out of it. \param coefficients A … F in this order; lengths in the unit of p \param p a point
-/// of the curve with ∇f ≠ 0 there
+/// the body or out of it.
+/// \param coefficients A … F in this order; lengths in the unit of p
+/// \param p a point of the curve with ∇f ≠ 0 there
 [[nodiscard]] CurvePointShape shape_by_slope(const std::array<double, 6>& coefficients, const Vector2d& p);
 
 /// By gradient and Hessian: κ = (f_xx f_y² - 2 f_xy f_x f_y + f_yy f_x²)/|∇f|³. Same parameters.

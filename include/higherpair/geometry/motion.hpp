@@ -40,8 +40,8 @@ struct BodyMotion {
                                                  const Vector2d& p_B, const PointMotion& b);
 
 /// Motion in W of a body B that moves against a carrier C: X_WB = X_WC X_CB, with v = v_C + ω_C ẑ×r + R v_CB
-/// and a = a_C + α_C ẑ×r - ω_C² r + 2 ω_C ẑ×(R v_CB) + R a_CB, r = R p_CB. \param motion_CB  seen from C, in
-/// its frame
+/// and a = a_C + α_C ẑ×r - ω_C² r + 2 ω_C ẑ×(R v_CB) + R a_CB, r = R p_CB.
+/// \param motion_CB  seen from C, in its frame
 [[nodiscard]] BodyMotion compose(const BodyMotion& motion_WC, const BodyMotion& motion_CB);
 
 }  // namespace higherpair

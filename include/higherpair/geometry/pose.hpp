@@ -22,7 +22,7 @@ struct Rotation {
   [[nodiscard]] Rotation inverse() const { return {cos, -sin}; }
 
   [[nodiscard]] Vector2<T> operator*(const Vector2<T>& v) const {
-    return {cos * v.x() - sin * v.y(), sin * v.x() + cos * v.y()};
+    return vector_of(T(cos * v.x() - sin * v.y()), T(sin * v.x() + cos * v.y()));
   }
 
   [[nodiscard]] Rotation operator*(const Rotation& other) const {

@@ -49,10 +49,15 @@ template <class T>
   const Vector2<T> across_W = perp(curve.axis_W);
   const T N_x = curve.side * n_W.dot(curve.axis_W);
   const T N_y = curve.side * n_W.dot(across_W);
+  const auto near_half = N_x <= T(0);
+  if (curve.q == 1) {  // a circle: w = 1
+    const T height = select(near_half, N_y * N_y, T(1) + N_x) / select(near_half, T(1) - N_x, T(1));
+    return {curve.vertex_W + curve.semi_latus * height * curve.axis_W + curve.semi_latus * N_y * across_W,
+            T(curve.side * curve.semi_latus), T(1)};
+  }
   const T w2 = N_x * N_x + curve.q * N_y * N_y;
   const T w = sqrt(w2);
   const T scale = curve.semi_latus / w;
-  const auto near_half = N_x <= T(0);
   const T x = scale * select(near_half, N_y * N_y, w + N_x) / select(near_half, w - N_x, T(curve.q));
   const T y = scale * N_y;
   return {curve.vertex_W + x * curve.axis_W + y * across_W, curve.side * scale / w2, w2};

@@ -13,10 +13,25 @@ using Eigen::Vector2d;
 
 inline constexpr double kPi = 3.14159265358979323846;
 
+/// The vector (x, y).
+template <class T>
+[[nodiscard]] inline Vector2<T> vector_of(const T& x, const T& y) {
+  return {x, y};
+}
+#ifdef EIGEN_VECTORIZE_SSE2
+/// The same by one store: Eigen loads both components at once, and a load that spans two stores waits for
+/// them.
+[[nodiscard]] inline Vector2d vector_of(double x, double y) {
+  Vector2d v;
+  _mm_store_pd(v.data(), _mm_set_pd(y, x));
+  return v;
+}
+#endif
+
 /// `v` turned by +90° (counter-clockwise): (x, y) -> (-y, x).
 template <class T>
 [[nodiscard]] inline Vector2<T> perp(const Vector2<T>& v) {
-  return {-v.y(), v.x()};
+  return vector_of(T(-v.y()), T(v.x()));
 }
 
 /// The out-of-plane component of a × b: a_x b_y - a_y b_x; positive where b lies counter-clockwise of a.
@@ -27,7 +42,7 @@ template <class T>
 
 /// The unit vector at `angle` [rad] from the x axis.
 [[nodiscard]] inline Vector2d unit_vector(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return vector_of(std::cos(angle), std::sin(angle));
 }
 
 /// The angle of `v` from the x axis [rad], in (-π, π]; 0 for the zero vector.

@@ -11,7 +11,8 @@ namespace higherpair {
 /// The drivers' accelerations are constant. Cells are empty where the derivatives are not defined.
 class DerivativeTable {
 public:
-  /// The profile must outlive the table. \param order  3 … kHighestDerivative
+  /// The profile must outlive the table.
+  /// \param order  3 … kHighestDerivative
   DerivativeTable(const Profile& profile, int order);
 
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }

@@ -62,8 +62,9 @@ public:
   [[nodiscard]] double time_si(std::int64_t row) const { return time_to_si_.apply(time(row)); }
 
   /// When the drivers, on their way from the row before to `row`, pass a place: a single driver by its law of
-  /// motion, several in proportion to their way. In the profile's unit. \param position  of a single driver,
-  /// in the profile's unit; \param share  of the way
+  /// motion, several in proportion to their way. In the profile's unit.
+  /// \param position  of a single driver, in the profile's unit;
+  /// \param share  of the way
   [[nodiscard]] double passing_time(std::int64_t row, double position, double share) const;
 
   /// One driver in one row. \pre 0 <= row < size(), driver < driver_count().

@@ -13,15 +13,16 @@ namespace higherpair {
 /// A motion table with the columns of the reactions, which stand before `status` and `residual`.
 class ForceTable {
 public:
-  /// Fails where two columns would have the same name; the message names it. \param motion  columns of the
-  /// motion table of the same profile
+  /// Fails where two columns would have the same name; the message names it.
+  /// \param motion  columns of the motion table of the same profile
   [[nodiscard]] static tl::expected<ForceTable, std::string> make(const Profile& profile,
                                                                   const std::vector<Column>& motion);
 
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 
   /// The cells of a row, one for each column; valid until the next call. The status of a row that is `ok`
-  /// but in which a contact pulls is `contact_open`. \param motion  cells of the motion table
+  /// but in which a contact pulls is `contact_open`.
+  /// \param motion  cells of the motion table
   [[nodiscard]] const std::vector<Cell>& cells(const Reactions& reactions, const std::vector<Cell>& motion);
 
 private:
@@ -37,7 +38,8 @@ private:
 };
 
 /// Why and where a contact opens, and what would keep it closed, as a sentence with numbers in the profile's
-/// units. \param need  of the same contact; null if nothing presses it
+/// units.
+/// \param need  of the same contact; null if nothing presses it
 [[nodiscard]] std::string describe(const ContactOpening& opening, const PreloadNeed* need,
                                    const Profile& profile);
 

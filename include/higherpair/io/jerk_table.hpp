@@ -15,7 +15,8 @@ namespace higherpair {
 /// The drivers' accelerations are constant. Cells are empty where the jerk is not defined.
 class JerkTable {
 public:
-  /// The profile must outlive the table. \param plan  of its mechanism
+  /// The profile must outlive the table.
+  /// \param plan  of its mechanism
   JerkTable(const Profile& profile, const Plan& plan);
 
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }

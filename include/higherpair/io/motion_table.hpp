@@ -33,8 +33,8 @@ public:
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 
   /// The cells of a row, one for each column; valid until the next call. Rows come in the order of the run:
-  /// arcs count from the first one, and are undefined on and after one that could not be assembled. \param
-  /// drivers  of Mechanism::drivers
+  /// arcs count from the first one, and are undefined on and after one that could not be assembled.
+  /// \param drivers  of Mechanism::drivers
   [[nodiscard]] const std::vector<Cell>& cells(const MotionRow& row, const std::vector<DriverState>& drivers,
                                                double time);
 

@@ -39,8 +39,8 @@ struct ContactMotion {
 [[nodiscard]] int row_count(const Contact& contact);
 
 /// The rows of a joint. Revolute: x and y of p_B - p_A. Prismatic: distance of p_B from the line of A, and
-/// size· (θ_B - θ_A - relative angle). Slot: that distance. Gears and belts: gear_row. \param size  [m],
-/// makes lengths of angles
+/// size· (θ_B - θ_A - relative angle). Slot: that distance. Gears and belts: gear_row.
+/// \param size  [m], makes lengths of angles
 void append_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                  double size, std::vector<ConstraintRow>& rows);
 

@@ -23,7 +23,8 @@ struct JointMotion {
 [[nodiscard]] JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
                                        const std::vector<BodyMotion>& bodies);
 
-/// Whether a driver moves the joint. \param joint  index of Mechanism::joints
+/// Whether a driver moves the joint.
+/// \param joint  index of Mechanism::joints
 [[nodiscard]] bool is_driven(const Mechanism& mechanism, int joint);
 
 /// The poses of the description as motions at rest.

@@ -40,7 +40,8 @@ struct SliderCrankInMechanism {
   Vector2d coupler_AC = Vector2d::Zero();  ///< from the crank to the slider, in the coupler's frame [m]
 };
 
-/// The mode in which a slider-crank stands, driven by its crank. \param bodies  of the mechanism
+/// The mode in which a slider-crank stands, driven by its crank.
+/// \param bodies  of the mechanism
 [[nodiscard]] AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyMotion>& bodies);
 
 /// All rings of four bodies and four pins, without links of no length, in the order of their bodies.
