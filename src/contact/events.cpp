@@ -1,6 +1,7 @@
 #include "higherpair/contact/events.hpp"
 
 #include "contact_points.hpp"
+#include "gap_derivatives.hpp"
 #include "limit.hpp"
 
 #include <algorithm>

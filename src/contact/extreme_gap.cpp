@@ -1,5 +1,6 @@
 #include "higherpair/contact/extreme_gap.hpp"
 
+#include "gap_derivatives.hpp"
 #include "limit.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gap_derivatives.hpp"
 #include "higherpair/contact/tracker.hpp"
-#include "limit.hpp"
 
 #include <cmath>
 
@@ -21,14 +21,14 @@ inline constexpr double kAtCrossing =
   return freedom.turns ? 1 : track.size;
 }
 
-// The rotation by a small or moderate angle, as good as a prediction needs; of unit length.
+// The rotation by a small or moderate angle, as good as a prediction needs; of unit length to 1e-14.
 [[nodiscard]] inline Rotation<double> predicted_turn(double angle) {
   const double square = angle * angle;
   if (square > 1e-3) {
     return Rotation<double>::from_angle(angle);
   }
-  const Rotation<double> turn{1 - square / 2 * (1 - square * (1 / 12.0)), angle * (1 - square * (1 / 6.0))};
-  return turn.normalised();
+  return {1 - square / 2 * (1 - square * (1 / 12.0 - square * (1 / 360.0))),
+          angle * (1 - square * (1 / 6.0 - square * (1 / 120.0)))};
 }
 
 // The angle from one unit vector to the next; the series is exact to rounding for small angles.

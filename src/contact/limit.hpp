@@ -7,15 +7,6 @@
 
 namespace higherpair {
 
-/// Second derivatives of the gap g(φ, q, u) at a contact; φ drops out where a body is a line.
-struct GapDerivatives {
-  double g_u = 0, g_q = 0;
-  double g_phiphi = 0, g_phiq = 0, g_phiu = 0;
-  double g_qq = 0, g_qu = 0;
-};
-
-[[nodiscard]] GapDerivatives gap_derivatives(const ContactPair& pair, const ContactPosition& at);
-
 /// Sets the points and radii of the curves for the normal at.n_W and the coordinates at.u, at.q (where a body
 /// is a line, n is set to that of the face); false where a curve has no such point.
 [[nodiscard]] bool place_points(const ContactPair& pair, ContactPosition& at);

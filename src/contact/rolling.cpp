@@ -1,5 +1,6 @@
 #include "higherpair/contact/rolling.hpp"
 
+#include "gap_derivatives.hpp"
 #include "higherpair/contact/details.hpp"
 #include "limit.hpp"
 

@@ -51,7 +51,7 @@ template <class T>
   const T N_y = curve.side * n_W.dot(across_W);
   const auto near_half = N_x <= T(0);
   if (curve.q == 1) {  // a circle: w = 1
-    const T height = select(near_half, N_y * N_y, T(1) + N_x) / select(near_half, T(1) - N_x, T(1));
+    const T height = select(near_half, N_y * N_y / (T(1) - N_x), T(1) + N_x);
     return {curve.vertex_W + curve.semi_latus * height * curve.axis_W + curve.semi_latus * N_y * across_W,
             T(curve.side * curve.semi_latus), T(1)};
   }
