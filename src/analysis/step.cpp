@@ -1,5 +1,7 @@
 #include "step.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,6 +43,25 @@ Agreement agreement(const Group& group, const State& from, const State& to, doub
   return result;
 }
 
+// Of two contacts whose normals are neighbours one is a least and one a greatest gap: ρ1 + ρ2 has the other
+// sign. A body that went from one to the other would hardly move.
+bool keeps_contacts(const Run& run, const Group& group) {
+  return std::all_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    const Contact& contact = run.mechanism.contacts[i];
+    const auto& from = run.state.contacts[i].at;
+    const auto& to = run.trial.contacts[i].at;
+    return is_line(curve_of(run.mechanism, contact.first)) ||
+           is_line(curve_of(run.mechanism, contact.second)) ||
+           (from.rho1 + from.rho2) * (to.rho1 + to.rho2) >= 0;
+  });
+}
+
+// Whether a group in run.trial is where the present position leads to.
+bool agrees(const Run& run, const Group& group, double h, double share) {
+  return agreement(group, run.state, run.trial, h, run.plan.size).within(share) && keeps_contacts(run, group);
+}
+
 // Places groups up to (not including) `end` in run.trial, without asking whether they agree with a
 // prediction.
 bool place_before(Run& run, std::size_t end, double h, const std::vector<double>& drivers) {
@@ -80,13 +101,13 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
     return status;
   }
   const bool crosses = (before.sine + h * before.sine_rate) * before.sine < 0;
-  if (!crosses && agreement(group, run.state, run.trial, h, run.plan.size).within(kAgreement)) {
+  if (!crosses && agrees(run, group, h, kAgreement)) {
     return GroupStatus::kOk;
   }
   if (crosses && !std::holds_alternative<CoupledBodies>(group.kind)) {
     now.mode = -before.mode;
     if (place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit) == GroupStatus::kOk &&
-        agreement(group, run.state, run.trial, h, run.plan.size).within(kCrossingAgreement)) {
+        agrees(run, group, h, kCrossingAgreement)) {
       const State kept = run.trial;
       const bool crossing = really_crosses(run, path, g, s, h);
       run.trial = kept;
@@ -96,7 +117,7 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
     }
     now.mode = before.mode;
     if (place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit) == GroupStatus::kOk &&
-        agreement(group, run.state, run.trial, h, run.plan.size).within(kAgreement)) {
+        agrees(run, group, h, kAgreement)) {
       return GroupStatus::kOk;
     }
   }

@@ -42,6 +42,14 @@ inline constexpr double kAtCrossing =
   return sine * (1 + square * (1 / 6.0 + square * (3 / 40.0 + square * 15 / 336.0)));
 }
 
+// Whether two contacts may lie on one smooth branch: of two contacts whose normals are neighbours one is a
+// least and one a greatest gap, and ρ1 + ρ2 changes its sign only at a conforming contact, where they merge.
+[[nodiscard]] inline bool same_curvature(const ContactPair& pair, const ContactPosition& a,
+                                         const ContactPosition& b) {
+  const bool lines = is_line(pair.curve1) || is_line(pair.curve2);
+  return lines || (a.rho1 + a.rho2 > 0) == (b.rho1 + b.rho2 > 0);
+}
+
 struct Step {
   ContactResult result;
   double change = 0;    // of q and φ, in units
@@ -65,7 +73,7 @@ struct Step {
   step.mismatch = std::abs(to.q - q) / unit + step.result.step_n;
   const bool turned_far = to.n_W.dot(from.n_W) < kCosFarthestTurn ||
                           (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestTurn);
-  step.solved = !turned_far;
+  step.solved = !turned_far && same_curvature(track.pair, from, to);
   return step;
 }
 

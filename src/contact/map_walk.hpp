@@ -1,18 +1,10 @@
 #pragma once
 
-#include "contact_points.hpp"
 #include "inner_step.hpp"
 
 #include <cmath>
 
 namespace higherpair {
-
-// Whether two contacts may lie on one smooth branch: at a cusp κ1 + κ2 changes its sign, and only there.
-[[nodiscard]] inline bool same_curvature(const ContactPair& pair, const ContactPosition& a,
-                                         const ContactPosition& b) {
-  const bool lines = is_line(pair.curve1) || is_line(pair.curve2);
-  return lines || (a.rho1 + a.rho2 > 0) == (b.rho1 + b.rho2 > 0);
-}
 
 // Whether the normal has turned as predicted, to a share of the step's change.
 [[nodiscard]] inline bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
@@ -40,8 +32,7 @@ namespace higherpair {
     const int branch = crosses ? -track.branch : track.branch;
     const double agreement = crosses ? kCrossingAgreement : kAgreement;
     const Step step = try_step(track, length, branch);
-    if (agrees(step, agreement) && normal_agrees(track, step, length, agreement) &&
-        same_curvature(track.pair, track.at, step.result.at)) {
+    if (agrees(step, agreement) && normal_agrees(track, step, length, agreement)) {
       accept(track, step.result.at, branch);
       h = std::min(2 * h, largest);
       if (last) {
