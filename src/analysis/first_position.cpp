@@ -1,0 +1,232 @@
+#include "first_position.hpp"
+
+#include "coupled_bodies.hpp"
+#include "higherpair/contact/separation.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+const std::string& name_of_body(const Mechanism& mechanism, int index) {
+  return mechanism.bodies[static_cast<std::size_t>(index)].name;
+}
+
+const Contact& contact_of(const Mechanism& mechanism, int index) {
+  return mechanism.contacts[static_cast<std::size_t>(index)];
+}
+
+std::string explain(FindStatus status, const Contact& contact) {
+  const std::string name = "contacts." + contact.name + ": ";
+  switch (status) {
+    case FindStatus::kOverlapAtStart:
+      return name +
+             "the two bodies overlap at the first driver position with the follower in its pose; move the "
+             "pose away from the driver, or use approach = \"nearest\"";
+    case FindStatus::kUnbounded:
+      return name + "neither body is bounded, so that no safe step towards the contact exists";
+    case FindStatus::kNoContact:
+    case FindStatus::kFound:
+      break;
+  }
+  return name + "the two bodies do not touch at the first driver position, " +
+         (contact.approach == Approach::kNearest
+              ? "wherever the follower stands; change driver.start or the pose of the follower"
+              : "however far the follower is moved that way from its pose; change its approach or pose, or "
+                "driver.start");
+}
+
+std::string unreachable(const Run& run, const State& state, const Group& group) {
+  std::string names;
+  for (const int body : group.bodies) {
+    names += (names.empty() ? "" : ", ") + name_of_body(run.mechanism, body);
+  }
+  if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
+    const double distance = (state.bodies[static_cast<std::size_t>(dyad->A.body)].X_WB * dyad->A.p_B -
+                             state.bodies[static_cast<std::size_t>(dyad->B.body)].X_WB * dyad->B.p_B)
+                                .norm();
+    const double reach = dyad->length_a + dyad->length_b;
+    const bool far = distance > reach;
+    const double limit = far ? reach : std::abs(dyad->length_a - dyad->length_b);
+    return fmt::format(
+        "bodies {} cannot be put together at the first driver position: their outer pins are {:.6g} times as "
+        "far apart as the two links {}; change driver.start or the lengths",
+        names, distance / limit, far ? "reach together" : "differ in length");
+  }
+  return fmt::format(
+      "bodies {} cannot be put together at the first driver position near their poses; change driver.start, "
+      "the dimensions or the poses",
+      names);
+}
+
+FindResult first_contact(const ContactPair& pair, Approach approach, double u, double q, double sign) {
+  if (approach == Approach::kNearest) {
+    return find_nearest_contact(pair, u, q);
+  }
+  const double sense = (approach == Approach::kPositive ? 1 : -1) * sign;
+  return find_contact(pair, u, q, sense > 0 ? 1 : -1, false);
+}
+
+bool starts_rolling(const Mechanism& mechanism, const Group& group) {
+  return std::holds_alternative<CoupledBodies>(group.kind) &&
+         std::any_of(group.contacts.begin(), group.contacts.end(),
+                     [&](int contact) { return contact_of(mechanism, contact).rolling; });
+}
+
+}  // namespace
+
+FirstPosition::FirstPosition(const Run& run)
+    : run_(run), model_{run.mechanism, run.plan}, posed_(run.state), state_(run.state) {}
+
+bool FirstPosition::place(std::size_t g, int mode) {
+  const Group& group = run_.plan.groups[g];
+  state_.groups[g].mode = mode;
+  if (const auto* tracked = std::get_if<TrackedPair>(&group.kind)) {
+    return start_tracked(*tracked, g);
+  }
+  if (const auto* touching = std::get_if<TouchingBody>(&group.kind)) {
+    if (!start_touching(*touching, g)) {
+      return false;
+    }
+  }
+  if (std::holds_alternative<CoupledBodies>(group.kind)) {
+    start_coupled(group);
+  }
+  std::optional<LimitPosition> limit;
+  const State& from = std::holds_alternative<TouchingBody>(group.kind) ? touching_start_ : posed_;
+  const GroupStatus status = starts_rolling(run_.mechanism, group)
+                                 ? start_rolling_bodies(g)
+                                 : place_group(model_, g, from, 0, run_.drivers, state_, limit);
+  if (status != GroupStatus::kOk) {
+    fail(g, unreachable(run_, state_, group));
+    return false;
+  }
+  for (const int index : group.contacts) {
+    const Contact& contact = contact_of(run_.mechanism, index);
+    ContactMotion& motion = state_.contacts[static_cast<std::size_t>(index)];
+    if (contact.rolling) {
+      motion.arc_difference = arc_difference(run_.mechanism, contact, motion, state_.bodies);
+    }
+  }
+  return true;
+}
+
+void FirstPosition::fail(std::size_t g, std::string reason) {
+  // The reason of the group that came farthest.
+  if (g >= failed_group_) {
+    failed_group_ = g;
+    failure_ = {std::move(reason), std::nullopt};
+  }
+}
+
+// At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their
+// angles.
+GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
+  const Group& group = run_.plan.groups[g];
+  Mechanism slipping = run_.mechanism;
+  for (const int contact : group.contacts) {
+    slipping.contacts[static_cast<std::size_t>(contact)].rolling = false;
+  }
+  std::vector<int> held;
+  std::copy_if(run_.plan.phase_bodies.begin(), run_.plan.phase_bodies.end(), std::back_inserter(held),
+               [&](int body) {
+                 return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
+               });
+  return place_coupled({slipping, run_.plan}, g, posed_, 0, run_.drivers, state_, held);
+}
+
+bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
+  const Contact& contact = contact_of(run_.mechanism, tracked.contact);
+  const double u = tracked.driver_sign * run_.drivers[static_cast<std::size_t>(tracked.driver)];
+  const double q = carried_coordinate(tracked.follower, posed_.bodies[0],
+                                      posed_.bodies[static_cast<std::size_t>(tracked.follower.body)]);
+  const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
+  if (contact.rolling) {
+    if (!start_rolling_pair(tracked, g, u, q, found)) {
+      return false;
+    }
+  } else if (found.status != FindStatus::kFound) {
+    fail(g, explain(found.status, contact));
+    return false;
+  } else {
+    state_.tracks[g] = start_track(tracked.pair, found.at, found.branch);
+  }
+  std::optional<LimitPosition> limit;
+  const State from = state_;
+  return place_group(model_, g, from, 0, run_.drivers, state_, limit) == GroupStatus::kOk;
+}
+
+bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,
+                                       const FindResult& found) {
+  const ContactPair& pair = tracked.pair;
+  const Separation here = separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2,
+                                     pose_at(pair.motion2, q), 1e-6 * run_.plan.size);
+  RollingTrack track;
+  const RollingResult start = start_rolling(track, pair, u, q, here.n_W);
+  if (start.converged && start.mismatch <= run_.tolerance * run_.plan.size) {
+    state_.tracks[g] = track;
+    return true;
+  }
+  const Contact& contact = contact_of(run_.mechanism, tracked.contact);
+  if (found.status != FindStatus::kFound) {
+    fail(g, explain(found.status, contact));
+    return false;
+  }
+  fail(g, "contacts." + contact.name +
+              ": this pair cannot roll; set rolling = false, or choose curves and joints whose contact point "
+              "stays at the instant centre");
+  failure_.slip =
+      Slip{run_.drivers[static_cast<std::size_t>(tracked.driver)], found.at.sliding, tracked.contact};
+  return false;
+}
+
+// Finds the contact of a body that hangs on bodies which stand; place_group then starts from it.
+bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) {
+  const Contact& contact = contact_of(run_.mechanism, touching.contact);
+  const CarriedBody& follower = touching.follower;
+  touching_start_ = state_;
+  const StandingPair placed = standing_pair(model_, touching, state_);
+  const double posed = carried_coordinate(follower, posed_.bodies[static_cast<std::size_t>(follower.carrier)],
+                                          posed_.bodies[static_cast<std::size_t>(follower.body)]);
+  const double turned =
+      follower.freedom.turns ? state_.bodies[static_cast<std::size_t>(follower.carrier)].theta : 0;
+  const FindResult found =
+      first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
+  if (found.status != FindStatus::kFound) {
+    fail(g, explain(found.status, contact));
+    return false;
+  }
+  state_.groups[g].mode = found.branch;
+  touching_start_.bodies[static_cast<std::size_t>(follower.body)] =
+      motion_at(placed.pair.motion2, found.at.q, 0, 0);
+  ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
+  motion.at.n_W = touching.follower_is_second ? found.at.n_W : Vector2d(-found.at.n_W);
+  motion.phi = angle_of(motion.at.n_W);
+  return true;
+}
+
+// The common normal of the bodies in their poses is where Newton's method begins.
+void FirstPosition::start_coupled(const Group& group) {
+  for (const int index : group.contacts) {
+    const Contact& contact = contact_of(run_.mechanism, index);
+    const auto pose = [&](const CurveRef& ref) {
+      const auto body = static_cast<std::size_t>(ref.body);
+      const bool placed = std::find(group.bodies.begin(), group.bodies.end(), ref.body) == group.bodies.end();
+      return (placed ? state_ : posed_).bodies[body].X_WB;
+    };
+    const Separation here =
+        separation(curve_of(run_.mechanism, contact.first), pose(contact.first),
+                   curve_of(run_.mechanism, contact.second), pose(contact.second), 1e-6 * run_.plan.size);
+    ContactMotion& motion = posed_.contacts[static_cast<std::size_t>(index)];
+    motion.at.n_W = here.n_W;
+    motion.phi = angle_of(here.n_W);
+  }
+}
+
+}  // namespace higherpair

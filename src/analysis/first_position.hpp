@@ -1,0 +1,44 @@
+#pragma once
+
+#include "group_solver.hpp"
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/contact/finder.hpp"
+
+#include <string>
+
+namespace higherpair {
+
+/// Places the groups of a run at its first driver positions, one after the other, beginning from their poses.
+/// Keeps a reference to the run.
+class FirstPosition {
+public:
+  /// \pre run.state holds the poses
+  explicit FirstPosition(const Run& run);
+
+  /// Places group g in this mode; the groups before it stand. False where it cannot be placed.
+  bool place(std::size_t g, int mode);
+
+  [[nodiscard]] const State& posed() const { return posed_; }
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Why the group that came farthest cannot be placed.
+  [[nodiscard]] const StartFailure& failure() const { return failure_; }
+
+private:
+  void fail(std::size_t g, std::string reason);
+  [[nodiscard]] GroupStatus start_rolling_bodies(std::size_t g);
+  [[nodiscard]] bool start_tracked(const TrackedPair& tracked, std::size_t g);
+  [[nodiscard]] bool start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,
+                                        const FindResult& found);
+  [[nodiscard]] bool start_touching(const TouchingBody& touching, std::size_t g);
+  void start_coupled(const Group& group);
+
+  const Run& run_;
+  Model model_;
+  State posed_;
+  State state_;
+  State touching_start_;
+  std::size_t failed_group_ = 0;
+  StartFailure failure_;
+};
+
+}  // namespace higherpair
