@@ -1,0 +1,28 @@
+// A test that its folder does not list would never run, and never fail.
+#include "house/tree.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace higherpair::house {
+namespace {
+
+TEST(ListedTests, EveryTestFileIsBuilt) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root() / "tests")) {
+    const std::filesystem::path& file = entry.path();
+    if (!file.string().ends_with("_test.cpp")) {
+      continue;
+    }
+    const std::string list = read_file(file.parent_path() / "CMakeLists.txt");
+    EXPECT_NE(list.find(fmt::format(" {}", file.filename().string())), std::string::npos) << file;
+    ++count;
+  }
+  EXPECT_GT(count, 50);
+}
+
+}  // namespace
+}  // namespace higherpair::house
