@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -30,10 +32,9 @@ public:
 
   // Every assembly, not only the nearest.
   Assemblies run_all() {
-    Assemblies found;
-    all_ = &found;
+    all_.emplace();
     search(0, 0);
-    return found;
+    return *std::move(all_);
   }
 
 private:
@@ -55,10 +56,10 @@ private:
   }
 
   void search(std::size_t g, double cost) {
-    if (cost >= best_cost_ || (all_ != nullptr && !all_->complete)) {
+    if (cost >= best_cost_ || (all_ && !all_->complete)) {
       return;
     }
-    if (g == run_.plan.groups.size() && all_ != nullptr) {
+    if (g == run_.plan.groups.size() && all_) {
       all_->states.push_back(position_.state());
       all_->complete = all_->states.size() < kMaxAssemblies;
       return;
@@ -101,7 +102,7 @@ private:
 
   Run& run_;
   FirstPosition position_;
-  Assemblies* all_ = nullptr;
+  std::optional<Assemblies> all_;  // where every assembly is wanted
   State best_;
   double best_cost_ = kNone;
   int tries_ = 0;
