@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/jerk.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "io/cam_lever_tappet.hpp"
 #include "io/profile_testing.hpp"
 
 #include <cmath>
@@ -51,33 +52,6 @@ h = { type = "slot", between = ["lever.G", "crank.B"], direction = [1, 0] }
 joint = "a"
 )";
 
-// An elliptic cam turns a lever by a roller, and an ellipse on the lever lifts a flat tappet.
-constexpr const char* kChain = R"(
-[bodies.ground]
-points = { O = [0, 0], P = [80, 0], Q = [80, 100] }
-[bodies.cam]
-points.O = [0, 0]
-curves.edge = { type = "ellipse", center = [5, 3], semi_axes = [30, 20] }
-[bodies.lever]
-pose = { x = 80, y = 0 }
-points.P = [0, 0]
-curves.roller = { type = "circle", center = [-60, 45], radius = 12 }
-curves.top = { type = "ellipse", center = [-20, 60], semi_axes = [25, 15] }
-[bodies.tappet]
-pose = { x = 80, y = 100 }
-points.T = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints]
-cam_pivot   = { type = "revolute", between = ["ground.O", "cam.O"] }
-lever_pivot = { type = "revolute", between = ["ground.P", "lever.P"] }
-guide       = { type = "prismatic", between = ["ground.Q", "tappet.T"], direction = [0, 1] }
-[contacts]
-lower = { between = ["cam.edge", "lever.roller"] }
-upper = { between = ["lever.top", "tappet.face"] }
-[driver]
-joint = "cam_pivot"
-)";
-
 // A slide, which is driven, turns a crank by a rod.
 constexpr const char* kDrivenSlide = R"(
 units = { length = "m", angle = "rad" }
@@ -103,7 +77,8 @@ end = 1
 )";
 
 std::vector<Profile> profiles() {
-  std::vector<Profile> all = {testing::read(kLinkages), testing::read(kChain), testing::read(kDrivenSlide)};
+  std::vector<Profile> all = {testing::read(kLinkages), testing::read(testing::kCamLeverTappet),
+                              testing::read(kDrivenSlide)};
   for (const char* name : {"ellipse_cam_roller", "eccentric_disc_oscillating_roller",
                            "flat_faced_oscillating", "flat_faced_translating", "knife_edge",
                            "offset_translating_roller", "conic_by_coefficients", "rolling_ellipses"}) {
@@ -175,7 +150,7 @@ Mechanism with_circles(const Run& run) {
 }
 
 TEST(JerksOfARun, OfTheFrozenLinkageAreThoseOfCirclesOfCurvature) {
-  for (const Profile& profile : {testing::read(kChain), shipped("ellipse_cam_roller")}) {
+  for (const Profile& profile : {testing::read(testing::kCamLeverTappet), shipped("ellipse_cam_roller")}) {
     const double u = 0.9;
     const higherpair::Run run = run_at(profile, u);
     const JerkRow jerks = jerks_of(run);

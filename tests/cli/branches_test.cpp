@@ -1,3 +1,5 @@
+#include "io/cam_lever_tappet.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -83,30 +85,7 @@ TEST(Branches, AsCsvHaveAColumnForEachUnitOfAPosition) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("higherpair-units-" + std::to_string(getpid()) + ".toml"))
           .string();
-  std::ofstream(path) << R"([bodies.ground]
-points = { O = [0, 0], P = [80, 0], Q = [80, 100] }
-[bodies.cam]
-points.O = [0, 0]
-curves.edge = { type = "circle", center = [10, 0], radius = 30 }
-[bodies.lever]
-pose = { x = 80, angle = -30 }
-points.P = [0, 0]
-curves.roller = { type = "circle", center = [-60, 0], radius = 12 }
-curves.top = { type = "circle", center = [0, 70], radius = 10 }
-[bodies.tappet]
-pose = { x = 80, y = 100 }
-points.T = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints]
-cam_pivot   = { type = "revolute", between = ["ground.O", "cam.O"] }
-lever_pivot = { type = "revolute", between = ["ground.P", "lever.P"] }
-guide       = { type = "prismatic", between = ["ground.Q", "tappet.T"], direction = [0, 1] }
-[contacts]
-lower = { between = ["cam.edge", "lever.roller"] }
-upper = { between = ["lever.top", "tappet.face"] }
-[driver]
-joint = "cam_pivot"
-)";
+  std::ofstream(path) << higherpair::testing::kCamLeverTappet;
   const std::string text = output_of(path + " --certify --quiet --csv -");
   std::filesystem::remove(path);
   EXPECT_THAT(text,
