@@ -43,17 +43,15 @@ Agreement agreement(const Group& group, const State& from, const State& to, doub
   return result;
 }
 
-// Of two contacts whose normals are neighbours one is a least and one a greatest gap: ρ1 + ρ2 has the other
-// sign. A body that went from one to the other would hardly move.
+// A body that went over to a neighbouring contact would hardly move.
 bool keeps_contacts(const Run& run, const Group& group) {
   return std::all_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
     const auto i = static_cast<std::size_t>(index);
     const Contact& contact = run.mechanism.contacts[i];
-    const auto& from = run.state.contacts[i].at;
-    const auto& to = run.trial.contacts[i].at;
-    return is_line(curve_of(run.mechanism, contact.first)) ||
-           is_line(curve_of(run.mechanism, contact.second)) ||
-           (from.rho1 + from.rho2) * (to.rho1 + to.rho2) >= 0;
+    const CommonNormal& from = run.state.contacts[i].at;
+    const CommonNormal& to = run.trial.contacts[i].at;
+    return same_curvature(curve_of(run.mechanism, contact.first), curve_of(run.mechanism, contact.second),
+                          from.rho1 + from.rho2, to.rho1 + to.rho2);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gap_derivatives.hpp"
+#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/tracker.hpp"
 
 #include <cmath>
@@ -42,14 +43,6 @@ inline constexpr double kAtCrossing =
   return sine * (1 + square * (1 / 6.0 + square * (3 / 40.0 + square * 15 / 336.0)));
 }
 
-// Whether two contacts may lie on one smooth branch: of two contacts whose normals are neighbours one is a
-// least and one a greatest gap, and ρ1 + ρ2 changes its sign only at a conforming contact, where they merge.
-[[nodiscard]] inline bool same_curvature(const ContactPair& pair, const ContactPosition& a,
-                                         const ContactPosition& b) {
-  const bool lines = is_line(pair.curve1) || is_line(pair.curve2);
-  return lines || (a.rho1 + a.rho2 > 0) == (b.rho1 + b.rho2 > 0);
-}
-
 struct Step {
   ContactResult result;
   double change = 0;    // of q and φ, in units
@@ -73,7 +66,8 @@ struct Step {
   step.mismatch = std::abs(to.q - q) / unit + step.result.step_n;
   const bool turned_far = to.n_W.dot(from.n_W) < kCosFarthestTurn ||
                           (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestTurn);
-  step.solved = !turned_far && same_curvature(track.pair, from, to);
+  step.solved = !turned_far && same_curvature(track.pair.curve1, track.pair.curve2, from.rho1 + from.rho2,
+                                              to.rho1 + to.rho2);
   return step;
 }
 

@@ -1,6 +1,7 @@
 #include "higherpair/contact/tracker.hpp"
 
 #include "contact_points.hpp"
+#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "inner_step.hpp"
 #include "last_step.hpp"
@@ -41,19 +42,6 @@ bool step_by(ContactTrack& track, double h, double predicted_gap_q) {
   return true;
 }
 
-// Places the points with the bodies at rest and a normal that is nearly right, and turns it until they meet.
-bool place_closed(const ContactPair& pair, ContactPosition& at) {
-  if (!place_points(pair, at)) {
-    return false;
-  }
-  if (is_line(pair.curve1) || is_line(pair.curve2)) {
-    return true;
-  }
-  const Vector2d t = perp(at.n_W);
-  at.n_W = (at.n_W + t.dot(at.p2_W - at.p1_W) / (at.rho1 + at.rho2) * t).normalized();
-  return place_points(pair, at);
-}
-
 // The driver stops (nearly) where branches cross, `rest` ahead: the closure has lost its rank there. The
 // position is interpolated between here and a place just beyond; its gap_q is exactly 0 and its rates are
 // those of the smooth motion.
@@ -68,8 +56,8 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   }
   const ContactPosition& a = track.at;
   const ContactPosition& b = beyond.result.at;
-  // Hermite interpolation: h⁴ is left out of rates and normal, h⁶ of q. Rounding counts as its share of the
-  // squared distance from the crossing there, which is why the distance is not made smaller.
+  // Hermite interpolation: h⁴ is left out of the rates, h⁶ of q; the normal is found. Rounding counts as its
+  // share of the squared distance from the crossing there, which is why the distance is not made smaller.
   const auto middle = [h](double from, double to, double rate_from, double rate_to) {
     return (from + to) / 2 + h * (rate_from - rate_to) / 8;
   };
@@ -82,13 +70,20 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
   at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
   at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
-  at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
   at.gap_q = 0;
+  const Vector2d n_W =
+      Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
+  const auto touch = find_common_normal(track.pair.curve1, pose_at(track.pair.motion1, at.u),
+                                        track.pair.curve2, pose_at(track.pair.motion2, at.q), n_W);
   // Between two contacts of different branches there may also be a limit of each, and no contact at all.
-  if (!place_closed(track.pair, at) ||
-      !((at.p2_W - at.p1_W).norm() <= kClosed * (track.size + manhattan(at.p1_W)))) {
+  if (!touch || !((touch->p2_W - touch->p1_W).norm() <= kClosed * (track.size + manhattan(touch->p1_W)))) {
     return false;
   }
+  at.n_W = touch->n_W;
+  at.p1_W = touch->p1_W;
+  at.p2_W = touch->p2_W;
+  at.rho1 = touch->rho1;
+  at.rho2 = touch->rho2;
   at.sliding =
       (at.dq * velocity_per_q(track.pair.motion2, at.p1_W) - velocity_per_q(track.pair.motion1, at.p1_W))
           .dot(perp(at.n_W));

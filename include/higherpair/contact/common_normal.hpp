@@ -28,6 +28,14 @@ struct CommonNormal {
                                                              const Curve& curve2, const Pose<double>& X_W2,
                                                              const Vector2d& n_W);
 
+/// Whether two contacts of the same curves may lie on one smooth branch, by their sums ρ1 + ρ2. Of contacts
+/// whose normals are neighbours one is a least and one a greatest gap, and the sum changes its sign only at a
+/// conforming contact, where they merge. The normals of a line have no neighbours.
+[[nodiscard]] inline bool same_curvature(const Curve& curve1, const Curve& curve2, double sum_a,
+                                         double sum_b) {
+  return is_line(curve1) || is_line(curve2) || (sum_a > 0) == (sum_b > 0);
+}
+
 /// The equivalent link between the centres of curvature, written without radii so that it stays finite for
 /// lines and points: with κ = 1/ρ and K = κ1 + κ2
 ///     w1 = κ1/K,   w2 = κ2/K,   w = κ1 κ2/K,   z = 1/K.
