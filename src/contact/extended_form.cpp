@@ -3,9 +3,6 @@
 namespace higherpair {
 namespace {
 
-// Points farther off than this are at infinity.
-constexpr double kInfinite = 1e9;
-
 Complex<Extended> square_root(const Complex<Extended>& a) {
   const Extended r = sqrt(norm(a));
   const Extended re = sqrt(Extended((r + abs(a.re)) / 2));
@@ -61,7 +58,7 @@ double curvature(const Form<Extended>& form, const Complex<Extended>& G) {
 
 std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v) {
   const Extended far = norm(v[0]) + norm(v[1]);
-  if (norm(v[2]) * (kInfinite * kInfinite) < far || norm(v[2]) == 0) {
+  if (norm(v[2]) * (kInfinity * kInfinity) < far || norm(v[2]) == 0) {
     return std::nullopt;
   }
   const Complex<Extended> w = v[0] * inverse(v[2]);

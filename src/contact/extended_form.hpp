@@ -9,6 +9,9 @@
 
 namespace higherpair {
 
+/// Points farther off than this are at infinity: rounding of the numbers decides whether there are any.
+inline constexpr double kInfinity = 1e9;
+
 [[nodiscard]] Complex<Extended> complex_of(const Vector2d& v);
 
 /// The form of a curve with its vertex at v and its axis along u, its lengths divided by `length`: for a
@@ -23,7 +26,7 @@ namespace higherpair {
 [[nodiscard]] Complex<Extended> hessian_times(const Form<Extended>& form, const Complex<Extended>& dw);
 [[nodiscard]] double curvature(const Form<Extended>& form, const Complex<Extended>& G);
 
-/// The point with the homogeneous coordinates v (any complex factor); none farther off than 1e9.
+/// The point with the homogeneous coordinates v (any complex factor); none at infinity.
 [[nodiscard]] std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v);
 
 /// M is nearly ± m mᵀ for a real line m: where it meets the conic; if it misses it by rounding, the middle.

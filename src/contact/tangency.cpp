@@ -116,7 +116,7 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
 bool touches(const TangencyProblem& problem, const Tangency& tangency) {
   const TangencyShape shape = shape_at(problem, tangency);
   const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
-  return shape.distance <= kTouching * reach && shape.misalignment <= kAligned;
+  return reach <= kInfinity && shape.distance <= kTouching * reach && shape.misalignment <= kAligned;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ struct DoubleMember {
 /// contact is complex, at infinity or farther off than rounding explains.
 [[nodiscard]] std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordinate& at);
 
-/// Whether the point of contact at a root of the contact polynomial is nearer than 1e9 sizes.
+/// Whether the point of contact at a root of the contact polynomial is not at infinity.
 [[nodiscard]] bool has_finite_point(const TangencyProblem& problem, const Coordinate& at);
 
 /// The middle of two that the rounding of doubles cannot tell apart (everything between them touches as well

@@ -61,6 +61,23 @@ TEST(FoundByFire, BranchesThatTouchFarOutDoMeet) {
   EXPECT_EQ(far, 1);
 }
 
+// Two parabolas that are equal but for 5e-9: where their axes are parallel they touch at infinity, and rounding
+// made contacts at 1e55 m of it, which the follower was put to.
+TEST(FoundByFire, NearlyEqualParabolasDoNotTouchAtInfinity) {
+  const double rotation = 1.8035532772115683;
+  const ContactPair pair = {
+      make_parabola({-7.5e-05, 0.0001}, 0.021850752, rotation).value(),
+      slide({0.00017, 0.000173}, {-5.9e-05, 3e-05}, -1.1191954, -1.1191954),
+      make_parabola({-7.5e-05, 0.0001}, 0.0218507521, rotation, Side::kOutside).value(),
+      pivot({-0.000166, 0}, {-0.000102, -0.00011}),
+  };
+  for (const CurveContact& contact : find_curve_contacts(pair, -8e-06).contacts) {
+    EXPECT_LE(contact.p_W.norm(), 1e9);
+    EXPECT_FALSE(contact.free);
+  }
+  EXPECT_EQ(find_nearest_contact(pair, -8e-06, 0).status, FindStatus::kNoContact);
+}
+
 // A small ellipse in a large ring, just before a limit: the contact of the other branch is two thousandths of
 // the mechanism away. The place between the two was given as a crossing of the branches, though nothing
 // touches there.
