@@ -68,6 +68,7 @@ private:
     P adj01, adj22, trace;  ///< adj22 < 0: definite quadratic part
     std::array<P, 3> kernel;
     P m22;
+    P opening;  ///< S1 of the direction of a double line: 0 where that is the axis of a parabola
   };
 
   [[nodiscard]] Member make_member(const P& n, const P& m) const {
@@ -83,6 +84,8 @@ private:
     result.adj22 = minor(0, 0, 1, 1, 0, 1, 1, 0);
     result.adj01 = minor(0, 2, 2, 1, 0, 1, 2, 2);
     result.kernel = {minor(0, 1, 1, 2, 0, 2, 1, 1), minor(0, 2, 1, 0, 0, 0, 1, 2), result.adj22};
+    const auto& S1 = exact_.first.S;
+    result.opening = sum(sum(P{S1[0][0]} * S[1][1], 1, P{S1[1][1]} * S[0][0]), -2, P{S1[0][1]} * S[0][1]);
     result.trace = {};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
@@ -177,9 +180,10 @@ private:
       decision.contacts = decision.degenerate ? 1 : 0;
       return decision;
     }
-    // A double line: it meets the first conic in two, one or no points.
+    // A double line: it meets the first conic in two, one or no points; one may be at infinity.
     const int meets = sign(member.trace, root) * trace * f;
-    decision.contacts = meets > 0 ? 2 : (meets == 0 ? 1 : 0);
+    const int far = sign(member.opening, root) == 0 ? 1 : 0;
+    decision.contacts = meets > 0 ? 2 - far : (meets == 0 ? 1 : 0);
     decision.degenerate = meets == 0 || hyperbola;
     return decision;
   }
