@@ -101,8 +101,13 @@ bool is_closed(const ContactPoints& points, double extent) {
 }  // namespace
 
 ContactResult solve_contact(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch) {
+  return solve_contact(pair, place_pair(pair, u, q), u, q, n_W, branch);
+}
+
+ContactResult solve_contact(const ContactPair& pair, const PlacedPair& guess, double u, double q,
+                            const Vector2d& n_W, int branch) {
   ContactResult result;
-  PlacedPair placed = place_pair(pair, u, q);
+  PlacedPair placed = guess;
   Vector2d n = n_W;
   Vector2d n_guess = n;
   for (int pass = 0; pass <= kMaxPasses; ++pass) {

@@ -14,17 +14,26 @@ struct PlacedPair {
   PlacedCurve<double> second;
 };
 
-[[nodiscard]] inline PlacedCurve<double> place_on(const Curve& curve, const OneFreedom& freedom, double q) {
-  const Rotation<double> R_WB = freedom.turns ? Rotation<double>::from_angle(q) : freedom.R_WB;
+/// \param R_WB  rotation of the body at the coordinate q
+[[nodiscard]] inline PlacedCurve<double> place_on(const Curve& curve, const OneFreedom& freedom, double q,
+                                                  const Rotation<double>& R_WB) {
   const Vector2d from_joint_W = R_WB * Vector2d(curve.vertex_B - freedom.p_BO);
   const Vector2d p_WJ = freedom.turns ? freedom.p_WO : Vector2d(freedom.p_WO + q * freedom.direction_W);
   return {p_WJ + from_joint_W, R_WB * curve.axis_B, curve.semi_latus, curve.q,
           curve.side == Side::kInside ? 1.0 : -1.0};
 }
 
+[[nodiscard]] inline PlacedCurve<double> place_on(const Curve& curve, const OneFreedom& freedom, double q) {
+  return place_on(curve, freedom, q, freedom.turns ? Rotation<double>::from_angle(q) : freedom.R_WB);
+}
+
 [[nodiscard]] inline PlacedPair place_pair(const ContactPair& pair, double u, double q) {
   return {place_on(pair.curve1, pair.motion1, u), place_on(pair.curve2, pair.motion2, q)};
 }
+
+/// solve_contact() from bodies that have been placed at u and at the guess q.
+[[nodiscard]] ContactResult solve_contact(const ContactPair& pair, const PlacedPair& guess, double u,
+                                          double q, const Vector2d& n_W, int branch);
 
 /// The points of the curves with outward normals n and -n; `exist` is false where a curve has no such point.
 /// Where a body is a line, n is that of the face and its point the foot of the other body's point.

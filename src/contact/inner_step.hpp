@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact_points.hpp"
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/tracker.hpp"
@@ -13,6 +14,7 @@ namespace higherpair {
 inline constexpr double kMaxTurn = kPi / 18;           // of driver or normal in one inner step [rad]
 inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
 inline constexpr double kCosFarthestTurn = 0.866;
+inline constexpr double kShortTurn = 0.01;        // [rad] of a step that others will follow near by
 inline constexpr double kFallsToCrossing = 1e-3;  // of its present value: the same
 inline constexpr double kAtCrossing =
     1e-6;  // of the follower's lever: ∂gap/∂q that may be that of a crossing
@@ -50,13 +52,22 @@ struct Step {
   bool solved = false;
 };
 
+// place_pair() by the rotations that the track knows.
+[[nodiscard]] inline PlacedPair placed_near(const ContactTrack& track, double u, double q) {
+  const auto& [curve1, motion1, curve2, motion2] = track.pair;
+  const Rotation<double> R_W1 = motion1.turns ? track.driver.at(u) : motion1.R_WB;
+  const Rotation<double> R_W2 = motion2.turns ? track.follower.at(q) : motion2.R_WB;
+  return {place_on(curve1, motion1, u, R_W1), place_on(curve2, motion2, q, R_W2)};
+}
+
 [[nodiscard]] inline Step try_step(const ContactTrack& track, double h, int branch) {
   const ContactPosition& from = track.at;
   // Summed so that what is known last is added last.
   const double half_h2 = h * h / 2;
   const double q = from.q + h * from.dq + half_h2 * from.d2q + half_h2 * h * (1 / 3.0) * track.d3q;
   const Vector2d n = predicted_turn(h * (from.dphi + h / 2 * track.d2phi)) * from.n_W;
-  Step step{solve_contact(track.pair, from.u + h, q, n, branch)};
+  const double u = from.u + h;
+  Step step{solve_contact(track.pair, placed_near(track, u, q), u, q, n, branch)};
   const ContactPosition& to = step.result.at;
   if (step.result.status != ContactStatus::kOk) {
     return step;
@@ -75,6 +86,13 @@ struct Step {
   return step.solved && step.mismatch <= share * step.change + 1e-9;
 }
 
+// Long steps would not come back to a known rotation.
+inline void renew(KnownRotation& known, double from, double to) {
+  if (!known.is_near(to) && std::abs(to - from) <= kShortTurn) {
+    known = KnownRotation(to);
+  }
+}
+
 inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   const double h = at.u - track.at.u;
   const bool smooth = h != 0 && branch == track.branch;
@@ -82,6 +100,8 @@ inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   track.d3q = per_h * (at.d2q - track.at.d2q);
   track.d2phi = per_h * (at.dphi - track.at.dphi);
   track.phi += angle_between(track.at.n_W, at.n_W);
+  renew(track.driver, track.at.u, at.u);
+  renew(track.follower, track.at.q, at.q);
   track.at = at;
   track.branch = branch;
 }

@@ -190,7 +190,11 @@ bool resume(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
 }  // namespace
 
 ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int branch) {
-  ContactTrack track{pair, branch, at, angle_of(at.n_W)};
+  ContactTrack track;
+  track.pair = pair;
+  track.branch = branch;
+  track.at = at;
+  track.phi = angle_of(at.n_W);
   const Vector2d& p = at.p1_W;
   const double radius1 = std::abs(at.rho1);
   const double radius2 = std::abs(at.rho2);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
+#include "higherpair/geometry/known_rotation.hpp"
 
 #include <optional>
 
@@ -15,7 +16,9 @@ struct ContactTrack {
   bool assembled = true;  ///< false: lost at a limit; `at` is the last position before it
   double size = 0;        ///< of the mechanism where the track began [m]: one unit of a displacement
   double d3q = 0;  ///< d³q/du³ and d²φ/du² by differences over the last step: they only serve to predict
-  double d2phi = 0;  ///< the next one
+  double d2phi = 0;        ///< the next one
+  KnownRotation driver;    ///< of body 1, if it turns: at a position near by, if steps are short
+  KnownRotation follower;  ///< the same of body 2
 };
 
 /// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0, or a conforming

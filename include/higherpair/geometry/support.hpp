@@ -49,12 +49,13 @@ template <class T>
   const Vector2<T> across_W = perp(curve.axis_W);
   const T N_x = curve.side * n_W.dot(curve.axis_W);
   const T N_y = curve.side * n_W.dot(across_W);
-  const auto near_half = N_x <= T(0);
-  if (curve.q == 1) {  // a circle: w = 1
-    const T height = select(near_half, N_y * N_y / (T(1) - N_x), T(1) + N_x);
-    return {curve.vertex_W + curve.semi_latus * height * curve.axis_W + curve.semi_latus * N_y * across_W,
+  if (curve.q == 1) {  // a circle: w = 1, and x = ℓ (1 + N_x) = ℓ |axis + N|²/2 does not cancel
+    const Vector2<T> chord = curve.axis_W + T(curve.side) * n_W;
+    const T x = curve.semi_latus / 2 * (chord.x() * chord.x() + chord.y() * chord.y());
+    return {curve.vertex_W + x * curve.axis_W + curve.semi_latus * N_y * across_W,
             T(curve.side * curve.semi_latus), T(1)};
   }
+  const auto near_half = N_x <= T(0);
   const T w2 = N_x * N_x + curve.q * N_y * N_y;
   const T w = sqrt(w2);
   const T scale = curve.semi_latus / w;
