@@ -110,6 +110,7 @@ private:
 
 void prepare(Run& run) {
   run.state.bodies = posed_bodies(run.mechanism);
+  run.state.turns.resize(run.state.bodies.size());
   run.state.contacts.resize(run.mechanism.contacts.size());
   run.state.groups.resize(run.plan.groups.size());
   run.state.tracks.resize(run.plan.groups.size());

@@ -53,7 +53,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     group.sine = at->gap_q;
     group.noise = 1e-12 * group.lever;
   }
-  body_in(to, tracked.follower.body) = motion_at(tracked.follower.freedom, at->q, 0, 0);
+  place_at(tracked.follower.freedom, at->q, tracked.follower.body, to);
   to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
   return GroupStatus::kOk;
 }
@@ -66,7 +66,7 @@ void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
   const double u_dot = tracked.driver_sign * driver.velocity;
   const double u_ddot = tracked.driver_sign * driver.acceleration;
   const double q_ddot = at.d2q * u_dot * u_dot + at.dq * u_ddot;
-  body_in(state, tracked.follower.body) = motion_at(tracked.follower.freedom, at.q, at.dq * u_dot, q_ddot);
+  set_rates_at(tracked.follower.freedom, at.dq * u_dot, q_ddot, body_in(state, tracked.follower.body));
   set_contact_rates(model, tracked.contact, state);
 }
 

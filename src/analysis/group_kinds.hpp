@@ -31,6 +31,14 @@ namespace higherpair {
   return at.theta + h * (at.omega + h / 2 * at.alpha);
 }
 
+/// Places a body at the coordinate q of its joint to ground; its rates are left as they are.
+inline void place_at(const OneFreedom& freedom, double q, int index, State& to) {
+  BodyMotion& body = body_in(to, index);
+  KnownRotation& known = to.turns[static_cast<std::size_t>(index)];
+  body.X_WB = pose_at(freedom, q, freedom.turns ? known.renewed_at(q) : Rotation<double>());
+  body.theta = freedom.turns ? q : freedom.theta;
+}
+
 /// Sets a body's rates from ω, α and the motion of its point p_B.
 inline void move_link(BodyMotion& body, double omega, double alpha, const PointMotion& point,
                       const Vector2d& p_B) {

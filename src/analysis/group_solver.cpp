@@ -16,6 +16,10 @@ Overload(Fs...) -> Overload<Fs...>;
 void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, State& to) {
   const CarriedBody& carried = driven.carried;
   const double q = carried.sign * drivers[static_cast<std::size_t>(driven.driver)];
+  if (carried.carrier == 0) {
+    place_at(carried.freedom, q, carried.body, to);
+    return;
+  }
   body_in(to, carried.body) = carried_motion(carried, body_in(to, carried.carrier), q, 0, 0);
 }
 

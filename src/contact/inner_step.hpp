@@ -26,23 +26,15 @@ inline constexpr double kAtCrossing =
 
 // The rotation by a small or moderate angle, as good as a prediction needs; of unit length to 1e-14.
 [[nodiscard]] inline Rotation<double> predicted_turn(double angle) {
-  const double square = angle * angle;
-  if (square > 1e-3) {
-    return Rotation<double>::from_angle(angle);
-  }
-  return {1 - square / 2 * (1 - square * (1 / 12.0 - square * (1 / 360.0))),
-          angle * (1 - square * (1 / 6.0 - square * (1 / 120.0)))};
+  return angle * angle <= kSmallTurn2 ? Rotation<double>{1 - small_versine(angle), small_sine(angle)}
+                                      : Rotation<double>::from_angle(angle);
 }
 
 // The angle from one unit vector to the next; the series is exact to rounding for small angles.
 [[nodiscard]] inline double angle_between(const Vector2d& from, const Vector2d& to) {
   const double sine = cross(from, to);
   const double cosine = from.dot(to);
-  const double square = sine * sine;
-  if (square > 1e-5 || cosine < 0) {
-    return std::atan2(sine, cosine);
-  }
-  return sine * (1 + square * (1 / 6.0 + square * (3 / 40.0 + square * 15 / 336.0)));
+  return sine * sine <= kSmallTurn2 && cosine > 0 ? small_angle(sine) : std::atan2(sine, cosine);
 }
 
 struct Step {

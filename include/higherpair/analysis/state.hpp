@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/rolling.hpp"
 #include "higherpair/contact/tracker.hpp"
+#include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
@@ -24,6 +25,7 @@ using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack>;
 /// A position of a whole mechanism and its rates.
 struct State {
   std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies
+  std::vector<KnownRotation> turns;     ///< of bodies: near where each was turned last
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
   std::vector<GroupState> groups;       ///< of Plan::groups
   std::vector<PairTrack> tracks;        ///< of Plan::groups; none where the group is no tracked pair

@@ -2,19 +2,40 @@
 
 #include "higherpair/geometry/pose.hpp"
 
+#include <cmath>
+
 namespace higherpair {
 
+/// Square of the largest angle, and sine, for which the series below leave out no more than 2e-17.
+inline constexpr double kSmallTurn2 = 1e-3;
+
+/// sin x of a small angle x [rad].
+[[nodiscard]] inline double small_sine(double x) {
+  const double x2 = x * x;
+  return x - x * x2 * (1 / 6.0 - x2 * (1 / 120.0 - x2 * (1 / 5040.0)));
+}
+
+/// 1 - cos x of a small angle x [rad].
+[[nodiscard]] inline double small_versine(double x) {
+  const double x2 = x * x;
+  return x2 * (1 / 2.0 - x2 * (1 / 24.0 - x2 * (1 / 720.0)));
+}
+
+/// The angle [rad] of a small sine.
+[[nodiscard]] inline double small_angle(double sine) {
+  const double s2 = sine * sine;
+  return sine + sine * s2 * (1 / 6.0 + s2 * (3 / 40.0 + s2 * (15 / 336.0 + s2 * (105 / 3456.0))));
+}
+
 /// An angle whose cosine and sine are known: those of angles near it follow without trigonometric functions,
-/// and without a drift, as the known one stays what it is.
+/// and back, and nothing drifts, as the known one stays what it is until it is far.
 class KnownRotation {
 public:
   KnownRotation() = default;
   explicit KnownRotation(double angle) : angle_(angle), R_(Rotation<double>::from_angle(angle)) {}
 
-  /// Whether `angle` [rad] is near enough for the series, which leave 2e-17 out.
   [[nodiscard]] bool is_near(double angle) const {
-    const double turn = angle - angle_;
-    return turn * turn <= kNear2;
+    return (angle - angle_) * (angle - angle_) <= kSmallTurn2;
   }
 
   /// The rotation by `angle` [rad], to rounding.
@@ -22,15 +43,33 @@ public:
     if (!is_near(angle)) {
       return Rotation<double>::from_angle(angle);
     }
-    const double x = angle - angle_;
-    const double x2 = x * x;
-    const double versine = x2 / 2 * (1 - x2 * (1 / 12.0) * (1 - x2 * (1 / 30.0)));
-    const double sine = x * (1 - x2 * (1 / 6.0) * (1 - x2 * (1 / 20.0) * (1 - x2 * (1 / 42.0))));
+    const double sine = small_sine(angle - angle_);
+    const double versine = small_versine(angle - angle_);
     return {R_.cos - (versine * R_.cos + sine * R_.sin), R_.sin - (versine * R_.sin - sine * R_.cos)};
   }
 
+  /// The same; a far angle is known from then on.
+  [[nodiscard]] Rotation<double> renewed_at(double angle) {
+    if (!is_near(angle)) {
+      *this = KnownRotation(angle);
+    }
+    return at(angle);
+  }
+
+  /// The angle [rad] of a rotation, of all that differ by turns the one nearest to `reference`; a far one is
+  /// known from then on.
+  [[nodiscard]] double renewed_angle(const Rotation<double>& R, double reference) {
+    const double sine = R_.cos * R.sin - R_.sin * R.cos;
+    const double cosine = R_.cos * R.cos + R_.sin * R.sin;
+    if (sine * sine <= kSmallTurn2 && cosine > 0) {
+      return nearest_turn(angle_ + small_angle(sine), reference);
+    }
+    const double angle = nearest_turn(std::atan2(R.sin, R.cos), reference);
+    *this = KnownRotation(angle);
+    return angle;
+  }
+
 private:
-  static constexpr double kNear2 = 1e-3;  // [rad²]
   double angle_ = 0;
   Rotation<double> R_;
 };

@@ -15,12 +15,17 @@ struct OneFreedom {
   Rotation<double> R_WB;                     ///< sliding: the same as a rotation
 };
 
-[[nodiscard]] inline Pose<double> pose_at(const OneFreedom& freedom, double q) {
+/// The pose at the coordinate q.
+/// \param turn  the rotation by q, of no account for a body that slides
+[[nodiscard]] inline Pose<double> pose_at(const OneFreedom& freedom, double q, const Rotation<double>& turn) {
   if (freedom.turns) {
-    const Rotation<double> R_WB = Rotation<double>::from_angle(q);
-    return {R_WB, freedom.p_WO - R_WB * freedom.p_BO};
+    return {turn, freedom.p_WO - turn * freedom.p_BO};
   }
   return {freedom.R_WB, freedom.p_WO + q * freedom.direction_W - freedom.R_WB * freedom.p_BO};
+}
+
+[[nodiscard]] inline Pose<double> pose_at(const OneFreedom& freedom, double q) {
+  return pose_at(freedom, q, freedom.turns ? Rotation<double>::from_angle(q) : Rotation<double>());
 }
 
 /// Velocity of the body's material point at p_W for dq/dt = 1.
