@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kSame = 1e-9;      // rad or sizes: list and exact root mean the same contact
 constexpr double kCrowded = 1e-12;  // rad or sizes: rounding of the numbers may exchange two contacts
-constexpr double kFragile =
-    1e-5;  // rad or sizes: rounding may split a double root, or move a triple one, by this
+constexpr double kFragile = 1e-4;   // rad or sizes: rounding may split a fourfold root by this
 
 // Contacts that the list takes to be at infinity, such as of parabolas whose axes are parallel but for
 // rounding.
@@ -66,6 +65,9 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
   certificate.status = CertificateStatus::kCertified;
   const auto disagree = [&] { certificate.status = CertificateStatus::kDisagreement; };
   const TangencyProblem problem = make_problem(pair, u);
+  const auto scale_of = [&](const CurveContact& contact) {
+    return turns ? 1 : problem.length + std::abs(contact.q) + contact.p_W.norm();
+  };
   std::vector<int> matched(roots->size(), 0);
   bool fragile = false;
   for (std::size_t i = 0; i < list.contacts.size(); ++i) {
@@ -74,7 +76,7 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
       fragile = true;
       continue;
     }
-    const double scale = turns ? 1 : std::abs(contact.q) + contact.p_W.norm();
+    const double scale = scale_of(contact);
     std::optional<std::size_t> best;
     for (std::size_t k = 0; k < roots->size(); ++k) {
       const DecidedRoot& root = (*roots)[k];
@@ -103,8 +105,7 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
   for (std::size_t k = 0; k < roots->size(); ++k) {
     const DecidedRoot& root = (*roots)[k];
     const bool near_fragile = std::any_of(list.contacts.begin(), list.contacts.end(), [&](const auto& c) {
-      const double scale = turns ? 1 : std::abs(c.q) + c.p_W.norm();
-      return is_fragile(c) && distance(c, root, turns) <= kFragile * scale;
+      return is_fragile(c) && distance(c, root, turns) <= kFragile * scale_of(c);
     });
     if (matched[k] != root.decision.contacts && !near_fragile && !root.decision.degenerate &&
         !is_far(problem, root.middle)) {

@@ -9,8 +9,9 @@
 
 namespace higherpair {
 
-/// Points farther off than this are at infinity: rounding of the numbers decides whether there are any.
-inline constexpr double kInfinity = 1e9;
+/// Points farther off than this are at infinity: curves that near their asymptotes touch 1e-14 rad away from
+/// where those are parallel, so that rounding of the numbers decides whether they do.
+inline constexpr double kInfinity = 1e7;
 
 [[nodiscard]] Complex<Extended> complex_of(const Vector2d& v);
 
