@@ -14,10 +14,11 @@ namespace higherpair {
 inline constexpr double kMaxTurn = kPi / 18;           // of driver or normal in one inner step [rad]
 inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
 inline constexpr double kCosFarthestTurn = 0.866;
-inline constexpr double kShortTurn = 0.01;        // [rad] of a step that others will follow near by
-inline constexpr double kFallsToCrossing = 1e-3;  // of its present value: the same
-inline constexpr double kAtCrossing =
-    1e-6;  // of the follower's lever: ∂gap/∂q that may be that of a crossing
+inline constexpr double kShortestForThird = 1e-4;  // of the driver's scale: step that d³φ/du³ is taken from
+inline constexpr double kShortTurn = 0.01;         // of the driver's scale: a short step
+// ∂gap/∂q that may be that of a crossing: of the follower's lever, and of its present value.
+inline constexpr double kAtCrossing = 1e-6;
+inline constexpr double kFallsToCrossing = 1e-3;
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
@@ -44,6 +45,15 @@ struct Step {
   bool solved = false;
 };
 
+// The normal after a step h, to third order like the follower; not for long steps, which a jump of the normal
+// could then seem to agree with.
+[[nodiscard]] inline Vector2d predicted_normal(const ContactTrack& track, double h) {
+  const double half_h2 = h * h / 2;
+  const double d3phi = std::abs(h) <= kShortTurn * unit_of(track.pair.motion1, track) ? track.d3phi : 0;
+  const double turn = h * track.at.dphi + half_h2 * track.d2phi + half_h2 * h * (1 / 3.0) * d3phi;
+  return predicted_turn(turn) * track.at.n_W;
+}
+
 // place_pair() by the rotations that the track knows.
 [[nodiscard]] inline PlacedPair placed_near(const ContactTrack& track, double u, double q) {
   const auto& [curve1, motion1, curve2, motion2] = track.pair;
@@ -57,7 +67,7 @@ struct Step {
   // Summed so that what is known last is added last.
   const double half_h2 = h * h / 2;
   const double q = from.q + h * from.dq + half_h2 * from.d2q + half_h2 * h * (1 / 3.0) * track.d3q;
-  const Vector2d n = predicted_turn(h * (from.dphi + h / 2 * track.d2phi)) * from.n_W;
+  const Vector2d n = predicted_normal(track, h);
   const double u = from.u + h;
   Step step{solve_contact(track.pair, placed_near(track, u, q), u, q, n, branch)};
   const ContactPosition& to = step.result.at;
@@ -90,8 +100,13 @@ inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   const bool smooth = h != 0 && branch == track.branch;
   const double per_h = smooth ? 1 / h : 0;
   track.d3q = per_h * (at.d2q - track.at.d2q);
-  track.d2phi = per_h * (at.dphi - track.at.dphi);
-  track.phi += angle_between(track.at.n_W, at.n_W);
+  const double turn = angle_between(track.at.n_W, at.n_W);
+  // What the rates at both ends say of the turn is too much by h³ φ‴/12. Of a short step that is rounding.
+  const bool long_enough = std::abs(h) > kShortestForThird * unit_of(track.pair.motion1, track);
+  const double excess = (at.dphi + track.at.dphi) / 2 - per_h * turn;
+  track.d3phi = long_enough ? 12 * per_h * per_h * excess : 0;
+  track.d2phi = per_h * (at.dphi - track.at.dphi) + h / 2 * track.d3phi;
+  track.phi += turn;
   renew(track.driver, track.at.u, at.u);
   renew(track.follower, track.at.q, at.q);
   track.at = at;

@@ -8,9 +8,7 @@ namespace higherpair {
 
 // Whether the normal has turned as predicted, to a share of the step's change.
 [[nodiscard]] inline bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
-  const double turn = h * (track.at.dphi + h / 2 * track.d2phi);
-  const Vector2d predicted = predicted_turn(turn) * track.at.n_W;
-  return (step.result.at.n_W - predicted).norm() <= share * step.change + 1e-9;
+  return (step.result.at.n_W - predicted_normal(track, h)).norm() <= share * step.change + 1e-9;
 }
 
 /// Follows a contact to the driver coordinate u, within a range in which it is known to be smooth: nothing is

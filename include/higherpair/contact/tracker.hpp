@@ -15,8 +15,9 @@ struct ContactTrack {
   double phi = 0;         ///< angle of at.n_W, continuous [rad]
   bool assembled = true;  ///< false: lost at a limit; `at` is the last position before it
   double size = 0;        ///< of the mechanism where the track began [m]: one unit of a displacement
-  double d3q = 0;  ///< d³q/du³ and d²φ/du² by differences over the last step: they only serve to predict
-  double d2phi = 0;        ///< the next one
+  double d3q = 0;  ///< d³q/du³, d²φ/du² and d³φ/du³ from the last step: they only serve to predict the next
+  double d2phi = 0;
+  double d3phi = 0;
   KnownRotation driver;    ///< of body 1, if it turns: at a position near by, if steps are short
   KnownRotation follower;  ///< the same of body 2
 };
