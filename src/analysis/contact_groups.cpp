@@ -53,7 +53,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     group.sine = at->gap_q;
     group.noise = 1e-12 * group.lever;
   }
-  place_at(tracked.follower.freedom, at->q, tracked.follower.body, to);
+  place_at(tracked.follower.freedom, at->q, tracked.follower.body, from, to);
   to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
   return GroupStatus::kOk;
 }

@@ -7,13 +7,16 @@
 namespace higherpair {
 namespace {
 
-// Sets a body's pose so that its direction `along_B` points along `along_W` and its point p_B is at p_W.
+// Sets a body's pose so that its direction `along_B` points along `along_W` and its point p_B is at p_W, `h`
+// of the path after `from`.
 void pose_link(int index, const Rotation<double>& along_W, const Rotation<double>& along_B,
-               const Vector2d& p_W, const Vector2d& p_B, double near_angle, State& to) {
+               const Vector2d& p_W, const Vector2d& p_B, const State& from, double h, State& to) {
   BodyMotion& body = body_in(to, index);
   body.X_WB.R_WB = (along_W * along_B.inverse()).normalised();
   body.X_WB.p_WB = p_W - body.X_WB.R_WB * p_B;
-  body.theta = to.turns[static_cast<std::size_t>(index)].renewed_angle(body.X_WB.R_WB, near_angle);
+  const auto i = static_cast<std::size_t>(index);
+  body.theta = from.turns[i].angle_of(body.X_WB.R_WB, predicted_angle(from, index, h));
+  to.turns[i] = from.turns[i].renewed_at(body.theta);
 }
 
 void pose_rider(const Rider& rider, const Vector2d& p_W, State& to) {
@@ -72,10 +75,8 @@ GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, do
       rrr_position(Vector2d(ends.B_W - ends.A_W), dyad.length_a, dyad.length_b, ends.reach,
                    static_cast<double>(group.mode));
   group.sine = sine_unless_singular(status_of(ends.reach), position.sine);
-  pose_link(dyad.link_a, position.u_a, dyad.along_a, ends.A_W, dyad.a_pA,
-            predicted_angle(from, dyad.link_a, h), to);
-  pose_link(dyad.link_b, position.u_b, dyad.along_b, ends.B_W, dyad.b_pB,
-            predicted_angle(from, dyad.link_b, h), to);
+  pose_link(dyad.link_a, position.u_a, dyad.along_a, ends.A_W, dyad.a_pA, from, h, to);
+  pose_link(dyad.link_b, position.u_b, dyad.along_b, ends.B_W, dyad.b_pB, from, h, to);
   return GroupStatus::kOk;
 }
 
@@ -134,8 +135,7 @@ GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, do
   }
   const Rotation<double> u = body_in(to, dyad.line.body).X_WB.R_WB * dyad.line.u_B;
   group.sine = sine_unless_singular(motion.status, (motion.u_link * u.inverse()).cos);
-  pose_link(dyad.link, motion.u_link, dyad.along, place_of(to, dyad.A), dyad.pA,
-            predicted_angle(from, dyad.link, h), to);
+  pose_link(dyad.link, motion.u_link, dyad.along, place_of(to, dyad.A), dyad.pA, from, h, to);
   if (dyad.slider) {
     pose_rider(*dyad.slider, motion.p_WC, to);
   }
@@ -167,8 +167,7 @@ GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, do
   }
   group.sine = sine_unless_singular(motion.status, motion.s);
   group.lever = dyad.size;
-  pose_link(dyad.link, motion.u, dyad.line.u_B, place_of(to, dyad.A), dyad.pA,
-            predicted_angle(from, dyad.link, h), to);
+  pose_link(dyad.link, motion.u, dyad.line.u_B, place_of(to, dyad.A), dyad.pA, from, h, to);
   if (dyad.slider) {
     pose_rider(*dyad.slider, place_of(to, dyad.B), to);
   }

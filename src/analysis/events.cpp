@@ -19,6 +19,15 @@ double output_velocity(const OutputJoint& output, const State& state) {
   return output.turns ? body.omega : body.v_WB.dot(output.direction_W);
 }
 
+// The largest speed of any body, as a turning [per unit of the path] or sliding one [m].
+double fastest_motion(const State& state, double size, bool turning) {
+  double fastest = 0;
+  for (const BodyMotion& body : state.bodies) {
+    fastest = std::max({fastest, std::abs(body.omega), body.v_WB.norm() / size});
+  }
+  return turning ? fastest : fastest * size;
+}
+
 void note_stroke_ends(Run& run, const Path& path, double s, double h) {
   for (OutputJoint& output : run.outputs) {
     const double before = output_velocity(output, run.state);
@@ -29,7 +38,15 @@ void note_stroke_ends(Run& run, const Path& path, double s, double h) {
       continue;
     }
     const int sense = after > 0 ? 1 : -1;
-    const bool reverses = output.sense != 0 && sense != output.sense;
+    if (sense == output.sense) {
+      continue;
+    }
+    // An output at rest has a sense by rounding alone.
+    const double rest = kAtRest * std::max(fast, fastest_motion(run.trial, run.plan.size, output.turns));
+    if (std::abs(after) <= rest) {
+      continue;
+    }
+    const bool reverses = output.sense != 0;
     output.sense = sense;
     if (!reverses) {
       continue;
@@ -38,8 +55,7 @@ void note_stroke_ends(Run& run, const Path& path, double s, double h) {
     const auto velocity = [&](double x) {
       return solve_at(run, path, s, x) ? output_velocity(output, run.trial) : NAN;
     };
-    const auto x =
-        std::abs(before) <= kAtRest * fast ? std::optional(0.0) : root_between(velocity, before, h, after);
+    const auto x = std::abs(before) <= rest ? std::optional(0.0) : root_between(velocity, before, h, after);
     run.trial = kept;
     if (x) {
       RunEvent event;
@@ -117,6 +133,26 @@ double crossing_between(Run& run, const Path& path, std::size_t g, double s, dou
   return t >= 0 && t <= 1 ? middle - reach + 2 * reach * t : middle;
 }
 
+// Where ∂gap/∂q of a tracked contact passes through 0: the root of the cubic through four places about it. At
+// the crossing itself, and next to it, the tracker gives 0.
+double crossing_of_track(Run& run, const Path& path, std::size_t g, double s, double h) {
+  const double before = run.state.groups[g].sine;
+  const double after = run.trial.groups[g].sine;
+  const auto sine = [&](double x) { return solve_at(run, path, s, x) ? run.trial.groups[g].sine : NAN; };
+  const double middle = root_between(sine, before, h, after).value_or(h * before / (before - after));
+  const double d = std::copysign(
+      std::min({1e-3 * driver_scale(run, 0), std::abs(middle) / 3, std::abs(h - middle) / 3}), h);
+  const double a = sine(middle - 3 * d), b = sine(middle - d), c = sine(middle + d), e = sine(middle + 3 * d);
+  const double slope = (a - 27 * b + 27 * c - e) / 48;
+  double t = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double rest =
+        (9 * (b + c) - (a + e)) / 16 + t * t * (((a + e) - (b + c)) / 16 + t * ((e - a) - 3 * (c - b)) / 48);
+    t = -rest / slope;
+  }
+  return std::abs(t) < 1 ? middle + t * d : middle;
+}
+
 void note_dead_points(Run& run, const Path& path, double s, double h) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
     if (run.state.groups[g].mode == run.trial.groups[g].mode) {
@@ -124,9 +160,7 @@ void note_dead_points(Run& run, const Path& path, double s, double h) {
     }
     const State kept = run.trial;
     const bool tracked = std::holds_alternative<TrackedPair>(run.plan.groups[g].kind);
-    const double x =
-        tracked ? h * run.state.groups[g].sine / (run.state.groups[g].sine - run.trial.groups[g].sine)
-                : crossing_between(run, path, g, s, h);
+    const double x = tracked ? crossing_of_track(run, path, g, s, h) : crossing_between(run, path, g, s, h);
     run.trial = kept;
     RunEvent event;
     event.type = EventType::kDeadPoint;

@@ -87,6 +87,10 @@ FirstPosition::FirstPosition(const Run& run)
 bool FirstPosition::place(std::size_t g, int mode) {
   const Group& group = run_.plan.groups[g];
   state_.groups[g].mode = mode;
+  // What was tried before makes no difference, not to the last digit either.
+  for (const int body : group.bodies) {
+    state_.turns[static_cast<std::size_t>(body)] = {};
+  }
   if (const auto* tracked = std::get_if<TrackedPair>(&group.kind)) {
     return start_tracked(*tracked, g);
   }

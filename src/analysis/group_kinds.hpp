@@ -32,11 +32,17 @@ namespace higherpair {
 }
 
 /// Places a body at the coordinate q of its joint to ground; its rates are left as they are.
-inline void place_at(const OneFreedom& freedom, double q, int index, State& to) {
+inline void place_at(const OneFreedom& freedom, double q, int index, const State& from, State& to) {
   BodyMotion& body = body_in(to, index);
-  KnownRotation& known = to.turns[static_cast<std::size_t>(index)];
-  body.X_WB = pose_at(freedom, q, freedom.turns ? known.renewed_at(q) : Rotation<double>());
-  body.theta = freedom.turns ? q : freedom.theta;
+  if (!freedom.turns) {
+    body.X_WB = pose_at(freedom, q);
+    body.theta = freedom.theta;
+    return;
+  }
+  const auto i = static_cast<std::size_t>(index);
+  to.turns[i] = from.turns[i].renewed_at(q);
+  body.X_WB = pose_at(freedom, q, to.turns[i].at(q));
+  body.theta = q;
 }
 
 /// Sets a body's rates from ω, α and the motion of its point p_B.

@@ -13,11 +13,12 @@ struct Overload : Fs... {
 template <class... Fs>
 Overload(Fs...) -> Overload<Fs...>;
 
-void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, State& to) {
+void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, const State& from,
+                  State& to) {
   const CarriedBody& carried = driven.carried;
   const double q = carried.sign * drivers[static_cast<std::size_t>(driven.driver)];
   if (carried.carrier == 0) {
-    place_at(carried.freedom, q, carried.body, to);
+    place_at(carried.freedom, q, carried.body, from, to);
     return;
   }
   body_in(to, carried.body) = carried_motion(carried, body_in(to, carried.carrier), q, 0, 0);
@@ -95,7 +96,7 @@ GroupStatus place_group(const Model& model, std::size_t g, const State& from, do
   return std::visit(
       Overload{
           [&](const DrivenBody& driven) {
-            place_driven(driven, drivers, to);
+            place_driven(driven, drivers, from, to);
             return GroupStatus::kOk;
           },
           [&](const RrrDyad& dyad) { return place_dyad(dyad, g, from, h, to); },

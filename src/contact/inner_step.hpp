@@ -14,8 +14,10 @@ namespace higherpair {
 inline constexpr double kMaxTurn = kPi / 18;           // of driver or normal in one inner step [rad]
 inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
 inline constexpr double kCosFarthestTurn = 0.866;
-inline constexpr double kShortestForThird = 1e-4;  // of the driver's scale: step that d³φ/du³ is taken from
-inline constexpr double kShortTurn = 0.01;         // of the driver's scale: a short step
+// Of the driver's scale: steps that d²φ/du² and d³q/du³, and d³φ/du³, are taken from.
+inline constexpr double kShortestForSecond = 1e-8;
+inline constexpr double kShortestForThird = 1e-4;
+inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short step
 // ∂gap/∂q that may be that of a crossing: of the follower's lever, and of its present value.
 inline constexpr double kAtCrossing = 1e-6;
 inline constexpr double kFallsToCrossing = 1e-3;
@@ -95,17 +97,29 @@ inline void renew(KnownRotation& known, double from, double to) {
   }
 }
 
-inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
+// The higher derivatives over the last step h, whose normal has turned by `turn`. Over a very short one they
+// are rounding: those before stay. Where branches cross they begin anew.
+inline void renew_derivatives(ContactTrack& track, const ContactPosition& at, int branch, double turn) {
+  if (branch != track.branch) {
+    track.d3q = track.d2phi = track.d3phi = 0;
+    return;
+  }
   const double h = at.u - track.at.u;
-  const bool smooth = h != 0 && branch == track.branch;
-  const double per_h = smooth ? 1 / h : 0;
+  const double unit = unit_of(track.pair.motion1, track);
+  if (!(std::abs(h) > kShortestForSecond * unit)) {
+    return;
+  }
+  const double per_h = 1 / h;
   track.d3q = per_h * (at.d2q - track.at.d2q);
-  const double turn = angle_between(track.at.n_W, at.n_W);
-  // What the rates at both ends say of the turn is too much by h³ φ‴/12. Of a short step that is rounding.
-  const bool long_enough = std::abs(h) > kShortestForThird * unit_of(track.pair.motion1, track);
+  // What the rates at both ends say of the turn is too much by h³ φ‴/12.
   const double excess = (at.dphi + track.at.dphi) / 2 - per_h * turn;
-  track.d3phi = long_enough ? 12 * per_h * per_h * excess : 0;
+  track.d3phi = std::abs(h) > kShortestForThird * unit ? 12 * per_h * per_h * excess : 0;
   track.d2phi = per_h * (at.dphi - track.at.dphi) + h / 2 * track.d3phi;
+}
+
+inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
+  const double turn = angle_between(track.at.n_W, at.n_W);
+  renew_derivatives(track, at, branch, turn);
   track.phi += turn;
   renew(track.driver, track.at.u, at.u);
   renew(track.follower, track.at.q, at.q);

@@ -16,29 +16,52 @@ namespace {
 
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kNearCrossing = 5e-3;   // of the driver's scale: how near a crossing is interpolated over
-constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
-constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;          // inner steps that may fail
-constexpr double kMostSteps = 2e5;       // of kMaxTurn that a way may be long; so many more inner steps
-constexpr double kSmallestStep = 1e-14;  // of the driver's scale
+constexpr double kNearCrossing = 5e-3;    // of the driver's scale: how near a crossing is interpolated over
+constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
+constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
+constexpr double kSameCrossing = 1e-6;    // of the driver's scale: places as near as this are one crossing
+constexpr double kClosed = 1e-13;         // of the lengths: gap that an interpolated crossing may leave
+constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;           // inner steps that may fail
+constexpr double kMostSteps = 2e5;        // of kMaxTurn that a way may be long; so many more inner steps
+constexpr double kSmallestStep = 1e-14;   // of the driver's scale
+
+enum class Outcome { kTaken, kRefused, kOntoCrossing };
 
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
-bool step_by(ContactTrack& track, double h, double predicted_gap_q) {
-  if (predicted_gap_q * track.at.gap_q < 0) {
-    const Step crossing = try_step(track, h, -track.branch);
-    if (agrees(crossing, kCrossingAgreement)) {
-      accept(track, crossing.result.at, -track.branch);
-      return true;
-    }
-    // A limit may lie within the step, with the branch there again beyond it: shorter steps will tell.
+// \param may_stop_at_crossing  if not, a step that ends where branches cross (nearly) is not taken: the
+//                              position has lost its rank there, and its rates are noise
+Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_stop_at_crossing) {
+  // With a change of sign a limit may lie within the step instead, with the branch there again beyond it:
+  // shorter steps will tell.
+  const bool crosses = predicted_gap_q * track.at.gap_q < 0;
+  const int branch = crosses ? -track.branch : track.branch;
+  const Step step = try_step(track, h, branch);
+  if (step.solved && !may_stop_at_crossing && vanishes(track, step.result.at.gap_q)) {
+    return Outcome::kOntoCrossing;
+  }
+  if (!agrees(step, crosses ? kCrossingAgreement : kAgreement)) {
+    return Outcome::kRefused;
+  }
+  accept(track, step.result.at, branch);
+  return Outcome::kTaken;
+}
+
+// Sets the points and the normal, nearly n_W, for bodies that stand where branches cross; false where they do
+// not touch.
+bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& at) {
+  const auto& [curve1, motion1, curve2, motion2] = track.pair;
+  const auto touch = find_common_normal(curve1, pose_at(motion1, at.u), curve2, pose_at(motion2, at.q), n_W);
+  if (!touch || !((touch->p2_W - touch->p1_W).norm() <= kClosed * (track.size + manhattan(touch->p1_W)))) {
     return false;
   }
-  const Step step = try_step(track, h, track.branch);
-  if (!agrees(step, kAgreement)) {
-    return false;
-  }
-  accept(track, step.result.at, track.branch);
+  at.n_W = touch->n_W;
+  at.p1_W = touch->p1_W;
+  at.p2_W = touch->p2_W;
+  at.rho1 = touch->rho1;
+  at.rho2 = touch->rho2;
+  at.sliding =
+      (at.dq * velocity_per_q(motion2, at.p1_W) - velocity_per_q(motion1, at.p1_W)).dot(perp(at.n_W));
   return true;
 }
 
@@ -73,21 +96,26 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
   at.gap_q = 0;
   const Vector2d n_W =
       Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
-  const auto touch = find_common_normal(track.pair.curve1, pose_at(track.pair.motion1, at.u),
-                                        track.pair.curve2, pose_at(track.pair.motion2, at.q), n_W);
   // Between two contacts of different branches there may also be a limit of each, and no contact at all.
-  if (!touch || !((touch->p2_W - touch->p1_W).norm() <= kClosed * (track.size + manhattan(touch->p1_W)))) {
+  if (!close_at(track, n_W, at)) {
     return false;
   }
-  at.n_W = touch->n_W;
-  at.p1_W = touch->p1_W;
-  at.p2_W = touch->p2_W;
-  at.rho1 = touch->rho1;
-  at.rho2 = touch->rho2;
-  at.sliding =
-      (at.dq * velocity_per_q(track.pair.motion2, at.p1_W) - velocity_per_q(track.pair.motion1, at.p1_W))
-          .dot(perp(at.n_W));
   accept(track, at, -track.branch);
+  return true;
+}
+
+// From a crossing to a place that is the same but for rounding: the smooth motion leads there.
+bool stay_at_crossing(ContactTrack& track, double rest) {
+  ContactPosition at = track.at;
+  if (at.gap_q != 0 || !(std::abs(rest) <= kSameCrossing * unit_of(track.pair.motion1, track))) {
+    return false;
+  }
+  at.u += rest;
+  at.q += rest * at.dq;
+  if (!close_at(track, Rotation<double>::from_angle(rest * at.dphi) * at.n_W, at)) {
+    return false;
+  }
+  accept(track, at, track.branch);
   return true;
 }
 
@@ -120,6 +148,18 @@ std::optional<LimitPosition> obstacle(const ContactTrack& track, double u, doubl
   return std::nullopt;
 }
 
+// Where branches cross all conditions of a limit hold as well, but the motion goes on beyond. It is taken as
+// far beyond as it is still before.
+bool pass_crossing(ContactTrack& track, const LimitPosition& limit) {
+  const double way = limit.u - track.at.u;
+  const Step beyond = try_step(track, 2 * way, -track.branch);
+  if (way == 0 || !agrees(beyond, kCrossingAgreement)) {
+    return false;
+  }
+  accept(track, beyond.result.at, -track.branch);
+  return true;
+}
+
 // Follows the contact towards u; false if it is lost on the way (then `limit` says where).
 bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) {
   const double unit = unit_of(track.pair.motion1, track);
@@ -136,21 +176,36 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       return false;
     }
     const double rest = u - track.at.u;
+    if (stay_at_crossing(track, rest)) {
+      track.at.u = u;
+      return true;
+    }
     bool last = std::abs(rest) <= h;
     double step = last ? rest : std::copysign(h, rest);
     const double rate = gap_q_rate(track);
-    if (last && vanishes(track, track.at.gap_q + rate * rest)) {
-      if (stop_at_crossing(track, rest)) {
+    const double ahead = track.at.gap_q + rate * rest;
+    if (last && std::abs(rest) > kNearCrossing * unit &&
+        std::abs(ahead) <= kMayBeCrossing * std::abs(track.at.gap_q)) {
+      // Come nearer first: at a crossing itself a position is noise, or not found at all.
+      step = std::copysign(std::abs(rest) - kNearCrossing * unit / 2, rest);
+      last = false;
+    } else if (last && vanishes(track, ahead) && stop_at_crossing(track, rest)) {
+      track.at.u = u;
+      return true;
+    }
+    Outcome outcome = step_by(track, step, track.at.gap_q + rate * step, false);
+    if (outcome == Outcome::kOntoCrossing) {
+      if (last && stop_at_crossing(track, rest)) {
         track.at.u = u;
         return true;
       }
-      // Come nearer first, if it is not near yet.
-      if (std::abs(rest) > kNearCrossing * unit) {
-        step = std::copysign(std::abs(rest) - kNearCrossing * unit / 2, rest);
+      if (std::abs(step) > kNearCrossing * unit) {
+        step *= kShortOfCrossing;
         last = false;
       }
+      outcome = step_by(track, step, track.at.gap_q + rate * step, true);
     }
-    if (step_by(track, step, track.at.gap_q + rate * step)) {
+    if (outcome == Outcome::kTaken) {
       if (last) {
         track.at.u = u;
       }
@@ -158,12 +213,15 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       continue;
     }
     if (last && stop_at_crossing(track, rest)) {
+      track.at.u = u;
       return true;
     }
     h = std::abs(step) / 2;
     limit = --attempts < 0 ? LimitPosition{track.at.u, track.at.q}
                            : obstacle(track, u, h, ++halvings >= kHalvingsToLimit);
-    if (limit) {
+    if (limit && pass_crossing(track, *limit)) {
+      limit.reset();
+    } else if (limit) {
       return false;
     }
   }

@@ -11,10 +11,12 @@ namespace {
 struct Fastest {
   double omega = 0;  ///< [rad/s]
   double v = 0;      ///< [m/s]
+  double size = 0;   ///< [m]
 };
 
-Fastest fastest_of(std::span<const BodyMotion> bodies) {
+Fastest fastest_of(std::span<const BodyMotion> bodies, double size) {
   Fastest fastest;
+  fastest.size = size;
   double distance = 0;
   for (const BodyMotion& body : bodies) {
     fastest.omega = std::max(fastest.omega, std::abs(body.omega));
@@ -32,7 +34,8 @@ InstantCenter center_of(const BodyMotion& body_i, const BodyMotion& body_j, cons
   const Vector2d v = body_j.v_WB - body_i.v_WB - body_i.omega * perp(Vector2d(o - body_i.X_WB.p_WB));
 
   InstantCenter center;
-  if (std::abs(omega) > kPoleTolerance * fastest.omega) {
+  const bool turns = std::abs(omega) * fastest.size > kPoleTolerance * fastest.v;
+  if (turns && std::abs(omega) > kPoleTolerance * fastest.omega) {
     center.kind = InstantCenterKind::kPoint;
     center.p_W = o + perp(v) / omega;
   } else if (v.norm() > kPoleTolerance * fastest.v) {
@@ -44,8 +47,8 @@ InstantCenter center_of(const BodyMotion& body_i, const BodyMotion& body_j, cons
 
 }  // namespace
 
-std::vector<InstantCenter> instant_centers(std::span<const BodyMotion> bodies) {
-  const Fastest fastest = fastest_of(bodies);
+std::vector<InstantCenter> instant_centers(std::span<const BodyMotion> bodies, double size) {
+  const Fastest fastest = fastest_of(bodies, size);
   std::vector<InstantCenter> centers;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {

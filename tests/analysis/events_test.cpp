@@ -43,6 +43,21 @@ TEST(StrokeEnds, OfAFlatFaceOnAnEccentricDiscAreAQuarterTurnFromTheCentre) {
   }
 }
 
+TEST(StrokeEnds, OfAnOutputAtRestAreNone) {
+  // A disc about its own centre moves nothing.
+  for (const char* name : {"flat_faced_translating", "eccentric_disc_oscillating_roller", "knife_edge"}) {
+    Profile profile = shipped(name);
+    for (Body& body : profile.mechanism.bodies) {
+      for (NamedCurve& named : body.curves) {
+        if (body.name == "cam") {
+          named.curve = make_circle({0, 0}, 0.03).value();
+        }
+      }
+    }
+    EXPECT_TRUE(events_of(profile.mechanism, EventType::kStrokeEnd, 361).empty()) << name;
+  }
+}
+
 // Both positions at which two contacts hold at once, by the list of all contacts.
 double smallest_distance_of_two_free_contacts(const Run& run, double u) {
   const auto& tracked = std::get<TrackedPair>(run.plan.groups[1].kind);
@@ -161,6 +176,49 @@ TEST(DeadPoints, OfAParallelogramAreCrossedStraightOn) {
   }
   EXPECT_THAT(found, ::testing::ElementsAre(::testing::DoubleNear(kPi, 1e-10),
                                             ::testing::DoubleNear(2 * kPi, 1e-10)));
+}
+
+// Equal eccentric discs touch as the cranks of a parallelogram: at 0° and 180° it has branches that cross.
+const char* const kEqualDiscs = R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [35, 0] }
+[bodies.cam]
+points.O = [0, 0]
+curves.edge = { type = "circle", center = [10, 0], radius = 20 }
+[bodies.follower]
+pose = { x = 35, angle = 90 }
+points.Q = [0, 0]
+curves.edge = { type = "circle", center = [10, 0], radius = 15 }
+[joints]
+cam_pivot      = { type = "revolute", between = ["ground.O", "cam.O"] }
+follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
+[contacts]
+touch = { between = ["cam.edge", "follower.edge"] }
+[driver]
+joint = "cam_pivot"
+start = 90
+)";
+
+TEST(DeadPoints, OfEqualDiscsAreCrossedStraightOnWhateverTheRows) {
+  const auto profile = read_profile_text(kEqualDiscs, "discs").value();
+  for (const double first : {0.0, 0.001, 3.3, 10.0, 45.0}) {
+    for (const int rows : {1, 4, 8, 9, 12, 18, 36, 72, 360}) {
+      SCOPED_TRACE(testing::Message() << first << " and " << rows << " rows");
+      auto run = start_run(profile.mechanism, {kPi / 2}).value();
+      int crossings = 0;
+      for (int k = 0; k <= rows; ++k) {
+        const double u = kPi / 2 + (first + k * 360.0 / rows) * kPi / 180;
+        move_to(run, {{u, 1, 0}});
+        // Next to a crossing the angle is known to the root of rounding only.
+        EXPECT_NEAR(run.row.bodies[2].theta, u, 1e-9);
+        for (const RunEvent& event : run.events) {
+          EXPECT_EQ(event.type, EventType::kDeadPoint);
+          EXPECT_NEAR(event.driver, (++crossings) * kPi, 1e-9);
+        }
+      }
+      EXPECT_EQ(crossings, 2);
+    }
+  }
 }
 
 TEST(DeadPoints, CanBeStartedAtOnTheBranchOfTheSlowerMotion) {

@@ -36,24 +36,25 @@ TEST(KnownRotation, GivesAnglesNearItToRounding) {
   double worst = 0;
   for (int i = 0; i < 100000; ++i) {
     const double angle = near(random);
-    KnownRotation rotation(0);
-    worst = std::max(worst, std::abs(rotation.renewed_angle(Rotation<double>::from_angle(angle), 0) - angle));
+    const KnownRotation rotation(0);
+    worst = std::max(worst, std::abs(rotation.angle_of(Rotation<double>::from_angle(angle), 0) - angle));
   }
   EXPECT_LE(worst, 2e-17);
 }
 
 TEST(KnownRotation, FollowsATurningBodyThroughManyTurnsWithoutDrift) {
-  KnownRotation by_angle;
-  KnownRotation by_rotation;
+  KnownRotation known;
   const double step = 0.0123;
   for (int k = 1; k <= 200000; ++k) {
     const double angle = k * step;
-    const Rotation<double> R = by_angle.renewed_at(angle);
+    known = known.renewed_at(angle);
+    const Rotation<double> R = known.at(angle);
+    ASSERT_TRUE(known.is_near(angle));
     ASSERT_LE(error_of(R, angle), 2e-16) << k;
-    ASSERT_NEAR(by_rotation.renewed_angle(R, angle - step), angle, 3e-16 * (1 + angle)) << k;
+    ASSERT_NEAR(known.angle_of(R, angle - step), angle, 3e-16 * (1 + angle)) << k;
   }
   // A jump is followed as well, and the turn asked for is given.
-  EXPECT_NEAR(by_rotation.renewed_angle(Rotation<double>::from_angle(1), 7), 1 + 2 * kPi, 1e-15);
+  EXPECT_NEAR(known.angle_of(Rotation<double>::from_angle(1), 7), 1 + 2 * kPi, 1e-15);
 }
 
 TEST(KnownRotation, GivesRotationsFarFromItAsWell) {

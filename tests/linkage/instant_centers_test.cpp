@@ -72,7 +72,7 @@ TEST(InstantCenters, OfAFourBarAreItsPivotsAndTheCrossingsOfItsSides) {
       continue;
     }
     const std::vector<BodyMotion> bodies = bodies_of(linkage, motion);
-    const std::vector<InstantCenter> centers = instant_centers(bodies);
+    const std::vector<InstantCenter> centers = instant_centers(bodies, 1);
     ASSERT_EQ(centers.size(), 6U);
     ++count;
     const Vector2d A = bodies[2].X_WB.p_WB, O4 = bodies[3].X_WB.p_WB;
@@ -112,7 +112,7 @@ TEST(InstantCenters, OfEveryThreeBodiesOfASixBarLieOnALine) {
     if (!dyad.rates || std::abs(cross(vector_of(dyad.u_a), vector_of(dyad.u_b))) < 0.3) continue;
     bodies.push_back(link_at(C, angle_of(dyad.u_a), dyad.rates->omega_a, dyad.rates->alpha_a));
     bodies.push_back(link_at(D, angle_of(dyad.u_b), dyad.rates->omega_b, dyad.rates->alpha_b));
-    const std::vector<InstantCenter> centers = instant_centers(bodies);
+    const std::vector<InstantCenter> centers = instant_centers(bodies, 1);
     ASSERT_EQ(centers.size(), 15U);
     worst.see(worst_triple(centers, 6));
     ++count;
@@ -132,7 +132,7 @@ TEST(InstantCenters, OfASliderLieAtInfinityAcrossItsGuide) {
   slider.X_WB.p_WB = A.p_W + linkage.r3 * unit_vector(motion.theta3);
   const std::vector<BodyMotion> bodies{BodyMotion{}, crank,
                                        link_at(A, motion.theta3, motion.rates->omega3, 0), slider};
-  const std::vector<InstantCenter> centers = instant_centers(bodies);
+  const std::vector<InstantCenter> centers = instant_centers(bodies, 1);
   const InstantCenter& on_guide = find(centers, 0, 3);
   EXPECT_EQ(on_guide.kind, InstantCenterKind::kAtInfinity);
   EXPECT_AT_MOST(std::abs(on_guide.u_W.dot(unit_vector(linkage.theta1))), 1e-15);
@@ -144,7 +144,7 @@ TEST(InstantCenters, OfASliderLieAtInfinityAcrossItsGuide) {
 TEST(InstantCenters, OfAParallelogramAreAtInfinityWhereItsBodiesTurnAlike) {
   const FourBar linkage{0.31, 0.17, 0.31, 0.17, 0.2};
   const auto motion = four_bar_by_crank(linkage, {1.4, 2.3, 0}, AssemblyMode::kMinus);
-  const auto centers = instant_centers(bodies_of(linkage, motion));
+  const auto centers = instant_centers(bodies_of(linkage, motion), 1);
   EXPECT_EQ(find(centers, 0, 2).kind, InstantCenterKind::kAtInfinity);
   EXPECT_EQ(find(centers, 1, 3).kind, InstantCenterKind::kAtInfinity);
   EXPECT_EQ(find(centers, 0, 1).kind, InstantCenterKind::kPoint);
@@ -159,11 +159,18 @@ TEST(InstantCenters, AreUndefinedForBodiesThatMoveAsOne) {
   const BodyMotion body = random_body(random).at(0);
   const PointMotion other = point_motion(body, Vector2d(0.7, -0.4));
   const std::vector<BodyMotion> bodies{BodyMotion{}, body, link_at(other, 0.3, body.omega, body.alpha)};
-  const auto centers = instant_centers(bodies);
+  const auto centers = instant_centers(bodies, 1);
   EXPECT_EQ(find(centers, 1, 2).kind, InstantCenterKind::kUndefined);
   EXPECT_AT_MOST((find(centers, 0, 1).p_W - find(centers, 0, 2).p_W).norm(), 1e-14);
-  EXPECT_EQ(instant_centers(std::vector<BodyMotion>(2))[0].kind, InstantCenterKind::kUndefined);
-  EXPECT_TRUE(instant_centers({}).empty());
+  // Rounding of a body that only slides is no rotation.
+  std::vector<BodyMotion> sliding(2);
+  sliding[1].v_WB = {0, 1};
+  sliding[1].omega = 1e-15;
+  const InstantCenter far = instant_centers(sliding, 0.1)[0];
+  EXPECT_EQ(far.kind, InstantCenterKind::kAtInfinity);
+  EXPECT_EQ(std::abs(far.u_W.x()), 1);
+  EXPECT_EQ(instant_centers(std::vector<BodyMotion>(2), 1)[0].kind, InstantCenterKind::kUndefined);
+  EXPECT_TRUE(instant_centers({}, 1).empty());
 }
 
 }  // namespace

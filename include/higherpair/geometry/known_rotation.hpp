@@ -48,25 +48,17 @@ public:
     return {R_.cos - (versine * R_.cos + sine * R_.sin), R_.sin - (versine * R_.sin - sine * R_.cos)};
   }
 
-  /// The same; a far angle is known from then on.
-  [[nodiscard]] Rotation<double> renewed_at(double angle) {
-    if (!is_near(angle)) {
-      *this = KnownRotation(angle);
-    }
-    return at(angle);
-  }
-
-  /// The angle [rad] of a rotation, of all that differ by turns the one nearest to `reference`; a far one is
-  /// known from then on.
-  [[nodiscard]] double renewed_angle(const Rotation<double>& R, double reference) {
+  /// The angle [rad] of a rotation, to rounding; of all that differ by turns the one nearest to `reference`.
+  [[nodiscard]] double angle_of(const Rotation<double>& R, double reference) const {
     const double sine = R_.cos * R.sin - R_.sin * R.cos;
     const double cosine = R_.cos * R.cos + R_.sin * R.sin;
-    if (sine * sine <= kSmallTurn2 && cosine > 0) {
-      return nearest_turn(angle_ + small_angle(sine), reference);
-    }
-    const double angle = nearest_turn(std::atan2(R.sin, R.cos), reference);
-    *this = KnownRotation(angle);
-    return angle;
+    const bool near = sine * sine <= kSmallTurn2 && cosine > 0;
+    return nearest_turn(near ? angle_ + small_angle(sine) : std::atan2(R.sin, R.cos), reference);
+  }
+
+  /// What is to be known for angles about this one: the same as long as it is near.
+  [[nodiscard]] KnownRotation renewed_at(double angle) const {
+    return is_near(angle) ? *this : KnownRotation(angle);
   }
 
 private:

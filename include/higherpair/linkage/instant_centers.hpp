@@ -30,8 +30,9 @@ struct InstantCenter {
 ///
 /// With Δ the difference j - i in velocity at the origin o of body j: p = o + ẑ×Δv/Δω.
 /// Δω counts as zero below `kPoleTolerance` of the largest |ω|, Δv below that part of the largest velocity in
-/// the list (of an origin, or |ω| times the distance of two origins): the rates come out of a chain of groups
-/// with rounding of their own.
-[[nodiscard]] std::vector<InstantCenter> instant_centers(std::span<const BodyMotion> bodies);
+/// the list (of an origin, or |ω| times the distance of two origins), and Δω also where Δω·size is below that
+/// part of the largest velocity: the rates come out of a chain of groups with rounding of their own.
+/// \param size  of the mechanism [m]
+[[nodiscard]] std::vector<InstantCenter> instant_centers(std::span<const BodyMotion> bodies, double size);
 
 }  // namespace higherpair
