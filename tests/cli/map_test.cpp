@@ -136,6 +136,7 @@ TEST(Map, OfAMechanismThatCannotStartIsDrawnAllTheSame) {
 TEST(Map, RefusesWrongOptionsAndFiles) {
   EXPECT_EQ(map_of(profile("lock_up.toml") + " --samples 1").code, 2);
   EXPECT_EQ(map_of(profile("lock_up.toml") + " --tolerance -1").code, 2);
+  EXPECT_EQ(map_of(profile("lock_up.toml") + " --tolerance nan").code, 2);
   EXPECT_EQ(map_of("no_such_file.toml").code, 2);
   EXPECT_EQ(map_of(profile("lock_up.toml") + " --csv /no/such/folder/map.csv").code, 1);
 }

@@ -2,6 +2,7 @@
 #include "higherpair/analysis/derivatives.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 #include "verify_command.hpp"
 
@@ -30,7 +31,7 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
   command
       ->add_option("--tolerance", options.tolerance,
                    "largest closure error of an ok row, relative to the size")
-      ->check(CLI::PositiveNumber);
+      ->check(higherpair::cli::positive_number());
   command->add_flag("--quiet", options.quiet, "no events and no progress on standard error");
   command->add_flag("--jerk", options.jerk,
                     "columns of the true jerk, and of that of the frozen equivalent linkage");
@@ -52,7 +53,7 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
-      ->check(CLI::PositiveNumber);
+      ->check(higherpair::cli::positive_number());
   command->add_flag("--quiet", options.quiet, "no remarks on standard error");
   command->add_flag("--certify", options.certify, "decide every contact in exact arithmetic");
   return command;
@@ -62,10 +63,11 @@ CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options) {
   CLI::App* command = app.add_subcommand(
       "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
   command->add_option("PROFILE", options.profile, "check this profile instead of the shipped references");
-  command->add_option("TABLE", options.table, "CSV of what is right for it: columns and rows as in --csv");
+  command->add_option("TABLE", options.table,
+                      "CSV of what is right for it: columns of numbers, headed as in --csv, and its rows");
   command->add_option("--json", options.json, "write values, errors and times as JSON to this file");
   command->add_option("--bound", options.bound, "largest error, relative to a column's largest value")
-      ->check(CLI::PositiveNumber);
+      ->check(higherpair::cli::positive_number());
   command->add_flag("--quiet", options.quiet, "print only what fails");
   return command;
 }

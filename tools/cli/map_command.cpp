@@ -6,6 +6,7 @@
 #include "higherpair/io/profile_reader.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 
 #include <algorithm>
@@ -119,7 +120,7 @@ CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
   command
       ->add_option("--tolerance", options.tolerance,
                    "largest overlap of a contact that counts as free, relative to the size")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_flag("--quiet", options.quiet, "no remarks on standard error");
   return command;
 }

@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "mobility_report.hpp"
 #include "output_file.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -54,7 +55,7 @@ CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_flag("--quiet", options.quiet, "no messages about drivers on standard error");
   return command;
 }

@@ -266,6 +266,7 @@ int run_command(const RunOptions& options) {
     return report_input(tables.error());
   }
   std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
   return write_rows(options, *profile, *schedule, *run, *tables);
 }
 

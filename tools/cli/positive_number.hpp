@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace higherpair::cli {
+
+/// Whether an option is a number above 0; CLI::PositiveNumber lets nan pass.
+[[nodiscard]] inline CLI::Validator positive_number() {
+  const auto objection = [](const std::string& text) -> std::string {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+    return good ? "" : "'" + text + "' is no number above 0";
+  };
+  return {objection, "POSITIVE"};
+}
+
+}  // namespace higherpair::cli
