@@ -1,6 +1,7 @@
 #include "first_position.hpp"
 
 #include "coupled_bodies.hpp"
+#include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -22,8 +23,20 @@ const Contact& contact_of(const Mechanism& mechanism, int index) {
   return mechanism.contacts[static_cast<std::size_t>(index)];
 }
 
-std::string explain(FindStatus status, const Contact& contact) {
+// Whether the bodies touch where two contacts merge or branches cross, and so neither has a sign of ∂gap/∂q.
+bool touches_at_limit(const ContactPair& pair, double u) {
+  const CurveContacts all = find_curve_contacts(pair, u);
+  return std::any_of(all.contacts.begin(), all.contacts.end(),
+                     [](const CurveContact& each) { return each.free && each.branch == 0; });
+}
+
+std::string explain(FindStatus status, const Contact& contact, const ContactPair& pair, double u) {
   const std::string name = "contacts." + contact.name + ": ";
+  if (status == FindStatus::kNoContact && touches_at_limit(pair, u)) {
+    return name +
+           "at the first driver position the two bodies touch at a limit position, or where branches cross: "
+           "nothing tells which way the motion goes on; move driver.start away from it";
+  }
   switch (status) {
     case FindStatus::kOverlapAtStart:
       return name +
@@ -156,7 +169,7 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
       return false;
     }
   } else if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact));
+    fail(g, explain(found.status, contact, tracked.pair, u));
     return false;
   } else {
     state_.tracks[g] = start_track(tracked.pair, found.at, found.branch);
@@ -179,7 +192,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   }
   const Contact& contact = contact_of(run_.mechanism, tracked.contact);
   if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact));
+    fail(g, explain(found.status, contact, pair, u));
     return false;
   }
   fail(g, "contacts." + contact.name +
@@ -203,7 +216,7 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   const FindResult found =
       first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
   if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact));
+    fail(g, explain(found.status, contact, placed.pair, placed.u));
     return false;
   }
   state_.groups[g].mode = found.branch;
