@@ -80,8 +80,7 @@ MechanismPosition posed(const SizedMechanism& sized) {
 }
 
 SizedMechanism sized_mechanism(const Mechanism& mechanism) {
-  const double size = size_of(mechanism);
-  return {mechanism, size > 0 ? size : 1};
+  return {mechanism, size_of(mechanism)};
 }
 
 // Where rolling begins there is nothing travelled yet.

@@ -277,8 +277,7 @@ Mobility analyse_mobility(const Mechanism& mechanism, const MobilityQuestion& qu
   }
   mobility.assembled = true;
   mobility.start = *std::move(start);
-  const double size = size_of(mechanism);
-  analyse_at({mechanism, size > 0 ? size : 1}, question, mobility);
+  analyse_at({mechanism, size_of(mechanism)}, question, mobility);
   return mobility;
 }
 

@@ -88,7 +88,8 @@ double size_of(const Mechanism& mechanism) {
       }
     }
   }
-  return largest_distance(points);
+  const double size = largest_distance(points);
+  return size > 0 ? size : 1;
 }
 
 namespace {
@@ -132,8 +133,7 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   }
   plan.surplus = structure.surplus;
   plan.phase_bodies = phase_bodies(mechanism);
-  const double size = size_of(mechanism);
-  plan.size = size > 0 ? size : 1;
+  plan.size = size_of(mechanism);
   for (Group& group : plan.groups) {
     if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
       dyad->size = plan.size;

@@ -278,9 +278,7 @@ private:
 
   [[nodiscard]] Json centers() const {
     Json json = Json::array();
-    const double extent = size_of(mechanism_);
-    const double size = extent > 0 ? extent : 1;
-    for (const InstantCenter& center : instant_centers(findings_.mobility.moving, size)) {
+    for (const InstantCenter& center : instant_centers(findings_.mobility.moving, size_of(mechanism_))) {
       Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
       switch (center.kind) {
         case InstantCenterKind::kUndefined:

@@ -158,10 +158,11 @@ struct Plan {
   std::vector<int>
       phase_bodies;  ///< whose angle nothing but a rolling contact sets: they start in that of their pose
   int surplus = 0;   ///< conditions more than coordinates
-  double size = 1;   ///< size_of the mechanism, or 1 m where all its points coincide [m]
+  double size = 1;   ///< size_of the mechanism [m]
 };
 
-/// Largest distance between joint points and curve centres or vertices, in the poses [m].
+/// Largest distance between joint points and curve centres or vertices, in the poses [m]; 1 m where all of
+/// them coincide.
 [[nodiscard]] double size_of(const Mechanism& mechanism);
 
 /// The plan of a mechanism: its conditions matched with its coordinates, and the smallest sets of bodies that
