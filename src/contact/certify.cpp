@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kSame = 1e-9;      // rad or sizes: list and exact root mean the same contact
 constexpr double kCrowded = 1e-12;  // rad or sizes: rounding of the numbers may exchange two contacts
-constexpr double kFragile = 1e-4;   // rad or sizes: rounding may split a fourfold root by this
+// rad or sizes: rounding may split a double root, or move a triple one, by this, and split a fourfold one.
+constexpr double kFragile = 1e-5;
+constexpr double kFragileFourfold = 1e-4;
 
 // Contacts that the list takes to be at infinity, such as of parabolas whose axes are parallel but for
 // rounding.
@@ -104,8 +106,9 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
   }
   for (std::size_t k = 0; k < roots->size(); ++k) {
     const DecidedRoot& root = (*roots)[k];
+    const double fragile_by = root.multiplicity >= 4 ? kFragileFourfold : kFragile;
     const bool near_fragile = std::any_of(list.contacts.begin(), list.contacts.end(), [&](const auto& c) {
-      return is_fragile(c) && distance(c, root, turns) <= kFragile * scale_of(c);
+      return is_fragile(c) && distance(c, root, turns) <= fragile_by * scale_of(c);
     });
     if (matched[k] != root.decision.contacts && !near_fragile && !root.decision.degenerate &&
         !is_far(problem, root.middle)) {

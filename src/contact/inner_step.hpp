@@ -15,7 +15,7 @@ inline constexpr double kMaxTurn = kPi / 18;           // of driver or normal in
 inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
 inline constexpr double kCosFarthestTurn = 0.866;
 // Of the driver's scale: steps that d²φ/du² and d³q/du³, and d³φ/du³, are taken from.
-inline constexpr double kShortestForSecond = 1e-8;
+inline constexpr double kShortestForSecond = 1e-14;
 inline constexpr double kShortestForThird = 1e-4;
 inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short step
 // ∂gap/∂q that may be that of a crossing: of the follower's lever, and of its present value.
@@ -27,7 +27,7 @@ inline constexpr double kFallsToCrossing = 1e-3;
   return freedom.turns ? 1 : track.size;
 }
 
-// The rotation by a small or moderate angle, as good as a prediction needs; of unit length to 1e-14.
+// The rotation by an angle; for small ones without trigonometric functions.
 [[nodiscard]] inline Rotation<double> predicted_turn(double angle) {
   return angle * angle <= kSmallTurn2 ? Rotation<double>{1 - small_versine(angle), small_sine(angle)}
                                       : Rotation<double>::from_angle(angle);

@@ -116,7 +116,7 @@ TEST(Events, ADiscConformsToAnEllipticRingWhereItsCentreMeetsTheEvolute) {
     const TrackResult lost = follow_to(track, u + 0.02);
     EXPECT_EQ(lost.status, TrackStatus::kNotAssemblable);
     ASSERT_TRUE(lost.limit.has_value());
-    EXPECT_LE(std::abs(lost.limit->u - u), 1e-12);
+    EXPECT_LE(std::abs(lost.limit->u - u), 1e-13);
   }
 }
 

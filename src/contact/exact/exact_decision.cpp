@@ -277,6 +277,7 @@ std::optional<std::vector<DecidedRoot>> decide_roots(const ContactPair& pair, do
     for (const auto& [root, multiplicity] : roots) {
       DecidedRoot each;
       each.decision = decider.at(root);
+      each.multiplicity = static_cast<int>(multiplicity);
       const int bits = 200 + std::ilogb(to_double(exact.unit));
       const auto bounds = kernel.approximate_absolute_1_object()(root, bits);
       const auto q_of = [&](const Rational& bound) {

@@ -21,6 +21,7 @@ struct Decision {
 struct DecidedRoot {
   std::array<double, 2> q = {};  ///< the root lies between, rounded outwards [rad or m]
   Extended middle = 0;           ///< of a much narrower interval
+  int multiplicity = 1;          ///< in the contact polynomial
   Decision decision;
 };
 
