@@ -65,10 +65,11 @@ bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& a
   return true;
 }
 
-// The driver stops (nearly) where branches cross, `rest` ahead: the closure has lost its rank there. The
+// The driver stops (nearly) where branches cross, at u: the closure has lost its rank there. The
 // position is interpolated between here and a place just beyond; its gap_q is exactly 0 and its rates are
 // those of the smooth motion.
-bool stop_at_crossing(ContactTrack& track, double rest) {
+bool stop_at_crossing(ContactTrack& track, double u) {
+  const double rest = u - track.at.u;
   if (std::abs(rest) > kNearCrossing * unit_of(track.pair.motion1, track)) {
     return false;
   }
@@ -88,7 +89,7 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
     return 1.5 * change / h - (rate_from + rate_to) / 4;
   };
   ContactPosition at = b;
-  at.u = a.u + rest;
+  at.u = u;
   at.q = (a.q + b.q) / 2 + h * (10 * (a.dq - b.dq) + h * (a.d2q + b.d2q)) / 64;
   at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
   at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
@@ -105,12 +106,13 @@ bool stop_at_crossing(ContactTrack& track, double rest) {
 }
 
 // From a crossing to a place that is the same but for rounding: the smooth motion leads there.
-bool stay_at_crossing(ContactTrack& track, double rest) {
+bool stay_at_crossing(ContactTrack& track, double u) {
+  const double rest = u - track.at.u;
   ContactPosition at = track.at;
   if (at.gap_q != 0 || !(std::abs(rest) <= kSameCrossing * unit_of(track.pair.motion1, track))) {
     return false;
   }
-  at.u += rest;
+  at.u = u;
   at.q += rest * at.dq;
   if (!close_at(track, Rotation<double>::from_angle(rest * at.dphi) * at.n_W, at)) {
     return false;
@@ -151,9 +153,8 @@ std::optional<LimitPosition> obstacle(const ContactTrack& track, double u, doubl
 // Where branches cross all conditions of a limit hold as well, but the motion goes on beyond. It is taken as
 // far beyond as it is still before.
 bool pass_crossing(ContactTrack& track, const LimitPosition& limit) {
-  const double way = limit.u - track.at.u;
-  const Step beyond = try_step(track, 2 * way, -track.branch);
-  if (way == 0 || !agrees(beyond, kCrossingAgreement)) {
+  const Step beyond = try_step(track, 2 * (limit.u - track.at.u), -track.branch);
+  if (limit.u == track.at.u || !agrees(beyond, kCrossingAgreement)) {
     return false;
   }
   accept(track, beyond.result.at, -track.branch);
@@ -176,8 +177,7 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       return false;
     }
     const double rest = u - track.at.u;
-    if (stay_at_crossing(track, rest)) {
-      track.at.u = u;
+    if (stay_at_crossing(track, u)) {
       return true;
     }
     bool last = std::abs(rest) <= h;
@@ -189,14 +189,12 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       // Come nearer first: at a crossing itself a position is noise, or not found at all.
       step = std::copysign(std::abs(rest) - kNearCrossing * unit / 2, rest);
       last = false;
-    } else if (last && vanishes(track, ahead) && stop_at_crossing(track, rest)) {
-      track.at.u = u;
+    } else if (last && vanishes(track, ahead) && stop_at_crossing(track, u)) {
       return true;
     }
     Outcome outcome = step_by(track, step, track.at.gap_q + rate * step, false);
     if (outcome == Outcome::kOntoCrossing) {
-      if (last && stop_at_crossing(track, rest)) {
-        track.at.u = u;
+      if (last && stop_at_crossing(track, u)) {
         return true;
       }
       if (std::abs(step) > kNearCrossing * unit) {
@@ -212,8 +210,7 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       h = std::min(2 * h, largest);
       continue;
     }
-    if (last && stop_at_crossing(track, rest)) {
-      track.at.u = u;
+    if (last && stop_at_crossing(track, u)) {
       return true;
     }
     h = std::abs(step) / 2;

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// Against the cosine and sine of the difference in long double.
+// Against the cosine and sine in long double.
 double error_of(const Rotation<double>& R, double angle) {
   const long double exact = angle;
   return static_cast<double>(std::max(std::abs(R.cos - std::cos(exact)), std::abs(R.sin - std::sin(exact))));
