@@ -5,9 +5,12 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace higherpair {
 namespace {
+
+constexpr double kSamePlace = 1e-12;  // of the size, and in radians: assemblies as near as this are one
 
 double posed_coordinate(const std::vector<BodyMotion>& posed, const CarriedBody& carried) {
   return carried_coordinate(carried, posed[static_cast<std::size_t>(carried.carrier)],
@@ -74,6 +77,30 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   return loose.empty();
 }
 
+// At a dead centre two modes are one assembly.
+bool is_same(const State& a, const State& b, double size) {
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    const Pose<double>& at = a.bodies[i].X_WB;
+    const Pose<double>& other = b.bodies[i].X_WB;
+    const double turned = std::abs(at.R_WB.cos - other.R_WB.cos) + std::abs(at.R_WB.sin - other.R_WB.sin);
+    if (!(turned <= kSamePlace && (at.p_WB - other.p_WB).norm() <= kSamePlace * size)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<State> different(const std::vector<State>& states, double size) {
+  std::vector<State> kept;
+  for (const State& state : states) {
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const State& other) { return is_same(state, other, size); })) {
+      kept.push_back(state);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
@@ -103,7 +130,7 @@ tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
   for (ContactPlace& place : branches.contacts) {
     place.posed = posed_coordinate(posed, place.follower);
   }
-  for (const State& state : found.states) {
+  for (const State& state : different(found.states, run.plan.size)) {
     std::vector<double>& coordinates = branches.assemblies.emplace_back();
     for (const Joint& joint : mechanism.joints) {
       coordinates.push_back(joint_motion(mechanism, joint, state.bodies).position);

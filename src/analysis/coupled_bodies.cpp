@@ -12,8 +12,13 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxSteps = 30;
-constexpr double kMaxStep = 0.3;  // of an angle [rad], or of the size
+constexpr double kMaxStep = 0.3;   // of an angle [rad], or of the size
+constexpr double kNoStep = 1e-17;  // below rounding
 constexpr double kRankTolerance = 1e-10;
+
+Eigen::Vector3d at_rest(int /*body*/) {
+  return Eigen::Vector3d::Zero();
+}
 
 // The conditions of a group as a linear system in the rates of its bodies; angles count as lengths by the
 // size.
@@ -49,10 +54,12 @@ System make_system(const Group& group, const std::vector<ConstraintRow>& rows, d
   return system;
 }
 
-// Solves J x = b: exactly where J is square, by least squares where conditions are in surplus.
+// Solves J x = b: exactly where J is square, by least squares where conditions are in surplus, or where
+// `repeating` ones may leave some freedom: then by the least step.
 class Solver {
 public:
-  explicit Solver(const Eigen::MatrixXd& J) : square_(J.rows() == J.cols()) {
+  explicit Solver(const Eigen::MatrixXd& J, bool repeating = false)
+      : square_(J.rows() == J.cols() && !repeating) {
     if (square_) {
       lu_.compute(J);
     } else {
@@ -85,6 +92,11 @@ private:
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
 };
+
+void set_rank(const Solver& solver, GroupState& group) {
+  group.sine = solver.determinant();
+  group.noise = 1e-14;
+}
 
 bool place_contacts(const Model& model, const Group& group, State& to) {
   for (const int index : group.contacts) {
@@ -200,7 +212,8 @@ void group_rows(const Model& model, const Group& group, const std::vector<Driver
 }
 
 GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
-                          const std::vector<double>& drivers, State& to, const std::vector<int>& held) {
+                          const std::vector<double>& drivers, State& to,
+                          const std::optional<std::vector<int>>& held) {
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
   std::vector<DriverMotion> targets(drivers.size());
@@ -215,19 +228,20 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
       return GroupStatus::kNotConverged;
     }
     group_rows(model, group, targets, to, rows);
-    hold_angles(held, from, to, size, rows);
+    if (held) {
+      hold_angles(*held, from, to, size, rows);
+    }
     append_idle_rows(model, group, rows);
-    const System system = make_system(group, rows, size, [](int) { return Eigen::Vector3d::Zero().eval(); });
-    const Solver solver(system.J);
+    const System system = make_system(group, rows, size, at_rest);
+    const Solver solver(system.J, held.has_value());
     Eigen::VectorXd step = solver.solve(-column_of(rows, &ConstraintRow::value));
     if (!step.allFinite()) {
       return GroupStatus::kNotConverged;
     }
     hold_idle(model, group, step);
     const double length = step.cwiseAbs().maxCoeff() / size;
-    if (length == 0 || (length < 1e-9 && length >= last / 2)) {
-      to.groups[g].sine = solver.determinant();
-      to.groups[g].noise = 1e-14;
+    if (length < kNoStep || (length < 1e-9 && length >= last / 2)) {
+      set_rank(solver, to.groups[g]);
       return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size
                  ? GroupStatus::kOk
                  : GroupStatus::kOutOfReach;
@@ -237,6 +251,14 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
     add_step(group, step, size, to);
   }
   return GroupStatus::kNotConverged;
+}
+
+void judge_coupled(const Model& model, std::size_t g, State& state) {
+  const Group& group = model.plan.groups[g];
+  std::vector<ConstraintRow> rows;
+  group_rows(model, group, std::vector<DriverMotion>(model.mechanism.drivers.size()), state, rows);
+  append_idle_rows(model, group, rows);
+  set_rank(Solver(make_system(group, rows, model.plan.size, at_rest).J), state.groups[g]);
 }
 
 void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers, State& state) {

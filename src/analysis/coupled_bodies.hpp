@@ -6,10 +6,14 @@ namespace higherpair {
 
 /// Newton's method on all conditions of a coupled group, from where `from` and its rates lead after `h`;
 /// least squares where there are more conditions than coordinates.
-/// \param held  bodies that keep their angle in `from`
+/// \param held  where rolling begins: bodies that keep their angle in `from`; the conditions may repeat each
+///              other and leave some freedom then, and the nearest position is taken
 [[nodiscard]] GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
                                         const std::vector<double>& drivers, State& to,
-                                        const std::vector<int>& held = {});
+                                        const std::optional<std::vector<int>>& held = {});
+
+/// Sets whether the group's bodies stand where their conditions have lost their rank.
+void judge_coupled(const Model& model, std::size_t g, State& state);
 
 /// Velocities and accelerations from the same conditions.
 void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers, State& state);

@@ -1,15 +1,18 @@
 #include "crossing.hpp"
 
+#include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
 
 constexpr double kNear = 1e-3;   // of a group's lever: a sine below this is near a crossing
 constexpr double kReach = 4e-3;  // of the driver's scale: how far to both sides the interpolation goes
+constexpr double kSingularStart = 1e-7;  // of a group's lever: a sine below this is that of a singular start
+constexpr double kNearStart = 0.3;  // of a unit: how far a contact may be from where it merges with another
 
 bool can_cross(const Group& group) {
   return std::holds_alternative<RrrDyad>(group.kind) || std::holds_alternative<RrpDyad>(group.kind) ||
@@ -91,6 +94,44 @@ double unit_of(const Run& run, const Path& path) {
   return 1 / fastest;
 }
 
+bool is_singular(const GroupState& group) {
+  return std::abs(group.sine) <= kSingularStart * group.lever;
+}
+
+// The first group that starts where its branches may cross.
+std::optional<std::size_t> singular_group(const Run& run) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const Group& group = run.plan.groups[g];
+    const GroupState& state = run.state.groups[g];
+    const bool tracked = std::holds_alternative<TrackedPair>(group.kind) &&
+                         std::holds_alternative<ContactTrack>(run.state.tracks[g]);
+    if ((tracked || can_cross(group)) && is_singular(state)) {
+      return g;
+    }
+  }
+  return std::nullopt;
+}
+
+// Takes a mode of a group; of a tracked contact the contact of that branch with the drivers `there`, if there
+// is one near by.
+bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& there) {
+  run.state.groups[g].mode = mode;
+  const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
+  if (tracked == nullptr) {
+    return true;
+  }
+  const ContactPosition at = std::get<ContactTrack>(run.state.tracks[g]).at;
+  const double u = tracked->driver_sign * there[static_cast<std::size_t>(tracked->driver)];
+  const FindResult found = find_nearest_contact(tracked->pair, u, at.q, mode);
+  const double unit = tracked->pair.motion2.turns ? 1 : run.plan.size;
+  if (found.status != FindStatus::kFound || !(std::abs(found.at.q - at.q) <= kNearStart * unit) ||
+      !(found.at.n_W.dot(at.n_W) > 1 - kNearStart)) {
+    return false;
+  }
+  run.state.tracks[g] = start_track(tracked->pair, found.at, mode);
+  return true;
+}
+
 // How fast all bodies together move.
 double total_speed(const Run& run, const State& state) {
   double speed = 0;
@@ -98,6 +139,46 @@ double total_speed(const Run& run, const State& state) {
     speed += std::abs(body.omega) + body.v_WB.norm() / run.plan.size;
   }
   return speed;
+}
+
+// How far the bodies of a group are from their poses, squared.
+double distance_from_poses(const Run& run, const Group& group, const State& state) {
+  const std::vector<BodyMotion> posed = posed_bodies(run.mechanism);
+  double distance = 0;
+  for (const int body : group.bodies) {
+    const auto i = static_cast<std::size_t>(body);
+    const double turned = run.plan.size * (state.bodies[i].theta - posed[i].theta);
+    distance += (state.bodies[i].X_WB.p_WB - posed[i].X_WB.p_WB).squaredNorm() + turned * turned;
+  }
+  return distance;
+}
+
+// A way to leave a singular start.
+struct Departure {
+  State state;
+  double reach = 0;  // of the first driver from the start
+  double speed = 0;
+  double distance = 0;  // from the poses
+};
+
+std::vector<Departure> departures(Run& run, std::size_t g, double reach_of_scale) {
+  std::vector<Departure> found;
+  const State start = run.state;
+  const double reach = reach_of_scale * driver_scale(run, 0);
+  std::vector<double> there = run.drivers;
+  there[0] += reach;
+  Path path;
+  set_path(path, run.drivers, there);
+  for (const int mode : {start.groups[g].mode, -start.groups[g].mode}) {
+    run.state = start;
+    if (take_mode(run, g, mode, there) && solve_at(run, path, 0, path.length) &&
+        !is_singular(run.trial.groups[g])) {
+      found.push_back({run.trial, reach, total_speed(run, run.trial),
+                       distance_from_poses(run, run.plan.groups[g], run.trial)});
+    }
+  }
+  run.state = start;
+  return found;
 }
 
 }  // namespace
@@ -135,48 +216,28 @@ bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   return crosses;
 }
 
-void leave_singular_start(Run& run) {
-  std::size_t singular = 0;
-  while (singular < run.plan.groups.size() &&
-         !(can_cross(run.plan.groups[singular]) &&
-           std::abs(run.state.groups[singular].sine) <= 1e-7 * run.state.groups[singular].lever)) {
-    ++singular;
+std::optional<int> leave_singular_start(Run& run) {
+  const auto g = singular_group(run);
+  if (!g) {
+    return std::nullopt;
   }
-  if (singular == run.plan.groups.size()) {
-    return;
+  const std::vector<Departure> before = departures(run, *g, -kReach);
+  const std::vector<Departure> after = departures(run, *g, kReach);
+  const bool crossing = !before.empty() && !after.empty();
+  const std::vector<Departure>& choice = before.empty() ? after : before;
+  const auto chosen = std::min_element(choice.begin(), choice.end(), [&](const auto& a, const auto& b) {
+    return crossing ? a.speed < b.speed * (1 - 1e-9) : a.distance < b.distance;
+  });
+  if (chosen == choice.end()) {
+    const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[*g].kind);
+    return tracked == nullptr ? std::nullopt : std::optional(tracked->contact);
   }
-  const State start = run.state;
-  State best;
-  double slowest = std::numeric_limits<double>::infinity();
-  double best_reach = 0;
-  for (const double sense : {-1.0, 1.0}) {
-    const double reach = sense * kReach * driver_scale(run, 0);
-    std::vector<double> there = run.drivers;
-    there[0] += reach;
-    Path path;
-    set_path(path, run.drivers, there);
-    for (const int mode : {start.groups[singular].mode, -start.groups[singular].mode}) {
-      run.state = start;
-      run.state.groups[singular].mode = mode;
-      if (!solve_at(run, path, 0, path.length)) {
-        continue;
-      }
-      const double speed = total_speed(run, run.trial);
-      if (speed < slowest * (1 - 1e-9)) {
-        slowest = speed;
-        best = run.trial;
-        best_reach = reach;
-      }
-    }
-    if (best_reach != 0) {
-      break;
-    }
-  }
-  run.state = start;
-  if (best_reach != 0) {
-    run.state = best;
-    run.drivers[0] += best_reach;
-  }
+  const GroupState& start = run.state.groups[*g];
+  run.between = run.drivers.size() == 1 && !(std::abs(start.sine) > start.noise);
+  run.trial = run.state;
+  run.state = chosen->state;
+  run.drivers[0] += chosen->reach;
+  return std::nullopt;
 }
 
 }  // namespace higherpair

@@ -1,7 +1,6 @@
 #include "first_position.hpp"
 
 #include "coupled_bodies.hpp"
-#include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -23,19 +22,10 @@ const Contact& contact_of(const Mechanism& mechanism, int index) {
   return mechanism.contacts[static_cast<std::size_t>(index)];
 }
 
-// Whether the bodies touch where two contacts merge or branches cross, and so neither has a sign of ∂gap/∂q.
-bool touches_at_limit(const ContactPair& pair, double u) {
-  const CurveContacts all = find_curve_contacts(pair, u);
-  return std::any_of(all.contacts.begin(), all.contacts.end(),
-                     [](const CurveContact& each) { return each.free && each.branch == 0; });
-}
-
 std::string explain(FindStatus status, const Contact& contact, const ContactPair& pair, double u) {
   const std::string name = "contacts." + contact.name + ": ";
-  if (status == FindStatus::kNoContact && touches_at_limit(pair, u)) {
-    return name +
-           "at the first driver position the two bodies touch at a limit position, or where branches cross: "
-           "nothing tells which way the motion goes on; move driver.start away from it";
+  if (status == FindStatus::kNoContact && find_contact_at_limit(pair, u, 0)) {
+    return name + kTouchesAtLimit;
   }
   switch (status) {
     case FindStatus::kOverlapAtStart:
@@ -124,13 +114,6 @@ bool FirstPosition::place(std::size_t g, int mode) {
     fail(g, unreachable(run_, state_, group));
     return false;
   }
-  for (const int index : group.contacts) {
-    const Contact& contact = contact_of(run_.mechanism, index);
-    ContactMotion& motion = state_.contacts[static_cast<std::size_t>(index)];
-    if (contact.rolling) {
-      motion.arc_difference = arc_difference(run_.mechanism, contact, motion, state_.bodies);
-    }
-  }
   return true;
 }
 
@@ -143,7 +126,7 @@ void FirstPosition::fail(std::size_t g, std::string reason) {
 }
 
 // At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their
-// angles.
+// angles. From there they roll.
 GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   const Group& group = run_.plan.groups[g];
   Mechanism slipping = run_.mechanism;
@@ -155,7 +138,20 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
                [&](int body) {
                  return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
                });
-  return place_coupled({slipping, run_.plan}, g, posed_, 0, run_.drivers, state_, held);
+  const GroupStatus status = place_coupled({slipping, run_.plan}, g, posed_, 0, run_.drivers, state_, held);
+  begin_arcs(group);
+  judge_coupled(model_, g, state_);
+  return status;
+}
+
+void FirstPosition::begin_arcs(const Group& group) {
+  for (const int index : group.contacts) {
+    const Contact& contact = contact_of(run_.mechanism, index);
+    ContactMotion& motion = state_.contacts[static_cast<std::size_t>(index)];
+    if (contact.rolling) {
+      motion.arc_difference = arc_difference(run_.mechanism, contact, motion, state_.bodies);
+    }
+  }
 }
 
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
@@ -169,8 +165,12 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
       return false;
     }
   } else if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact, tracked.pair, u));
-    return false;
+    const auto at_limit = find_contact_at_limit(tracked.pair, u, q);
+    if (!at_limit || contact.approach != Approach::kNearest) {
+      fail(g, explain(found.status, contact, tracked.pair, u));
+      return false;
+    }
+    state_.tracks[g] = start_track(tracked.pair, *at_limit, 1);
   } else {
     state_.tracks[g] = start_track(tracked.pair, found.at, found.branch);
   }

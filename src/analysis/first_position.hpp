@@ -8,6 +8,11 @@
 
 namespace higherpair {
 
+/// Why a contact cannot be followed from where it is to start.
+inline constexpr const char* kTouchesAtLimit =
+    "at the first driver position the two bodies touch at a limit position, or where branches cross: nothing "
+    "tells which way the motion goes on; move driver.start away from it";
+
 /// Places the groups of a run at its first driver positions, one after the other, beginning from their poses.
 /// Keeps a reference to the run.
 class FirstPosition {
@@ -31,6 +36,7 @@ private:
                                         const FindResult& found);
   [[nodiscard]] bool start_touching(const TouchingBody& touching, std::size_t g);
   void start_coupled(const Group& group);
+  void begin_arcs(const Group& group);
 
   const Run& run_;
   Model model_;

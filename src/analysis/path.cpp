@@ -4,6 +4,7 @@
 #include "events.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "limit_events.hpp"
 #include "overlap.hpp"
 #include "root_between.hpp"
 #include "step.hpp"
@@ -29,18 +30,6 @@ double largest_step(const Run& run, const Path& path) {
   return std::abs(path.length) / parts;
 }
 
-void add_limit(Run& run, std::size_t g, const Path& path, double s) {
-  RunEvent event;
-  event.type = EventType::kLimitPosition;
-  set_place(event, path, s);
-  name_item(run, g, event);
-  event.cause =
-      event.contact
-          ? "the two bodies cannot be kept in contact on this branch beyond this position of the driver"
-          : "the links are in line here: beyond this position of the driver they cannot reach each other";
-  run.events.push_back(std::move(event));
-}
-
 // The root of the group's slack between s and s + h, if its sign changes there.
 std::optional<double> locate_limit(Run& run, const Path& path, std::size_t g, double s, double h) {
   const double here = slack_after(run, path, g, s, 0);
@@ -48,16 +37,6 @@ std::optional<double> locate_limit(Run& run, const Path& path, std::size_t g, do
   const auto slack = [&](double x) { return slack_after(run, path, g, s, x); };
   const auto x = root_between(slack, here, h, there);
   return x ? std::optional(s + *x) : std::nullopt;
-}
-
-// The limit of a tracked pair, in the coordinate of the driver that moves it.
-void add_limit(Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
-  const auto driver = static_cast<std::size_t>(std::get<TrackedPair>(run.plan.groups[g].kind).driver);
-  const double way = limit.u - path.from[driver];
-  add_limit(run, g, path, path.is_single() ? way : way / (path.to[driver] - path.from[driver]));
-  if (driver == 0) {
-    run.events.back().driver = limit.u;
-  }
 }
 
 void accept(Run& run) {
@@ -180,9 +159,9 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   run.held = true;
   run.between = false;
   run.drivers = drivers;
+  Path way;
+  set_path(way, lost_at, drivers);
   if (result.limit) {
-    Path way;
-    set_path(way, lost_at, drivers);
     add_limit(run, result.group, way, *result.limit);
     return true;
   }
@@ -195,7 +174,7 @@ bool resume(Run& run, const std::vector<double>& drivers) {
     for (RunEvent& event : back.events) {
       if (event.type == EventType::kLimitPosition) {
         event.share = 1 - event.share;
-        run.events.push_back(event);
+        report_limit(run, way, std::move(event));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "assembly.hpp"
 #include "crossing.hpp"
 #include "events.hpp"
+#include "first_position.hpp"
 #include "group_solver.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "overlap.hpp"
@@ -12,9 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
+
+constexpr double kSurelyPlaced = 1e-9;  // determinant, scaled, of a coupled group that has its rank
 
 // Where the row is.
 const State& shown(const Run& run) {
@@ -45,18 +49,34 @@ void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row)
   }
 }
 
+bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow& row) {
+  const auto unknown = [&](int body) { return !row.has_rates[static_cast<std::size_t>(body)]; };
+  return std::any_of(group.joints.begin(), group.joints.end(),
+                     [&](int index) {
+                       const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(index)];
+                       return unknown(joint.first.body) || unknown(joint.second.body) ||
+                              unknown(joint.carrier);
+                     }) ||
+         std::any_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
+           const Contact& contact = run.mechanism.contacts[static_cast<std::size_t>(index)];
+           return unknown(contact.first.body) || unknown(contact.second.body);
+         });
+}
+
 // Bodies whose rates a singular group leaves undefined: its own, and all that hang on them.
 void mark_rates(const Run& run, MotionRow& row) {
   std::fill(row.has_rates.begin(), row.has_rates.end(), true);
   bool singular = false;
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const GroupState& group = shown(run).groups[g];
-    singular = singular || !(std::abs(group.sine) > group.noise);
-    if (singular) {
-      for (const int body : run.plan.groups[g].bodies) {
+    const Group& group = run.plan.groups[g];
+    const GroupState& state = shown(run).groups[g];
+    const bool here = !(std::abs(state.sine) > state.noise);
+    if (here || (singular && hangs_on_unknown_rates(run, group, row))) {
+      for (const int body : group.bodies) {
         row.has_rates[static_cast<std::size_t>(body)] = false;
       }
     }
+    singular = singular || here;
   }
   row.status = singular ? RowStatus::kSingular : RowStatus::kOk;
 }
@@ -67,9 +87,7 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
     scale_rates(shown(run), drivers.front(), row);
   } else {
     run.trial = shown(run);
-    if (!run.between) {
-      set_rates(run, drivers, run.trial);
-    }
+    set_rates(run, drivers, run.trial);
     row.bodies = run.trial.bodies;
     row.contacts = run.trial.contacts;
   }
@@ -82,6 +100,18 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   if (!(row.residual <= run.tolerance * run.plan.size)) {
     row.status = RowStatus::kNotConverged;
   }
+}
+
+// By the count the bodies of a coupled group are placed. Where their conditions have lost their rank these
+// may repeat each other everywhere, and leave a freedom that no driver sets.
+bool may_be_free(const Run& run) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    if (std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind) &&
+        !(std::abs(run.state.groups[g].sine) > kSurelyPlaced)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -100,6 +130,11 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   if (auto failure = assemble(run)) {
     return tl::unexpected(std::move(*failure));
   }
+  if (may_be_free(run)) {
+    if (auto objection = driver_objection(mechanism, drivers)) {
+      return tl::unexpected(StartFailure{*objection, std::nullopt});
+    }
+  }
   set_unit_motions(drivers, run.trial_motions);
   set_rates(run, run.trial_motions, run.state);
   run.outputs = output_joints(mechanism);
@@ -108,7 +143,10 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   run.targets = drivers;
   run.trial_drivers = drivers;
   set_path(run.path, drivers, drivers);
-  leave_singular_start(run);
+  if (const auto contact = leave_singular_start(run)) {
+    const std::string& name = mechanism.contacts[static_cast<std::size_t>(*contact)].name;
+    return tl::unexpected(StartFailure{"contacts." + name + ": " + kTouchesAtLimit, std::nullopt});
+  }
   run.row.bodies = run.state.bodies;
   run.row.contacts = run.state.contacts;
   run.row.arcs_hold.assign(mechanism.contacts.size(), true);
@@ -118,12 +156,16 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
 
 void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   run.events.clear();
-  run.targets.resize(drivers.size());
+  run.limit_before = std::exchange(run.limit_here, std::nullopt);
+  // The row before once more, where run.state is short of it.
+  bool held = run.held && run.between;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
+    held = held && run.targets[i] == drivers[i].position;
     run.targets[i] = drivers[i].position;
   }
-  bool held = false;
-  if (!run.held) {
+  if (held) {
+    // It is in run.trial.
+  } else if (!run.held) {
     held = resume(run, run.targets);
   } else if (run.targets == run.drivers) {
     run.between = false;

@@ -37,7 +37,7 @@ std::optional<double> extreme_gap(const ContactPair& pair, const ContactPosition
     if (!step.allFinite()) {
       return std::nullopt;
     }
-    if (size == 0 || (size < 1e-7 && size >= last / 2)) {
+    if (size < kNoStep || (size < 1e-7 && size >= last / 2)) {
       return gap;
     }
     last = size;

@@ -63,7 +63,7 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
     at.n_W = Rotation<double>::from_angle(step(0)) * at.n_W;
     at.q += step(1) * unit(1);
     at.u += step(2) * unit(2);
-    if (size == 0 || (size < 1e-7 && size >= last / 2)) {
+    if (size < kNoStep || (size < 1e-7 && size >= last / 2)) {
       return LimitPosition{at.u, at.q};
     }
     last = size;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 
 namespace higherpair {
 namespace {
@@ -36,11 +37,27 @@ Rotation<double> times(double sign, const Rotation<double>& u) {
   return {sign * u.cos, sign * u.sin};
 }
 
+/// Where Y and Z cancel each other X lies on the ground link, and they swing about together: a way of moving
+/// of its own, which the others meet where all are in line.
+std::vector<FourBarLimit> limits_of_folded(const FourBar& linkage, const Triangle& triangle, double w_X) {
+  std::vector<FourBarLimit> limits;
+  if (balance(linkage.r1, -std::abs(w_X), 0.0, 0.0) != 0) return limits;
+  for (const double sense : {1.0, -1.0}) {
+    std::array<Rotation<double>, 3> u;
+    u[triangle.X] = {w_X > 0 ? 1.0 : -1.0, 0};
+    u[triangle.Y] = {sense, 0};
+    u[triangle.Z] = {triangle.side * sense, 0};
+    limits.push_back(limit_at(triangle, u, linkage.theta1));
+    limits.back().change_point = true;
+  }
+  return limits;
+}
+
 /// The closed triangle's positions: one on each side of the ground link, or one in line with it.
 std::vector<FourBarLimit> limits_of(const FourBar& linkage, const Triangle& triangle) {
   const std::array<double, 3> w{linkage.r2, linkage.r3, -linkage.r4};
   const double sum = balance(w[triangle.Y], triangle.side * w[triangle.Z], 0.0, 0.0);
-  if (sum == 0) return {};
+  if (sum == 0) return limits_of_folded(linkage, triangle, w[triangle.X]);
   const double sign_Y = sum > 0 ? 1 : -1;
   const double sign_X = w[triangle.X] > 0 ? 1 : -1;
   const double b = std::abs(w[triangle.X]);

@@ -231,37 +231,6 @@ TEST(DeadPoints, CanBeStartedAtOnTheBranchOfTheSlowerMotion) {
   EXPECT_NEAR(run.row.bodies[3].theta, kPi / 3, 1e-13);
 }
 
-// A disc of radius 20 with its centre 10 from the pivot reaches the line x = 25 just so at 60°.
-TEST(LimitPositions, AreNoPlaceToStartAndThatIsSaid) {
-  const auto profile = read_profile_text(R"(
-[bodies.ground]
-points = { O = [0, 0], Q = [25, 0] }
-[bodies.cam]
-points.O = [0, 0]
-curves.edge = { type = "circle", center = [10, 0], radius = 20 }
-[bodies.follower]
-pose = { x = 25, y = 10 }
-points.Q = [0, 0]
-curves.tip = { type = "point", at = [0, 0] }
-[joints]
-pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
-slide = { type = "prismatic", between = ["ground.Q", "follower.Q"], direction = [0, 1] }
-[contacts]
-touch = { between = ["cam.edge", "follower.tip"] }
-[driver]
-joint = "pivot"
-)",
-                                         "limit")
-                           .value();
-  const auto at_limit = start_run(profile.mechanism, {kPi / 3});
-  ASSERT_FALSE(at_limit.has_value());
-  EXPECT_THAT(at_limit.error().reason, ::testing::HasSubstr("touch at a limit position"));
-  const auto beyond = start_run(profile.mechanism, {kPi / 2});
-  ASSERT_FALSE(beyond.has_value());
-  EXPECT_THAT(beyond.error().reason, ::testing::HasSubstr("do not touch"));
-  EXPECT_TRUE(start_run(profile.mechanism, {kPi / 4}).has_value());
-}
-
 TEST(LimitPositions, OfAFourBarAreWhereCouplerAndRockerAreInLine) {
   // Ground 80, crank 60, coupler 30, rocker 40: 70 = 30 + 40 from the crank's end to the rocker's pivot.
   auto profile = read_profile_text(parallelogram("start = 30"), "four-bar").value();

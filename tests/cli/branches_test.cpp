@@ -53,6 +53,14 @@ TEST(Branches, OfADriverPositionThatIsOverriddenAreThoseThere) {
   EXPECT_NEAR(json.at("contacts").at(1).at("position").get<double>(), 28, 1e-13);
 }
 
+TEST(Branches, AtADeadPointAreOneAssembly) {
+  for (const auto& [start, count] : {std::pair("0", 1U), std::pair("60", 2U)}) {
+    const auto json = nlohmann::json::parse(
+        output_of(profile("parallelogram.toml") + " --json - --set driver.start=" + start));
+    EXPECT_EQ(json.at("assemblies").size(), count);
+  }
+}
+
 TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
   // Disc of radius 30 about (10, 0), the edge above the origin: at ±sqrt(30² - 10²).
   const auto json =

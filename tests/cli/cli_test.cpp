@@ -137,6 +137,38 @@ TEST_F(Program, FailsWhereItCannotWrite) {
   EXPECT_EQ(run("analyze " + profile("knife_edge.toml") + " --csv /dev/full").code, 1);
 }
 
+TEST_F(Program, WritesAllItsFilesOrNone) {
+  const fs::path table = folder_ / "table.csv";
+  const std::string none = (folder_ / "none" / "t.json").string();
+  for (const std::string command : {"analyze", "branches", "map"}) {
+    const std::string to_table =
+        command + " " + profile("ellipse_cam_roller.toml") + " --csv " + table.string();
+    EXPECT_EQ(run(to_table + " --json " + none).code, 1);
+    EXPECT_EQ(run(to_table + " --json /dev/full").code, 1);
+    EXPECT_FALSE(fs::exists(table)) << command;
+    EXPECT_EQ(run(to_table + " --json /dev/null").code, 0);
+    EXPECT_TRUE(fs::remove(table));
+  }
+}
+
+TEST_F(Program, RefusesTwoTablesInOneFile) {
+  const std::string table = (folder_ / "table").string();
+  const std::string same = (folder_ / "none" / ".." / "table").string();
+  for (const std::string command : {"analyze", "step", "forces", "branches", "map"}) {
+    for (const std::string& outputs :
+         {"--csv " + table + " --json " + table, "--csv " + table + " --json " + same,
+          std::string("--csv - --json -")}) {
+      const Outcome outcome = run(command + " " + profile("cam_with_return_spring.toml") + " " + outputs);
+      EXPECT_EQ(outcome.code, 2) << command << " " << outputs;
+      EXPECT_THAT(outcome.err, HasSubstr("give each a file of its own"));
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_FALSE(fs::exists(table));
+    }
+  }
+  EXPECT_EQ(run("analyze " + profile("ellipse_cam_roller.toml") + " --csv /dev/null --json /dev/null").code,
+            0);
+}
+
 TEST_F(Program, WritesTheSameRowsToFilesAsToStandardOutput) {
   const fs::path table = folder_ / "table.csv";
   const Outcome direct = run("step " + profile("offset_translating_roller.toml"));

@@ -53,6 +53,31 @@ TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
   EXPECT_EQ(own.at("driver"), 0.0);
 }
 
+// A fold has one coordinate, whichever turn the poses put the follower in.
+TEST(Map, GivesAFoldTheCoordinateOfItsBranches) {
+  for (const char* turns : {"-325", "35", "395"}) {
+    const auto json = json_of(profile("lock_up.toml") + " --set bodies.follower.pose.angle=" + turns);
+    const nlohmann::json& contact = json.at("contacts").at(0);
+    int folds = 0;
+    for (const nlohmann::json& event : contact.at("events")) {
+      const nlohmann::json& first =
+          contact.at("branches").at(event.at("branches").at(0).get<std::size_t>() - 1);
+      int there = 0;
+      for (const char* end : {"begin", "end"}) {
+        const bool same =
+            std::abs(first.at(end).at("driver").get<double>() - event.at("driver").get<double>()) < 1e-9;
+        there += same ? 1 : 0;
+        if (same) {
+          EXPECT_NEAR(first.at(end).at("position").get<double>(), event.at("position").get<double>(), 1e-9);
+        }
+      }
+      EXPECT_EQ(there, 1);
+      ++folds;
+    }
+    EXPECT_GE(folds, 2) << turns;
+  }
+}
+
 TEST(Map, HoldsTheFlatFacedFollowersClosedForm) {
   const auto json = json_of(profile("flat_faced_translating.toml") + " --samples 13");
   ASSERT_EQ(json.at("rows").size(), 26U);

@@ -129,6 +129,18 @@ TEST_F(MobilityCommand, GivesTheInstantCentresOfAFourBar) {
   EXPECT_EQ(json.at("rank").at("rank"), 8);
 }
 
+TEST_F(MobilityCommand, NamesTheChangePointsOfAParallelogram) {
+  std::ostringstream profile;
+  profile << std::ifstream(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/parallelogram.toml").rdbuf();
+  const Outcome text = run(profile.str());
+  EXPECT_THAT(text.out, HasSubstr("turns fully through change points, at 0 deg; 180 deg"));
+  const auto loop = nlohmann::json::parse(run(profile.str(), "--json -").out).at("four_bars").at(0);
+  EXPECT_EQ(loop.at("grashof"), "change point");
+  EXPECT_EQ(loop.at("limits").at("crank").size(), 2U);
+  EXPECT_EQ(loop.at("limits").at("coupler").size(), 4U);
+  EXPECT_FALSE(loop.at("full_turn").at("crank").get<bool>());
+}
+
 TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
   const Outcome outcome = run(kSliderCrank, "--json -");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

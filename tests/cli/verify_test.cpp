@@ -103,6 +103,23 @@ TEST(Verify, FailsWhereTheRunHasNoSuchColumnOrRow) {
               HasSubstr("there is no column"));
 }
 
+// Every column of a run that locks up in part of its turn: words, empty fields, columns of rounding alone.
+TEST(Verify, ReadsTheProgramsOwnTables) {
+  const std::string profile = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/lock_up.toml";
+  const fs::path table =
+      fs::temp_directory_path() / ("higherpair-verify-own-" + std::to_string(getpid()) + ".csv");
+  const std::string run = std::string(HIGHERPAIR_PROGRAM) + " analyze --quiet " + profile;
+  ASSERT_EQ(WEXITSTATUS(std::system((run + " --csv " + table.string()).c_str())), 4);
+  const Outcome same = verify(profile + " " + table.string());
+  EXPECT_EQ(same.code, 0) << same.out;
+  EXPECT_THAT(same.out, ::testing::Not(HasSubstr("residual")));
+  ASSERT_EQ(std::system(("sed -i s/not_assemblable/singular/ " + table.string()).c_str()), 0);
+  const Outcome other = verify(profile + " " + table.string());
+  EXPECT_EQ(other.code, 4);
+  EXPECT_THAT(other.out, HasSubstr("status is not_assemblable, expected singular"));
+  fs::remove(table);
+}
+
 TEST(Verify, FailsWhereTheTableIsNoTable) {
   const ChangedTable table("geneva_wheel.csv", "-45.0,", "-45.0x,");
   const Outcome outcome = verify(reference("geneva_wheel.toml") + " " + table.path());

@@ -135,13 +135,40 @@ TEST(FourBarLimits, MarkChangePoints) {
       EXPECT_AT_MOST(std::abs(std::sin(limit.theta3 - 0.4)), 1e-15);
     }
   }
-  // The coupler turns back in the crossed assembly, its cranks opposite. With cranks the same way (r2 - r4 =
-  // 0) it is the parallelogram in any position.
+  // The coupler turns back in the crossed assembly, its cranks opposite; with cranks the same way it stands
+  // still in all positions, and can leave where all is in line.
   const auto limits = four_bar_limits(parallelogram, FourBarLink::kCoupler);
-  EXPECT_EQ(limits.size(), 2U);
+  EXPECT_EQ(limits.size(), 4U);
   for (const FourBarLimit& limit : limits) {
-    EXPECT_FALSE(limit.change_point || limit.same_direction);
+    EXPECT_EQ(limit.change_point, limit.same_direction);
+    if (limit.change_point) {
+      EXPECT_AT_MOST(angle_error(limit.theta3, 0.4), 1e-15);
+      EXPECT_AT_MOST(angle_error(limit.theta2, limit.theta4), 1e-15);
+      EXPECT_AT_MOST(std::abs(std::sin(limit.theta2 - 0.4)), 1e-15);
+      continue;
+    }
     EXPECT_AT_MOST(std::abs(std::abs(std::sin(0.5 * (limit.theta3 - 0.4))) - 17.0 / 31), 1e-15);
+  }
+}
+
+// A kite folds where its two long and its two short links lie on each other; coupler and rocker then swing
+// about together while the crank rests on the frame.
+TEST(FourBarLimits, OfAKiteAndARhombusHaveTheFoldedPositions) {
+  const auto kite = four_bar_limits({5, 5, 3, 3, 0}, FourBarLink::kCrank);
+  ASSERT_EQ(kite.size(), 4U);
+  int folded = 0;
+  for (const FourBarLimit& limit : kite) {
+    folded += limit.change_point ? 1 : 0;
+    EXPECT_AT_MOST(angle_error(limit.theta2, limit.change_point ? 0 : limit.theta2), 1e-15);
+    // The short links stretched: an isosceles triangle 5, 5, 6.
+    EXPECT_AT_MOST(limit.change_point ? 0 : std::abs(std::sin(std::abs(limit.theta2) / 2) - 0.6), 1e-15);
+  }
+  EXPECT_EQ(folded, 2);
+  const auto rhombus = four_bar_limits({2, 2, 2, 2, 0}, FourBarLink::kCrank);
+  ASSERT_EQ(rhombus.size(), 3U);
+  for (const FourBarLimit& limit : rhombus) {
+    EXPECT_TRUE(limit.change_point);
+    EXPECT_AT_MOST(std::abs(std::sin(limit.theta2)), 1e-15);
   }
 }
 

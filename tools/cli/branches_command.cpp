@@ -12,16 +12,21 @@ namespace higherpair::cli {
 namespace {
 
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
-  bool good = true;
+  std::vector<FileText> files;
   if (options.csv) {
-    good = write_file(*options.csv, branches_csv(report)) && good;
+    files.push_back({*options.csv, branches_csv(report)});
   }
   if (options.json) {
-    good = write_file(*options.json, branches_json(report).dump(2) + "\n") && good;
+    files.push_back({*options.json, branches_json(report).dump(2) + "\n"});
   }
-  if (!options.csv && !options.json) {
-    good = write_file("-", branches_text(report));
-  } else if (!options.quiet) {
+  const bool as_text = files.empty();
+  if (as_text) {
+    files.push_back({"-", branches_text(report)});
+  }
+  if (!write_files(files)) {
+    return kExitMachine;
+  }
+  if (!as_text && !options.quiet) {
     for (const ContactReport& contact : report.contacts) {
       for (const std::string& remark : {contact.note, contact.certificate}) {
         if (!remark.empty()) {
@@ -30,7 +35,7 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
       }
     }
   }
-  return good ? kExitOk : kExitMachine;
+  return kExitOk;
 }
 
 int fail(const BranchesOptions& options, const std::string& reason) {

@@ -2,6 +2,7 @@
 #include "higherpair/analysis/derivatives.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
+#include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
 #include "verify_command.hpp"
@@ -14,6 +15,7 @@
 
 namespace {
 
+using higherpair::cli::add_output_options;
 using higherpair::cli::BranchesOptions;
 using higherpair::cli::RunOptions;
 using higherpair::cli::VerifyOptions;
@@ -22,8 +24,7 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
                           RunOptions& options) {
   CLI::App* command = app.add_subcommand(name, text);
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("--csv", options.csv, "write the table as CSV to this file (-: standard output)");
-  command->add_option("--json", options.json, "write the table and the events as JSON to this file");
+  add_output_options(*command, {"the table", options.csv}, {"the table and the events", options.json});
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
@@ -47,8 +48,7 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
   CLI::App* command = app.add_subcommand(
       "branches", "every contact of the two curves at the first driver position, free or not");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("--csv", options.csv, "write the list as CSV to this file (-: standard output)");
-  command->add_option("--json", options.json, "write the list as JSON to this file");
+  add_output_options(*command, {"the list", options.csv}, {"the list", options.json});
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
@@ -64,7 +64,7 @@ CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options) {
       "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
   command->add_option("PROFILE", options.profile, "check this profile instead of the shipped references");
   command->add_option("TABLE", options.table,
-                      "CSV of what is right for it: columns of numbers, headed as in --csv, and its rows");
+                      "CSV of what is right for it: the rows of analyze or step, all columns or some");
   command->add_option("--json", options.json, "write values, errors and times as JSON to this file");
   command->add_option("--bound", options.bound, "largest error, relative to a column's largest value")
       ->check(higherpair::cli::positive_number());

@@ -6,6 +6,7 @@
 #include "higherpair/io/profile_reader.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
+#include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
 
@@ -18,15 +19,18 @@ namespace higherpair::cli {
 namespace {
 
 bool write_all(const MapOptions& options, const MapReport& report) {
-  bool good = true;
+  std::vector<FileText> files;
   if (options.csv) {
-    good = write_file(*options.csv, map_csv(report));
+    files.push_back({*options.csv, map_csv(report)});
   }
   if (options.json) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    good = write_file(*options.json, map_json(report).dump(-1, ' ', false, replace) + "\n") && good;
+    files.push_back({*options.json, map_json(report).dump(-1, ' ', false, replace) + "\n"});
   }
-  return options.csv || options.json ? good : write_file("-", map_text(report));
+  if (files.empty()) {
+    files.push_back({"-", map_text(report)});
+  }
+  return write_files(files);
 }
 
 // The whole turn from the start; of a slide the way that the profile drives it.
@@ -110,8 +114,7 @@ CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
       "map",
       "every contact of the two curves over the driver's turn: branches, and where they begin and end");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("--csv", options.csv, "write the branches as CSV to this file (-: standard output)");
-  command->add_option("--json", options.json, "write the map as JSON to this file");
+  add_output_options(*command, {"the branches", options.csv}, {"the map", options.json});
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);

@@ -96,13 +96,32 @@ MapBranchReport branch_of(const MapBranch& branch, const MappedContact& mapped, 
   return report;
 }
 
-MapEventReport event_of(const MapEvent& event, const Converter& convert) {
+// The place of an event: that of the end of its first branch there, whole turns included, so that one place
+// has one pair of coordinates; without branches the follower's nearest to the pose.
+MapPoint place_of(const ContactMap& map, std::size_t event, const MappedContact& mapped) {
+  const MapEvent& here = map.events[event];
+  MapPoint point = {here.at.u, here.at.q, here.at.p_W, here.at.n_W, false, std::nullopt};
+  double near = mapped.q.value_or(mapped.posed);
+  if (!here.branches.empty()) {
+    const MapBranch& branch = map.branches[static_cast<std::size_t>(here.branches.front())];
+    const MapEnd& end = branch.begin.event == static_cast<int>(event) ? branch.begin : branch.end;
+    point.u = end.u;
+    near = turn_of(branch, mapped) + end.q;
+  }
+  if (mapped.pair.motion2.turns) {
+    point.q = nearest_turn(point.q, near);
+  }
+  return point;
+}
+
+MapEventReport event_of(const ContactMap& map, std::size_t index, const MappedContact& mapped,
+                        const Converter& convert) {
+  const MapEvent& event = map.events[index];
   MapEventReport report;
   const bool fold = event.at.type == CriticalType::kFold;
   report.type = fold ? "fold" : event.at.type == CriticalType::kCrossing ? "crossing" : "conforming";
   double phi = 0;
-  report.at = convert.row({event.at.u, event.at.q, event.at.p_W, event.at.n_W, false, std::nullopt},
-                          event.at.opposed, 0, phi);
+  report.at = convert.row(place_of(map, index, mapped), event.at.opposed, 0, phi);
   report.opposed = event.at.opposed;
   for (const int branch : event.branches) {
     report.branches.push_back(branch + 1);
@@ -159,9 +178,11 @@ ContactMapReport map_report(const Profile& profile, const MappedContact& mapped,
   for (const MapBranch& branch : map.branches) {
     report.branches.push_back(branch_of(branch, mapped, convert));
   }
-  for (const MapEvent& event : map.events) {
-    report.events.push_back(event_of(event, convert));
+  for (std::size_t i = 0; i < map.events.size(); ++i) {
+    report.events.push_back(event_of(map, i, mapped, convert));
   }
+  std::stable_sort(report.events.begin(), report.events.end(),
+                   [](const auto& a, const auto& b) { return a.at.driver < b.at.driver; });
   report.own = own_of(map, mapped, convert);
   return report;
 }

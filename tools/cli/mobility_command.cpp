@@ -27,7 +27,7 @@ MobilityQuestion question_of(const DriverSchedule& schedule) {
 
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
   const std::string text = options.json ? mobility_json(findings).dump(2) + "\n" : mobility_text(findings);
-  if (!write_file(options.json.value_or("-"), text)) {
+  if (!write_files({{options.json.value_or("-"), text}})) {
     return kExitMachine;
   }
   return kExitOk;

@@ -2,6 +2,7 @@
 
 #include "mobility_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -119,14 +120,16 @@ private:
       add("{}no limit position", text);
       return;
     }
-    text += "limit positions, dead points as driver, at ";
+    const bool passes = std::all_of(limits.begin(), limits.end(),
+                                    [](const Json& limit) { return limit["change_point"].get<bool>(); });
+    text += passes ? "turns fully through change points, at " : "limit positions, dead points as driver, at ";
     std::string separator;
     for (const Json& limit : limits) {
       text += separator + angle(limit[name]);
       if (std::string(name) != "crank") {
         text += " (crank " + angle(limit["crank"]) + ")";
       }
-      text += limit["change_point"].get<bool>() ? " (change point)" : "";
+      text += limit["change_point"].get<bool>() && !passes ? " (change point)" : "";
       separator = "; ";
     }
     add("{}", text);

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -58,7 +59,7 @@ void OutputFile::write(std::string_view text) {
   }
 }
 
-void OutputFile::commit() {
+void OutputFile::finish() {
   if (file_ == nullptr) {
     return;
   }
@@ -69,6 +70,9 @@ void OutputFile::commit() {
     fail("cannot write " + path_);
   }
   file_ = nullptr;
+}
+
+void OutputFile::commit() {
   if (temporary_.empty() || !good()) {
     return;
   }
@@ -79,14 +83,34 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
-bool write_file(const std::string& path, std::string_view text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-  if (!file.good()) {
-    fmt::print(stderr, "higherpair: {}\n", file.error());
+bool write_files(const std::vector<FileText>& files) {
+  std::vector<std::unique_ptr<OutputFile>> outputs;
+  const auto good = [&] {
+    for (const auto& output : outputs) {
+      if (!output->good()) {
+        fmt::print(stderr, "higherpair: {}\n", output->error());
+        return false;
+      }
+    }
+    return true;
+  };
+  for (const FileText& file : files) {
+    outputs.push_back(std::make_unique<OutputFile>(file.path));
   }
-  return file.good();
+  if (!good()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    outputs[i]->write(files[i].text);
+    outputs[i]->finish();
+  }
+  if (!good()) {
+    return false;
+  }
+  for (const auto& output : outputs) {
+    output->commit();
+  }
+  return good();
 }
 
 }  // namespace higherpair::cli

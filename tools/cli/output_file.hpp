@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace higherpair::cli {
 
 /// Where a table goes: standard output ("-"), a device or pipe (written directly), or a regular file, which
-/// is written beside its place and renamed by commit(): what is not committed leaves no trace.
+/// is written beside its place and renamed by commit(): what is not committed leaves no trace. Several
+/// outputs of one command are finished first and committed when all are good.
 class OutputFile {
 public:
   explicit OutputFile(const std::string& path);
@@ -20,6 +22,9 @@ public:
   [[nodiscard]] const std::string& error() const { return error_; }
 
   void write(std::string_view text);
+  /// Nothing is written after this.
+  void finish();
+  /// Puts the finished file into its place.
   void commit();
 
 private:
@@ -32,7 +37,12 @@ private:
   std::string error_;
 };
 
-/// Writes a whole file; false, with the reason on standard error, where that fails.
-[[nodiscard]] bool write_file(const std::string& path, std::string_view text);
+struct FileText {
+  std::string path;
+  std::string text;
+};
+
+/// Writes whole files, all or none; false, with the reason on standard error, where that fails.
+[[nodiscard]] bool write_files(const std::vector<FileText>& files);
 
 }  // namespace higherpair::cli

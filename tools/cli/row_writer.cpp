@@ -82,7 +82,7 @@ void RowWriter::end(const std::vector<Event>& events) {
     buffer_ += "]}\n";
   }
   flush(0);
-  file_->commit();
+  file_->finish();
 }
 
 }  // namespace higherpair::cli

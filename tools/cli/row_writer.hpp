@@ -28,7 +28,10 @@ public:
 
   void begin(const std::string& title, const std::vector<Column>& columns);
   void row(const std::vector<Cell>& cells);
+  /// Nothing is written after this.
   void end(const std::vector<Event>& events);
+  /// Puts the file into its place.
+  void commit() { file_->commit(); }
 
   [[nodiscard]] const OutputFile& file() const { return *file_; }
 

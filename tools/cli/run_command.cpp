@@ -47,6 +47,20 @@ bool failed(const std::vector<RowWriter>& writers) {
   return false;
 }
 
+// All tables into their places, or none.
+bool finish(std::vector<RowWriter>& writers, const std::vector<Event>& events) {
+  for (RowWriter& writer : writers) {
+    writer.end(events);
+  }
+  if (failed(writers)) {
+    return false;
+  }
+  for (RowWriter& writer : writers) {
+    writer.commit();
+  }
+  return !failed(writers);
+}
+
 const Joint& driven_joint(const Profile& profile) {
   const Mechanism& mechanism = profile.mechanism;
   return mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
@@ -223,10 +237,7 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
     tables.forces->finish(events);
     all_ok = all_ok && !tables.forces->opened();
   }
-  for (RowWriter& writer : writers) {
-    writer.end(events);
-  }
-  if (failed(writers)) {
+  if (!finish(writers, events)) {
     return kExitMachine;
   }
   if (options.summary) {

@@ -65,7 +65,7 @@ int write_json(const std::string& path, const std::vector<Verdict>& verdicts, do
   const nlohmann::ordered_json json = {{"format", 1}, {"bound", bound}, {"references", references}};
   // Titles and messages may quote a file that is not UTF-8.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  if (!write_file(path, json.dump(1, ' ', false, replace) + "\n")) {
+  if (!write_files({{path, json.dump(1, ' ', false, replace) + "\n"}})) {
     return kExitMachine;
   }
   return kExitOk;

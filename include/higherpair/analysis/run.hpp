@@ -100,10 +100,12 @@ struct Run {
   bool held = true;             ///< false: lost at a limit; `state` is the last position before it
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   std::vector<OutputJoint> outputs;
-  std::vector<OverlapWatch> watches;  ///< of Mechanism::contacts
-  MotionRow row;                      ///< of the last move_to
-  std::vector<RunEvent> events;       ///< of the last move_to
-  State trial;                        ///< where steps are tried, and the drivers there
+  std::vector<OverlapWatch> watches;     ///< of Mechanism::contacts
+  MotionRow row;                         ///< of the last move_to
+  std::vector<RunEvent> events;          ///< of the last move_to
+  std::optional<RunEvent> limit_here;    ///< of these, a limit at the row itself
+  std::optional<RunEvent> limit_before;  ///< the same of the row before
+  State trial;                           ///< where steps are tried, and the drivers there
   std::vector<double> trial_drivers;
   std::vector<DriverMotion> trial_motions;
   std::vector<double> targets;  ///< of the last move_to

@@ -24,8 +24,9 @@ struct FourBarLimit {
 /// link itself its own.
 ///
 /// With weights w = (r2, r3, -r4) the loop is w2 u2 + w3 u3 + w4 u4 = r1 u1. For link X, and u_Z = ±u_Y of
-/// the two others, a triangle remains: (w_Y ± w_Z) u_Y + w_X u_X = r1 u1. Where w_Y ± w_Z = 0 the position is
-/// not isolated (or does not exist) and none is given.
+/// the two others, a triangle remains: (w_Y ± w_Z) u_Y + w_X u_X = r1 u1. Where w_Y ± w_Z = 0 the link can
+/// rest on the ground link while the others swing about (the coupler of a parallelogram, a folded kite): of
+/// these positions the two are given that lie in line, the change points.
 ///
 /// \pre r1, r2, r3, r4 > 0; `link` is not ground.
 [[nodiscard]] std::vector<FourBarLimit> four_bar_limits(const FourBar& linkage, FourBarLink link);

@@ -9,7 +9,8 @@ namespace higherpair::cli {
 
 /// A mechanism whose motion is known: a profile (its `title` names it, its `description` is the source) and
 /// the table that is right for it, a CSV whose first column is `driver` or `time` and whose head is that of
-/// the program's own tables. Columns may be left out, rows not.
+/// the program's own tables. Columns may be left out, rows not. Words and empty fields have to be the same,
+/// the residual not; rows need not be `ok` only where there is a column `status`.
 struct Reference {
   std::string_view name;
   std::string_view profile;
@@ -25,7 +26,8 @@ struct ColumnCheck {
   double key = 0;      ///< driver position or time of the row
   double value = 0;
   double expected = 0;
-  double error = 0;  ///< |value - expected| over the largest |expected| of the column (1 if all are 0)
+  double error = 0;  ///< |value - expected| over the column's scale: its largest |expected|, or a
+                     ///< millionth of the largest of that unit (1 if all are 0)
 };
 
 struct Verdict {
@@ -41,7 +43,7 @@ struct Verdict {
   [[nodiscard]] bool holds(double bound) const;
 };
 
-/// Runs a reference the way a user's file runs, and compares every number of its table.
+/// Runs a reference the way a user's file runs, and compares every cell of its table.
 [[nodiscard]] Verdict verify(const Reference& reference);
 
 }  // namespace higherpair::cli

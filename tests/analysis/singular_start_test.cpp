@@ -1,0 +1,259 @@
+#include "run_testing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Motion;
+using testing::Settings;
+
+Motion analyze(const char* text, const Settings& settings = {}) {
+  return testing::analyze(testing::profile_of(text, settings));
+}
+
+std::vector<EventType> types_of(const Motion& motion) {
+  std::vector<EventType> types;
+  for (const RunEvent& event : motion.events()) types.push_back(event.type);
+  return types;
+}
+
+// A disc of radius 20 with its centre 10 from the pivot reaches the line x = 25 just so at 60 degrees.
+constexpr const char* kKnifeAtItsLimit = R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [25, 0] }
+[bodies.cam]
+points.O = [0, 0]
+curves.edge = { type = "circle", center = [10, 0], radius = 20 }
+[bodies.follower]
+pose = { x = 25, y = 10 }
+points.Q = [0, 0]
+curves.tip = { type = "point", at = [0, 0] }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+slide = { type = "prismatic", between = ["ground.Q", "follower.Q"], direction = [0, 1] }
+[contacts]
+touch = { between = ["cam.edge", "follower.tip"] }
+[driver]
+joint = "pivot"
+start = 60
+end = -60
+samples = 25
+)";
+
+TEST(SingularStarts, AtTheLimitOfAContactGoOnTheBranchOfThePose) {
+  for (const double side : {1.0, -1.0}) {
+    const Motion motion =
+        analyze(kKnifeAtItsLimit, {side > 0 ? "bodies.follower.pose.y=9" : "bodies.follower.pose.y=8"});
+    ASSERT_EQ(motion.size(), 25U) << motion.failure();
+    EXPECT_EQ(motion.status(0), RowStatus::kSingular);
+    EXPECT_NEAR(motion.value(0, "slide.position"), 10 * std::sqrt(0.75), 1e-13);
+    EXPECT_TRUE(std::isnan(motion.value(0, "slide.velocity")));
+    for (std::size_t k = 1; k < 24; ++k) {
+      const double theta = motion.radians(k, "driver");
+      const double x = 25 - 10 * std::cos(theta);
+      EXPECT_EQ(motion.status(k), RowStatus::kOk);
+      EXPECT_NEAR(motion.value(k, "slide.position"), 10 * std::sin(theta) + side * std::sqrt(400 - x * x),
+                  1e-11);
+    }
+  }
+}
+
+TEST(SingularStarts, AtTheLimitOfAContactCanGoOneWayOnly) {
+  const Motion motion = analyze(kKnifeAtItsLimit, {"driver.end=80", "driver.samples=3"});
+  ASSERT_EQ(motion.size(), 3U) << motion.failure();
+  EXPECT_EQ(motion.status(0), RowStatus::kSingular);
+  EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 2U);
+  ASSERT_EQ(motion.events().size(), 1U);
+  EXPECT_EQ(motion.events()[0].type, EventType::kLimitPosition);
+  EXPECT_NEAR(motion.events()[0].driver, kPi / 3, 1e-12);
+}
+
+TEST(SingularStarts, OfAContactThatIsApproachedAreRefused) {
+  EXPECT_THAT(analyze(kKnifeAtItsLimit, {"contacts.touch.approach=-"}).failure(),
+              HasSubstr("touch at a limit position"));
+  EXPECT_THAT(analyze(kKnifeAtItsLimit, {"driver.start=90"}).failure(), HasSubstr("do not touch"));
+}
+
+// A disc about its own pivot reaches the roller, 20 + 10, just where its arm of 30 points to the pivot.
+TEST(SingularStarts, ThatNothingLeadsAwayFromAreRefused) {
+  const Motion motion = analyze(R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [60, 0] }
+[bodies.cam]
+points.O = [0, 0]
+curves.edge = { type = "circle", center = [0, 0], radius = 20 }
+[bodies.follower]
+pose = { x = 60, angle = 180 }
+points.Q = [0, 0]
+curves.roller = { type = "circle", center = [30, 0], radius = 10 }
+[joints]
+cam_pivot      = { type = "revolute", between = ["ground.O", "cam.O"] }
+follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
+[contacts]
+touch = { between = ["cam.edge", "follower.roller"] }
+[driver]
+joint = "cam_pivot"
+)");
+  EXPECT_THAT(motion.failure(), HasSubstr("touch at a limit position"));
+}
+
+// Equal eccentric discs move like the cranks of a parallelogram, whose branches cross at 0 and 180 degrees.
+TEST(SingularStarts, WhereContactsCrossGoStraightOn) {
+  constexpr const char* kEqualDiscs = R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [35, 0] }
+[bodies.cam]
+points.O = [0, 0]
+curves.edge = { type = "circle", center = [10, 0], radius = 20 }
+[bodies.follower]
+pose = { x = 35 }
+points.Q = [0, 0]
+curves.edge = { type = "circle", center = [10, 0], radius = 15 }
+[joints]
+cam_pivot      = { type = "revolute", between = ["ground.O", "cam.O"] }
+follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
+[contacts]
+touch = { between = ["cam.edge", "follower.edge"] }
+[driver]
+joint = "cam_pivot"
+)";
+  for (const std::string samples : {"2", "3", "5", "6", "9", "37", "361", "3601"}) {
+    SCOPED_TRACE(samples);
+    const Motion motion = analyze(kEqualDiscs, {"driver.samples=" + samples});
+    ASSERT_EQ(motion.failure(), "");
+    EXPECT_EQ(motion.status(0), RowStatus::kSingular);
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      EXPECT_NEAR(motion.value(k, "follower.angle"), motion.value(k, "driver"), 1e-8);
+    }
+    for (const EventType type : types_of(motion)) EXPECT_EQ(type, EventType::kDeadPoint);
+  }
+}
+
+// Driven by its piston a slider-crank starts and ends in its dead centres, 120 and 60.
+constexpr const char* kDrivenPiston = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.crank]
+points = { O = [0, 0], A = [30, 0] }
+[bodies.rod]
+pose = { x = 30 }
+points = { A = [0, 0], B = [90, 0] }
+[bodies.piston]
+pose = { x = 120 }
+points.B = [0, 0]
+[joints]
+main      = { type = "revolute", between = ["ground.O", "crank.O"] }
+big_end   = { type = "revolute", between = ["crank.A", "rod.A"] }
+small_end = { type = "revolute", between = ["rod.B", "piston.B"] }
+cylinder  = { type = "prismatic", between = ["ground.O", "piston.B"], direction = [1, 0] }
+[driver]
+joint = "cylinder"
+start = 120
+end = 60
+samples = 7
+)";
+
+TEST(SingularStarts, AndEndsOfAStrokeAreRowsAndTheLimitIsSaidOnce) {
+  for (const Settings& settings : {Settings{}, Settings{"driver.end=50", "driver.samples=8"},
+                                   Settings{"driver.start=110", "driver.end=50", "driver.samples=7"}}) {
+    const Motion motion = analyze(kDrivenPiston, settings);
+    ASSERT_EQ(motion.failure(), "");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double x = motion.value(k, "driver");
+      const bool dead = x == 120 || x == 60;
+      EXPECT_EQ(motion.status(k), dead     ? RowStatus::kSingular
+                                  : x < 60 ? RowStatus::kNotAssemblable
+                                           : RowStatus::kOk);
+      if (x >= 60) {
+        const double cosine = (x * x + 900 - 8100) / (60 * x);
+        EXPECT_NEAR(std::abs(motion.radians(k, "main.position")), std::acos(cosine), 1e-13);
+      }
+    }
+    ASSERT_EQ(motion.events().size(), 1U);
+    EXPECT_NEAR(motion.events()[0].driver, 0.060, 1e-14);
+    EXPECT_THAT(motion.events()[0].cause, HasSubstr("links are in line"));
+  }
+}
+
+// A block on the line x = 20 in the slot of a crank: it runs off to infinity where both are parallel.
+TEST(LimitPositions, OfTwoSlidesAreWhereTheyAreParallel) {
+  const Motion motion = analyze(R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [20, 0] }
+[bodies.crank]
+points.O = [0, 0]
+[bodies.block]
+pose = { x = 20 }
+points.B = [0, 0]
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "crank.O"] }
+guide = { type = "prismatic", between = ["ground.Q", "block.B"], direction = [0, 1] }
+slit  = { type = "slot", between = ["crank.O", "block.B"], direction = 0 }
+[driver]
+joint = "pivot"
+positions = [0, 60, 90, 120]
+)");
+  ASSERT_EQ(motion.size(), 4U) << motion.failure();
+  EXPECT_EQ(motion.status(2), RowStatus::kNotAssemblable);
+  EXPECT_NEAR(motion.value(3, "guide.position"), -20 * std::sqrt(3), 1e-12);
+  ASSERT_EQ(motion.events().size(), 1U);
+  EXPECT_EQ(motion.events()[0].type, EventType::kLimitPosition);
+  EXPECT_NEAR(motion.events()[0].driver, kPi / 2, 1e-12);
+  EXPECT_THAT(motion.events()[0].cause, HasSubstr("slides are parallel"));
+}
+
+// The crank of a parallelogram and a pointer that has nothing to do with it, each with its driver.
+constexpr const char* kTwoDrivers = R"(
+[bodies.ground]
+points = { A = [0, 0], D = [100, 0], Z = [0, -100] }
+[bodies.crank]
+points = { A = [0, 0], B = [40, 0] }
+[bodies.coupler]
+pose = { x = 40 }
+points = { B = [0, 0], C = [100, 0] }
+[bodies.rocker]
+pose = { x = 100 }
+points = { D = [0, 0], C = [40, 0] }
+[bodies.pointer]
+pose = { y = -100 }
+points = { Z = [0, 0], T = [10, 0] }
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "coupler.B"] }
+c = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+d = { type = "revolute", between = ["ground.D", "rocker.D"] }
+z = { type = "revolute", between = ["ground.Z", "pointer.Z"] }
+[drivers.crank]
+joint = "a"
+velocity = 100
+samples = 3
+[drivers.pointer]
+joint = "z"
+end = 30
+velocity = 7
+samples = 3
+)";
+
+TEST(DeadPoints, WithTwoDriversLeaveTheirRatesToBoth) {
+  for (const char* end : {"359.9", "359.9998", "360"}) {
+    SCOPED_TRACE(end);
+    const Motion motion = analyze(kTwoDrivers, {std::string("drivers.crank.end=") + end});
+    ASSERT_EQ(motion.size(), 3U) << motion.failure();
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(motion.value(k, "pointer.omega"), 7, 1e-13);
+      EXPECT_NEAR(motion.value(k, "rocker.angle"), motion.value(k, "driver.crank"), 1e-10);
+      if (motion.status(k) == RowStatus::kOk) {
+        EXPECT_NEAR(motion.value(k, "rocker.omega"), 100, 1e-9);
+      } else {
+        EXPECT_TRUE(std::isnan(motion.value(k, "rocker.omega")));
+      }
+    }
+    EXPECT_EQ(motion.status(1), std::string(end) == "360" ? RowStatus::kSingular : RowStatus::kOk);
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
