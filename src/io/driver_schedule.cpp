@@ -230,8 +230,15 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& pr
   schedule.time_step_ = timing->uneven_step;
   schedule.time_to_si_ = to_si(dimension::kTime, profile.units);
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    if (!is_finite(schedule.state(schedule.size() - 1, i))) {
+    const DriverState last = schedule.state(schedule.size() - 1, i);
+    if (!is_finite(last)) {
       errors.push_back(mistake(profile, i, "duration", "takes the driver out of the range of a double"));
+      return tl::unexpected(errors);
+    }
+    if (is_turning(profile, i) && !is_sharp_angle(last.si.position)) {
+      errors.push_back(mistake(profile, i, "duration",
+                               "takes the driver over more than 1e9 turns: its place within the turn is "
+                               "rounding"));
       return tl::unexpected(errors);
     }
   }

@@ -148,6 +148,10 @@ std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Ex
     report_sign(reading, item, expected);
     return std::nullopt;
   }
+  if (quantity && expected.dimension == dimension::kAngle && !is_sharp_angle(quantity->si)) {
+    report(reading, item, "is more than 1e9 turns: its place within the turn is rounding");
+    return std::nullopt;
+  }
   return quantity;
 }
 

@@ -66,7 +66,7 @@ TEST(AnalyzeSchedule, GivesWholeDegreesOverATurn) {
 }
 
 TEST(AnalyzeSchedule, EndsExactlyWhateverTheRounding) {
-  const DriverSchedule schedule = analyze(crank_profile("start = 1e17\nend = 0.3\nsamples = 1000003\n"));
+  const DriverSchedule schedule = analyze(slider_profile("start = 1e17\nend = 0.3\nsamples = 1000003\n"));
   EXPECT_EQ(schedule.state(0).profile.position, 1e17);
   EXPECT_EQ(schedule.state(schedule.size() - 1).profile.position, 0.3);
 }
@@ -229,6 +229,10 @@ TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {
   EXPECT_THAT(lines(DriverSchedule::step(
                   read(crank_profile("duration = 1e200\ntime_step = 1e199\nacceleration = 1\n")))),
               ElementsAre("test.toml:10:1: driver.duration takes the driver out of the range of a double"));
+  EXPECT_THAT(
+      lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e8\nvelocity = 400\n")))),
+      ElementsAre("test.toml:10:1: driver.duration takes the driver over more than 1e9 turns: its place "
+                  "within the turn is rounding"));
   EXPECT_EQ(step(crank_profile("duration = 1e6\ntime_step = 1e-9\n")).size(), 1'000'000'000'000'001);
 }
 

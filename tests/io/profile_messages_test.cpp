@@ -151,6 +151,16 @@ TEST(ProfileMessages, NumbersMustBeFinite) {
               ElementsAre("test.toml:15:10: bodies.x.pose.x = 1e+308: must be a finite number"));
 }
 
+TEST(ProfileMessages, AnglesMustHaveAPlaceWithinTheTurn) {
+  EXPECT_THAT(
+      about("start = 1e300\nend = -3.7e20\n"),
+      ElementsAre("test.toml:12:9: driver.start = 1e+300: is more than 1e9 turns: its place within the "
+                  "turn is rounding",
+                  "test.toml:13:7: driver.end = -3.7e+20: is more than 1e9 turns: its place within the "
+                  "turn is rounding"));
+  EXPECT_THAT(about("start = 3.5e11\nend = -3.5e11\n"), ElementsAre());
+}
+
 TEST(ProfileMessages, NamesAreWords) {
   EXPECT_THAT(
       about("[bodies.\"my cam\"]\n[bodies.2b]\n"),

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "higherpair/geometry/vector.hpp"
+
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -107,6 +110,12 @@ private:
 /// `apply` costs a few flops.
 [[nodiscard]] Scaling to_si(const Dimension& dimension, const Units& units);
 [[nodiscard]] Scaling from_si(const Dimension& dimension, const Units& units);
+
+/// Whether rounding leaves an angle [rad] its place within the turn: it has not more than 1e9 turns.
+[[nodiscard]] inline bool is_sharp_angle(double angle) {
+  constexpr double kMostTurns = 1e9;
+  return std::abs(angle) <= kMostTurns * 2 * kPi;
+}
 
 /// The name by which profiles know a unit: "mm", "deg", "lbf".
 [[nodiscard]] std::string_view name_of(Unit unit);
