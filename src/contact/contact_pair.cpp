@@ -35,10 +35,14 @@ void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosi
   const double omega1 = pair.motion1.turns ? 1 : 0;
   const double omega2 = pair.motion2.turns ? at.dq : 0;
   const double omega_r = omega2 - omega1;
-  at.sliding = at.dq * per_q.dot(pass.t) - v1.dot(pass.t);
+  const double per_q_t = per_q.dot(pass.t);
+  const double v1_t = v1.dot(pass.t);
+  at.sliding = at.dq * per_q_t - v1_t;
   const double u1 = z * omega_r + w2 * at.sliding;
   const double u2 = z * omega_r - w1 * at.sliding;
   at.dphi = omega1 + w1 * omega_r + w * at.sliding;
+  // n·(velocity per q), where n turns by φ̇ and the point moves on by v1 + u1 t.
+  at.dgap_q = at.dphi * per_q_t - (pair.motion2.turns ? v1_t + u1 : 0);
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
   const double a2_n = at.dq * at.dq * acceleration_per_q(pair.motion2, p).dot(pass.n);  // centripetal
   const double normal = omega2 * u2 - omega1 * u1 - at.sliding * at.dphi;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact_points.hpp"
-#include "gap_derivatives.hpp"
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/tracker.hpp"
 
@@ -125,12 +124,6 @@ inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   renew(track.follower, track.at.q, at.q);
   track.at = at;
   track.branch = branch;
-}
-
-// d(∂gap/∂q)/du along the motion.
-[[nodiscard]] inline double gap_q_rate(const ContactTrack& track) {
-  const GapDerivatives d = gap_derivatives(track.pair, track.at);
-  return d.g_qq * track.at.dq + d.g_phiq * track.at.dphi + d.g_qu;
 }
 
 // Whether a ∂gap/∂q to come is small enough for a crossing: against the lever, or against what it is now.

@@ -26,7 +26,7 @@ namespace higherpair {
     const double rest = u - track.at.u;
     const bool last = std::abs(rest) <= h;
     const double length = last ? rest : std::copysign(h, rest);
-    const bool crosses = may_cross && (track.at.gap_q + gap_q_rate(track) * length) * track.at.gap_q < 0;
+    const bool crosses = may_cross && (track.at.gap_q + track.at.dgap_q * length) * track.at.gap_q < 0;
     const int branch = crosses ? -track.branch : track.branch;
     const double agreement = crosses ? kCrossingAgreement : kAgreement;
     const Step step = try_step(track, length, branch);

@@ -95,6 +95,7 @@ bool stop_at_crossing(ContactTrack& track, double u) {
   at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
   at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
   at.gap_q = 0;
+  at.dgap_q = (a.dgap_q + b.dgap_q) / 2;
   const Vector2d n_W =
       Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
   // Between two contacts of different branches there may also be a limit of each, and no contact at all.
@@ -108,10 +109,10 @@ bool stop_at_crossing(ContactTrack& track, double u) {
 // From a crossing to a place that is the same but for rounding: the smooth motion leads there.
 bool stay_at_crossing(ContactTrack& track, double u) {
   const double rest = u - track.at.u;
-  ContactPosition at = track.at;
-  if (at.gap_q != 0 || !(std::abs(rest) <= kSameCrossing * unit_of(track.pair.motion1, track))) {
+  if (track.at.gap_q != 0 || !(std::abs(rest) <= kSameCrossing * unit_of(track.pair.motion1, track))) {
     return false;
   }
+  ContactPosition at = track.at;
   at.u = u;
   at.q += rest * at.dq;
   if (!close_at(track, Rotation<double>::from_angle(rest * at.dphi) * at.n_W, at)) {
@@ -182,7 +183,7 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
     }
     bool last = std::abs(rest) <= h;
     double step = last ? rest : std::copysign(h, rest);
-    const double rate = gap_q_rate(track);
+    const double rate = track.at.dgap_q;
     const double ahead = track.at.gap_q + rate * rest;
     if (last && std::abs(rest) > kNearCrossing * unit &&
         std::abs(ahead) <= kMayBeCrossing * std::abs(track.at.gap_q)) {

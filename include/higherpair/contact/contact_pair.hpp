@@ -28,6 +28,7 @@ struct ContactPosition {
   double d2q = 0;      ///< d²q/du²
   double dphi = 0;     ///< d(angle of n)/du
   double sliding = 0;  ///< t·(v2 - v1) of the material points for du/dt = 1 [m per unit of u]
+  double dgap_q = 0;   ///< d(gap_q)/du along the motion
   double gap_q = 0;    ///< ∂(gap)/∂q = n·(velocity of body 2 at p per q); 0 at a limit position
 };
 
