@@ -51,8 +51,7 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
                                                            int order) {
   assert(order >= 1 && order <= kHighestDerivative);
   const MotionRow& row = run.row;
-  const bool has_rates = std::all_of(row.has_rates.begin(), row.has_rates.end(), [](bool x) { return x; });
-  if (row.status == RowStatus::kNotAssemblable || !has_rates) {
+  if (row.status == RowStatus::kNotAssemblable || !row.all_rates) {
     return std::nullopt;
   }
   const SeriesConditions conditions(run, drivers);

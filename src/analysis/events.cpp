@@ -38,6 +38,9 @@ void note_stroke_ends(Run& run, const Path& path, double s, double h) {
       continue;
     }
     const int sense = after > 0 ? 1 : -1;
+    if (output.sense == 0 && std::abs(before) > kAtRest * fast) {
+      output.sense = before > 0 ? 1 : -1;
+    }
     if (sense == output.sense) {
       continue;
     }

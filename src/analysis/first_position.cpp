@@ -176,7 +176,11 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   }
   std::optional<LimitPosition> limit;
   const State from = state_;
-  return place_group(model_, g, from, 0, run_.drivers, state_, limit) == GroupStatus::kOk;
+  if (place_group(model_, g, from, 0, run_.drivers, state_, limit) != GroupStatus::kOk) {
+    fail(g, unreachable(run_, state_, run_.plan.groups[g]));
+    return false;
+  }
+  return true;
 }
 
 bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,

@@ -64,7 +64,9 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   };
   const double before = gap_in(run.state);
   const double after = gap_in(kept);
-  const double x = root_between(gap, before, h, after).value_or(h);
+  // A row may stand where they touch already.
+  const bool at_once = std::abs(before) <= kOverlap * run.plan.size;
+  const double x = at_once ? 0 : root_between(gap, before, h, after).value_or(h);
   run.trial = kept;
   return x;
 }
@@ -86,18 +88,33 @@ struct Jump {
   double rate_after = 0;
 };
 
-// Goes over to the contact that keeps the bodies apart, and places what hangs on the follower anew.
-std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h) {
+// The rates of both contacts where the second one appears, x beyond run.state.
+Jump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
+  const State kept = run.trial;
+  Jump rates{std::get<ContactTrack>(kept.tracks[g]).at.dq, next.at.dq};
+  if (solve_at(run, path, s, x)) {
+    const ContactPosition at = std::get<ContactTrack>(run.trial.tracks[g]).at;
+    ContactTrack back = next;
+    rates.rate_before = at.dq;
+    rates.rate_after = follow_to(back, at.u).status == TrackStatus::kOk ? back.at.dq : next.at.dq;
+  }
+  run.trial = kept;
+  return rates;
+}
+
+// Goes over to the contact that keeps the bodies apart, which appears x beyond run.state, and places what
+// hangs on the follower anew.
+std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
   const auto& tracked = std::get<TrackedPair>(run.plan.groups[g].kind);
   const auto& track = std::get<ContactTrack>(run.trial.tracks[g]);
   const FindResult found = find_nearest_contact(tracked.pair, track.at.u, track.at.q);
   if (found.status != FindStatus::kFound) {
     return std::nullopt;
   }
-  const Jump change{track.at.dq, found.at.dq};
-  State over = run.trial;
   ContactTrack next = start_track(tracked.pair, found.at, found.branch);
   next.phi = nearest_turn(next.phi, track.phi);
+  const Jump change = rates_at(run, path, g, s, x, next);
+  State over = run.trial;
   over.tracks[g] = next;
   const State kept = run.trial;
   std::swap(run.state, over);
@@ -122,6 +139,14 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
   return watched;
 }
 
+void renew_overlaps(Run& run) {
+  for (std::size_t i = 0; i < run.watches.size(); ++i) {
+    OverlapWatch& watch = run.watches[i];
+    watch.overlaps = watch.needed &&
+                     separation_in(run, run.mechanism.contacts[i], run.state).gap < -kOverlap * run.plan.size;
+  }
+}
+
 void watch_overlaps(Run& run, const Path& path, double s, double h) {
   for (std::size_t i = 0; i < run.watches.size(); ++i) {
     OverlapWatch& watch = run.watches[i];
@@ -138,11 +163,12 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
     }
     RunEvent event;
     event.type = EventType::kOverlap;
-    set_place(event, path, s + closing_between(run, path, contact, s, h, here.n_W));
+    const double x = closing_between(run, path, contact, s, h, here.n_W);
+    set_place(event, path, s + x);
     event.contact = static_cast<int>(i);
     event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
     const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
-    const auto change = g ? jump(run, path, *g, s, h) : std::nullopt;
+    const auto change = g ? jump(run, path, *g, s, h, x) : std::nullopt;
     if (change) {
       watch.overlaps = false;
       watch.jumped = true;

@@ -9,6 +9,9 @@ namespace higherpair {
 /// everywhere more curved than the ring about it.
 [[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
+/// Where a branch is taken up again: sets which bodies overlap in run.state.
+void renew_overlaps(Run& run);
+
 /// Looks for overlaps of touching bodies elsewhere in run.trial, which is `h` of the path beyond run.state at
 /// s. A driver and follower whose contact allows it go over to the second contact there (run.trial is
 /// changed); others are marked. Adds an event where this begins.

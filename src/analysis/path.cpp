@@ -19,6 +19,7 @@ constexpr double kMaxTurn = kPi / 18;    // of a driver in one inner step [rad]
 constexpr double kMaxSlide = 1.0 / 6;    // of a driver in one inner step, of the size
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
+constexpr double kMostSteps = 2e5;  // inner steps besides those that the way takes at least
 
 double largest_step(const Run& run, const Path& path) {
   double parts = 1;
@@ -71,12 +72,8 @@ double driver_at(const Path& path, double s) {
 
 void Path::positions(double s, std::vector<double>& out) const {
   out.resize(from.size());
-  if (s == length) {
-    out = to;
-    return;
-  }
   for (std::size_t i = 0; i < from.size(); ++i) {
-    out[i] = from[i] + s * (is_single() ? 1 : to[i] - from[i]);
+    out[i] = s == length ? to[i] : from[i] + s * (is_single() ? 1 : to[i] - from[i]);
   }
 }
 
@@ -89,8 +86,12 @@ void Path::motions(double s, std::vector<DriverMotion>& out) const {
 }
 
 void set_path(Path& path, const std::vector<double>& from, const std::vector<double>& to) {
-  path.from = from;
-  path.to = to;
+  path.from.resize(from.size());
+  path.to.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {  // a few numbers: a loop costs less than copying blocks
+    path.from[i] = from[i];
+    path.to[i] = to[i];
+  }
   path.length = path.is_single() ? to[0] - from[0] : 1;
 }
 
@@ -100,9 +101,14 @@ bool follow(Run& run, const Path& path) {
   double s = 0;
   double h = largest;
   int halvings = 0;
+  double steps = kMostSteps + 4 * std::abs(path.length) / largest;
   run.between = false;
   while (s != path.length) {
     const double rest = path.length - s;
+    if (--steps < 0) {
+      add_limit(run, run.plan.groups.size() - 1, path, s);
+      return lose(run, path);
+    }
     const bool last = std::abs(rest) <= h;
     const double step = last ? rest : std::copysign(h, rest);
     const StepResult result = try_step(run, path, s, step);
@@ -156,6 +162,7 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   }
   const std::vector<double> lost_at = run.drivers;
   accept(run);
+  renew_overlaps(run);
   run.held = true;
   run.between = false;
   run.drivers = drivers;

@@ -29,7 +29,7 @@ const State& shown(const Run& run) {
 void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row) {
   const double v = driver.velocity;
   const double a = driver.acceleration;
-  for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+  for (std::size_t i = 1; i < row.bodies.size(); ++i) {  // ground stays
     const BodyMotion& unit = state.bodies[i];
     BodyMotion& body = row.bodies[i];
     body = unit;
@@ -65,7 +65,9 @@ bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow&
 
 // Bodies whose rates a singular group leaves undefined: its own, and all that hang on them.
 void mark_rates(const Run& run, MotionRow& row) {
-  std::fill(row.has_rates.begin(), row.has_rates.end(), true);
+  if (!row.all_rates) {
+    std::fill(row.has_rates.begin(), row.has_rates.end(), true);
+  }
   bool singular = false;
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
     const Group& group = run.plan.groups[g];
@@ -78,6 +80,7 @@ void mark_rates(const Run& run, MotionRow& row) {
     }
     singular = singular || here;
   }
+  row.all_rates = !singular;
   row.status = singular ? RowStatus::kSingular : RowStatus::kOk;
 }
 
@@ -156,7 +159,9 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
 
 void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   run.events.clear();
-  run.limit_before = std::exchange(run.limit_here, std::nullopt);
+  if (run.limit_here || run.limit_before) {
+    run.limit_before = std::exchange(run.limit_here, std::nullopt);
+  }
   // The row before once more, where run.state is short of it.
   bool held = run.held && run.between;
   for (std::size_t i = 0; i < drivers.size(); ++i) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
+constexpr double kFarthestTurn = 2;          // of a body in one step [rad]
 
 // Groups that keep to their branch by themselves.
 bool is_safe(const Group& group) {
@@ -25,20 +26,26 @@ bool is_safe(const Group& group) {
 struct Agreement {
   double change = 0;
   double mismatch = 0;
+  double farthest_turn = 0;  // of one body
 
-  [[nodiscard]] bool within(double share) const { return mismatch <= share * change + 1e-9; }
+  // Next to a limit a prediction may lead to any angle, and there is a solution within a turn of any.
+  [[nodiscard]] bool within(double share) const {
+    return mismatch <= share * change + 1e-9 && farthest_turn <= kFarthestTurn;
+  }
 };
 
 Agreement agreement(const Group& group, const State& from, const State& to, double h, double size) {
   Agreement result;
+  const double per_size = 1 / size;
   for (const int index : group.bodies) {
     const BodyMotion& a = from.bodies[static_cast<std::size_t>(index)];
     const BodyMotion& b = to.bodies[static_cast<std::size_t>(index)];
     const double turn = b.theta - a.theta;
     const Vector2d shift = b.X_WB.p_WB - a.X_WB.p_WB;
-    result.change += std::abs(turn) + shift.lpNorm<1>() / size;
+    result.change += std::abs(turn) + per_size * shift.lpNorm<1>();
+    result.farthest_turn = std::max(result.farthest_turn, std::abs(turn));
     result.mismatch += std::abs(turn - h * (a.omega + h / 2 * a.alpha)) +
-                       (shift - h * (a.v_WB + h / 2 * a.a_WB)).lpNorm<1>() / size;
+                       per_size * (shift - h * (a.v_WB + h / 2 * a.a_WB)).lpNorm<1>();
   }
   return result;
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kTurn = 2 * kPi;
 constexpr double kNearCrossing = 1e-4;  // of a radian, of the size: points are interpolated
+constexpr double kAtRest = 1e-12;       // of the follower's unit for one of the driver: slower is rounding
 constexpr int kFewest = 9;              // points within a branch, however short it is
 
 bool is_finite(MapEndType type) {
@@ -249,7 +250,10 @@ private:
 
   void add_extremes(MapBranch& branch, const std::vector<ContactTrack>& tracks) const {
     for (std::size_t i = 0; i + 1 < tracks.size(); ++i) {
-      if (tracks[i].at.dq * tracks[i + 1].at.dq < 0) {
+      const double fastest = std::max(std::abs(tracks[i].at.dq), std::abs(tracks[i + 1].at.dq));
+      const double unit = unit_of(pair_.motion2, tracks[i]) / unit_of(pair_.motion1, tracks[i]);
+      // A follower at rest moves by rounding.
+      if (tracks[i].at.dq * tracks[i + 1].at.dq < 0 && fastest > kAtRest * unit) {
         const bool smooth = tracks[i].branch == tracks[i + 1].branch;
         if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u) : std::nullopt) {
           branch.extremes.push_back(point_of(pair_, range_, branch.opposed, *at));

@@ -26,7 +26,7 @@ constexpr int kAttempts = 2000;           // inner steps that may fail
 constexpr double kMostSteps = 2e5;        // of kMaxTurn that a way may be long; so many more inner steps
 constexpr double kSmallestStep = 1e-14;   // of the driver's scale
 
-enum class Outcome { kTaken, kRefused, kOntoCrossing };
+enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
 
 // One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
 // \param may_stop_at_crossing  if not, a step that ends where branches cross (nearly) is not taken: the
@@ -162,66 +162,83 @@ bool pass_crossing(ContactTrack& track, const LimitPosition& limit) {
   return true;
 }
 
+// A step towards u; the last one leads to u itself.
+struct Aim {
+  double step = 0;
+  bool last = false;
+};
+
+// At most h, and not at once to a place that may be a crossing: at a crossing itself a position is noise, or
+// not found at all.
+Aim aim_at(const ContactTrack& track, double u, double h, double near) {
+  const double rest = u - track.at.u;
+  if (std::abs(rest) > h) {
+    return {std::copysign(h, rest), false};
+  }
+  const double ahead = track.at.gap_q + track.at.dgap_q * rest;
+  if (std::abs(rest) > near && std::abs(ahead) <= kMayBeCrossing * std::abs(track.at.gap_q)) {
+    return {std::copysign(std::abs(rest) - near / 2, rest), false};
+  }
+  return {rest, true};
+}
+
+// Steps as aimed, or shorter (then `aim` is changed); a last step may end at a crossing.
+Outcome step_towards(ContactTrack& track, double u, Aim& aim, double near) {
+  const double gap_q = track.at.gap_q;
+  const double rate = track.at.dgap_q;
+  if (aim.last && vanishes(track, gap_q + rate * aim.step) && stop_at_crossing(track, u)) {
+    return Outcome::kArrived;
+  }
+  Outcome outcome = step_by(track, aim.step, gap_q + rate * aim.step, false);
+  if (outcome == Outcome::kOntoCrossing) {
+    if (aim.last && stop_at_crossing(track, u)) {
+      return Outcome::kArrived;
+    }
+    if (std::abs(aim.step) > near) {
+      aim = {kShortOfCrossing * aim.step, false};
+    }
+    outcome = step_by(track, aim.step, gap_q + rate * aim.step, true);
+  }
+  if (outcome == Outcome::kRefused && aim.last && stop_at_crossing(track, u)) {
+    return Outcome::kArrived;
+  }
+  return outcome;
+}
+
 // Follows the contact towards u; false if it is lost on the way (then `limit` says where).
 bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) {
   const double unit = unit_of(track.pair.motion1, track);
   const double largest = kMaxTurn * unit;
-  double h = largest;
-  int halvings = 0;
   const double way = std::abs(u - track.at.u);
   const int length = way > largest ? static_cast<int>(std::min(kMostSteps, way / largest)) : 0;
   int attempts = kAttempts + 4 * length;
   int steps = static_cast<int>(kMostSteps) + 4 * length;  // some may be lost in the rounding of u
-  while (track.at.u != u) {
+  int halvings = 0;
+  for (double h = largest; track.at.u != u;) {
     if (--steps < 0) {
       limit = LimitPosition{track.at.u, track.at.q};
       return false;
     }
-    const double rest = u - track.at.u;
     if (stay_at_crossing(track, u)) {
       return true;
     }
-    bool last = std::abs(rest) <= h;
-    double step = last ? rest : std::copysign(h, rest);
-    const double rate = track.at.dgap_q;
-    const double ahead = track.at.gap_q + rate * rest;
-    if (last && std::abs(rest) > kNearCrossing * unit &&
-        std::abs(ahead) <= kMayBeCrossing * std::abs(track.at.gap_q)) {
-      // Come nearer first: at a crossing itself a position is noise, or not found at all.
-      step = std::copysign(std::abs(rest) - kNearCrossing * unit / 2, rest);
-      last = false;
-    } else if (last && vanishes(track, ahead) && stop_at_crossing(track, u)) {
+    Aim aim = aim_at(track, u, h, kNearCrossing * unit);
+    const Outcome outcome = step_towards(track, u, aim, kNearCrossing * unit);
+    if (outcome == Outcome::kArrived) {
       return true;
     }
-    Outcome outcome = step_by(track, step, track.at.gap_q + rate * step, false);
-    if (outcome == Outcome::kOntoCrossing) {
-      if (last && stop_at_crossing(track, u)) {
-        return true;
-      }
-      if (std::abs(step) > kNearCrossing * unit) {
-        step *= kShortOfCrossing;
-        last = false;
-      }
-      outcome = step_by(track, step, track.at.gap_q + rate * step, true);
-    }
     if (outcome == Outcome::kTaken) {
-      if (last) {
-        track.at.u = u;
-      }
+      track.at.u = aim.last ? u : track.at.u;
       h = std::min(2 * h, largest);
       continue;
     }
-    if (last && stop_at_crossing(track, u)) {
-      return true;
-    }
-    h = std::abs(step) / 2;
+    h = std::abs(aim.step) / 2;
     limit = --attempts < 0 ? LimitPosition{track.at.u, track.at.q}
                            : obstacle(track, u, h, ++halvings >= kHalvingsToLimit);
-    if (limit && pass_crossing(track, *limit)) {
-      limit.reset();
-    } else if (limit) {
+    if (limit && !pass_crossing(track, *limit)) {
       return false;
     }
+    limit.reset();
   }
   return true;
 }

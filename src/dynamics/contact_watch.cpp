@@ -159,7 +159,13 @@ ContactOpening ContactWatch::locate(const Run& run, const std::vector<DriverMoti
                                     std::size_t contact, double force) const {
   ContactOpening opening{contact, ContactOpening::Kind::kPulled, drivers.front().position};
   const std::optional<double> before = forces_before_[contact];
-  if (!before || !(*before >= 0)) {
+  if (!before) {
+    return opening;
+  }
+  if (!(*before > 0)) {
+    // It was at 0 there, to rounding.
+    opening.kind = ContactOpening::Kind::kRoot;
+    opening.driver = drivers_before_.front().position;
     return opening;
   }
   // The branch is the same on the way back.

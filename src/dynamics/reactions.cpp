@@ -30,8 +30,7 @@ InverseDynamics::InverseDynamics(const Run& run)
 
 const Reactions& InverseDynamics::solve(const Run& run) {
   const MotionRow& row = run.row;
-  reactions_.defined = row.status != RowStatus::kNotAssemblable &&
-                       std::find(row.has_rates.begin(), row.has_rates.end(), false) == row.has_rates.end();
+  reactions_.defined = row.status != RowStatus::kNotAssemblable && row.all_rates;
   if (reactions_.defined) {
     clear(wrenches_);
     add_applied(run.mechanism, row.bodies, wrenches_);

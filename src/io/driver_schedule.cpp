@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -30,6 +31,42 @@ double between(double start, double end, std::int64_t k, std::int64_t n) {
   const DoubleDouble offset = span * DoubleDouble{static_cast<double>(k), 0} / DoubleDouble{steps, 0};
   const DoubleDouble sum = io_detail::exact_sum(start, offset.high);
   return sum.high + (sum.low + offset.low);
+}
+
+DoubleDouble power_of_ten(int exponent) {
+  constexpr int kLargestExact = 22;  // 10^22 is a double
+  DoubleDouble power = {1, 0};
+  for (; exponent > 0; exponent -= kLargestExact) {
+    power = power * DoubleDouble{std::pow(10.0, std::min(exponent, kLargestExact)), 0};
+  }
+  return power;
+}
+
+// k times the shortest decimal number that is read as x > 0, rounded once.
+double decimal_multiple(std::int64_t k, double x) {
+  char text[32];
+  const char* end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
+  std::int64_t digits = 0;
+  int exponent = 0;
+  const char* at = text;
+  bool fraction = false;
+  for (; *at != 'e'; ++at) {
+    if (*at == '.') {
+      fraction = true;
+    } else {
+      digits = 10 * digits + (*at - '0');
+      exponent -= fraction ? 1 : 0;
+    }
+  }
+  int power = 0;
+  const bool negative = at[1] == '-';
+  std::from_chars(at + 2, end, power);
+  exponent += negative ? -power : power;
+  const auto high = static_cast<double>(digits);
+  const DoubleDouble mantissa = {high, static_cast<double>(digits - static_cast<std::int64_t>(high))};
+  const DoubleDouble multiple = mantissa * DoubleDouble{static_cast<double>(k), 0};
+  const DoubleDouble scale = power_of_ten(std::abs(exponent));
+  return exponent < 0 ? (multiple / scale).high : (multiple * scale).high;
 }
 
 bool is_turning(const Profile& profile, std::size_t driver) {
@@ -134,7 +171,7 @@ std::optional<Steps> steps_in(double duration, double time_step) {
 struct Timing {
   std::int64_t rows = 1;
   double duration = 0;
-  double uneven_step = 0;  // 0: the rows divide the duration evenly
+  double time_step = 0;  // 0: the rows divide the duration evenly
 };
 
 tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optional<std::int64_t> samples) {
@@ -160,8 +197,7 @@ tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optiona
         mistake(profile, 0, "time_step", "is too small: the duration would have more than 2^53 rows"));
     return tl::unexpected(errors);
   }
-  return Timing{steps->full + (steps->has_remainder ? 2 : 1), *duration,
-                steps->has_remainder ? *time_step : 0};
+  return Timing{steps->full + (steps->has_remainder ? 2 : 1), *duration, *time_step};
 }
 
 bool is_finite(const DriverState& state) {
@@ -227,7 +263,7 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& pr
   schedule.timed_ = true;
   schedule.size_ = timing->rows;
   schedule.duration_ = timing->rows == 1 ? 0 : timing->duration;
-  schedule.time_step_ = timing->uneven_step;
+  schedule.time_step_ = timing->time_step;
   schedule.time_to_si_ = to_si(dimension::kTime, profile.units);
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     const DriverState last = schedule.state(schedule.size() - 1, i);
@@ -252,7 +288,7 @@ double DriverSchedule::time(std::int64_t row) const {
   if (row == size_ - 1) {
     return duration_;
   }
-  return time_step_ > 0 ? static_cast<double>(row) * time_step_ : between(0, duration_, row, size_ - 1);
+  return time_step_ > 0 ? decimal_multiple(row, time_step_) : between(0, duration_, row, size_ - 1);
 }
 
 double DriverSchedule::passing_time(std::int64_t row, double position, double share) const {

@@ -72,7 +72,7 @@ std::string advice(const PreloadNeed& need, const Profile& profile) {
                      : fmt::format("; no constant effort on joints.{} keeps it closed everywhere",
                                    mechanism.joints[index].name);
   }
-  return "; it stays closed everywhere if " +
+  return "; it stays closed in all rows if " +
          (on_spring ? more_of_spring(mechanism.springs[index], *preload, profile)
                     : effort_on_joint(mechanism.joints[index], *preload, profile));
 }

@@ -81,8 +81,10 @@ private:
   std::string_view take_name() {
     const auto* end = std::find_if_not(rest_.begin(), rest_.end(), io_detail::is_letter);
     auto length = static_cast<std::size_t>(end - rest_.begin());
-    if (length == 0 && !rest_.empty() && rest_.front() == '1') {
-      length = 1;
+    // "1/s": the 1 stands for a numerator without units.
+    if (length == 0 && !after_factor_ && !divides_ && !rest_.empty() && rest_.front() == '1') {
+      const std::string_view after = io_detail::trimmed(rest_.substr(1));
+      length = after.empty() || after.front() == '/' ? 1 : 0;
     }
     const std::string_view name = rest_.substr(0, length);
     rest_.remove_prefix(length);
@@ -134,6 +136,9 @@ tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
   std::string_view digits = text;
   if (!digits.empty() && digits.front() == '+') {
     digits.remove_prefix(1);
+    if (!digits.empty() && digits.front() == '-') {
+      return Error("does not begin with a number");
+    }
   }
   double number = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);

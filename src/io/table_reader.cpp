@@ -218,7 +218,9 @@ std::optional<std::size_t> as_choice(Reading& reading, const Item& item,
 }
 
 std::optional<Item> TableReader::take(const std::string& key) {
-  known_.push_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    known_.push_back(key);
+  }
   const Value* value = find(*table_, key);
   return value == nullptr ? std::nullopt : std::optional(Item{value, path_of(key)});
 }

@@ -1,3 +1,4 @@
+#include "equal_discs.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
@@ -178,32 +179,11 @@ TEST(DeadPoints, OfAParallelogramAreCrossedStraightOn) {
                                             ::testing::DoubleNear(2 * kPi, 1e-10)));
 }
 
-// Equal eccentric discs touch as the cranks of a parallelogram: at 0° and 180° it has branches that cross.
-const char* const kEqualDiscs = R"(
-[bodies.ground]
-points = { O = [0, 0], Q = [35, 0] }
-[bodies.cam]
-points.O = [0, 0]
-curves.edge = { type = "circle", center = [10, 0], radius = 20 }
-[bodies.follower]
-pose = { x = 35, angle = 90 }
-points.Q = [0, 0]
-curves.edge = { type = "circle", center = [10, 0], radius = 15 }
-[joints]
-cam_pivot      = { type = "revolute", between = ["ground.O", "cam.O"] }
-follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
-[contacts]
-touch = { between = ["cam.edge", "follower.edge"] }
-[driver]
-joint = "cam_pivot"
-start = 90
-)";
-
 TEST(DeadPoints, OfEqualDiscsAreCrossedStraightOnWhateverTheRows) {
-  const auto profile = read_profile_text(kEqualDiscs, "discs").value();
+  const auto profile = read_profile_text(testing::kEqualDiscs, "discs").value();
   for (const double first : {0.0, 0.001, 3.3, 10.0, 45.0}) {
     for (const int rows : {1, 4, 8, 9, 12, 18, 36, 72, 360}) {
-      SCOPED_TRACE(testing::Message() << first << " and " << rows << " rows");
+      SCOPED_TRACE(::testing::Message() << first << " and " << rows << " rows");
       auto run = start_run(profile.mechanism, {kPi / 2}).value();
       int crossings = 0;
       for (int k = 0; k <= rows; ++k) {

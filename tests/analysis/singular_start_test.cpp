@@ -1,3 +1,4 @@
+#include "equal_discs.hpp"
 #include "run_testing.hpp"
 
 #include <gmock/gmock.h>
@@ -102,27 +103,10 @@ joint = "cam_pivot"
 
 // Equal eccentric discs move like the cranks of a parallelogram, whose branches cross at 0 and 180 degrees.
 TEST(SingularStarts, WhereContactsCrossGoStraightOn) {
-  constexpr const char* kEqualDiscs = R"(
-[bodies.ground]
-points = { O = [0, 0], Q = [35, 0] }
-[bodies.cam]
-points.O = [0, 0]
-curves.edge = { type = "circle", center = [10, 0], radius = 20 }
-[bodies.follower]
-pose = { x = 35 }
-points.Q = [0, 0]
-curves.edge = { type = "circle", center = [10, 0], radius = 15 }
-[joints]
-cam_pivot      = { type = "revolute", between = ["ground.O", "cam.O"] }
-follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
-[contacts]
-touch = { between = ["cam.edge", "follower.edge"] }
-[driver]
-joint = "cam_pivot"
-)";
   for (const std::string samples : {"2", "3", "5", "6", "9", "37", "361", "3601"}) {
     SCOPED_TRACE(samples);
-    const Motion motion = analyze(kEqualDiscs, {"driver.samples=" + samples});
+    const Motion motion = analyze(testing::kEqualDiscs, {"bodies.follower.pose.angle=0", "driver.start=0",
+                                                         "driver.samples=" + samples});
     ASSERT_EQ(motion.failure(), "");
     EXPECT_EQ(motion.status(0), RowStatus::kSingular);
     for (std::size_t k = 0; k < motion.size(); ++k) {

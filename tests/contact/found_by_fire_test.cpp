@@ -61,8 +61,8 @@ TEST(FoundByFire, BranchesThatTouchFarOutDoMeet) {
   EXPECT_EQ(far, 1);
 }
 
-// Two parabolas that are equal but for 5e-9: where their axes are parallel they touch at infinity, and rounding
-// made contacts at 1e55 m of it, which the follower was put to.
+// Two parabolas that are equal but for 5e-9: where their axes are parallel they touch at infinity, and
+// rounding made contacts at 1e55 m of it, which the follower was put to.
 TEST(FoundByFire, NearlyEqualParabolasDoNotTouchAtInfinity) {
   const double rotation = 1.8035532772115683;
   const ContactPair pair = {

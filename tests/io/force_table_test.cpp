@@ -155,7 +155,7 @@ constexpr double kNone = INFINITY;
 TEST(Opening, IsDescribedWithThePreloadOfASpring) {
   EXPECT_EQ(
       sentence({}, {Preload::On::kSpring, 0}, 3, kNone),
-      "from here on the contact would have to pull; it stays closed everywhere if springs.line pulls by "
+      "from here on the contact would have to pull; it stays closed in all rows if springs.line pulls by "
       "3 N more (free_length 38.5 mm instead of 40 mm)");
   EXPECT_THAT(sentence({}, {Preload::On::kSpring, 0}, -kNone, -3),
               HasSubstr("springs.line pushes by 3 N more (free_length 41.5 mm instead of 40 mm)"));

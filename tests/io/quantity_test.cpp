@@ -58,7 +58,7 @@ TEST(Quantity, InEveryUnitOfTheFormatIsTheSameLength) {
 
 TEST(Quantity, MayBeSpelledInSeveralWays) {
   for (const char* text : {"0.2 N m", "0.2 N*m", "0.2N m", " 0.2  N * m ", "+0.2 N m", "2e-1 m N", "200 N mm",
-                           "0.2 N m^2/m", "0.2 kg m^2/s^2", "0.2 kg m^2 s^-2", "0.2 1 N m", "0.2 N / m^-1"}) {
+                           "0.2 N m^2/m", "0.2 kg m^2/s^2", "0.2 kg m^2 s^-2", "0.2 N / m^-1"}) {
     EXPECT_EQ(si(text, dimension::kTorque), 0.2) << text;
   }
   EXPECT_EQ(si("4 1/s", dimension::kNumber / dimension::kTime), 4);

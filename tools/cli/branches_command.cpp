@@ -2,8 +2,11 @@
 
 #include "branches_report.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "run_command.hpp"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 #include <tl/expected.hpp>
@@ -17,7 +20,7 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
     files.push_back({*options.csv, branches_csv(report)});
   }
   if (options.json) {
-    files.push_back({*options.json, branches_json(report).dump(2) + "\n"});
+    files.push_back({*options.json, text_of(branches_json(report)) + "\n"});
   }
   const bool as_text = files.empty();
   if (as_text) {
@@ -70,6 +73,9 @@ int branches_command(const BranchesOptions& options) {
   if (!profile) {
     return report_input(profile.error());
   }
+  if (const auto code = refuse_without_driver(options.profile, *profile)) {
+    return *code;
+  }
   const auto schedule = DriverSchedule::analyze(*profile);
   if (!schedule) {
     return report_input(schedule.error());
@@ -86,6 +92,14 @@ int branches_command(const BranchesOptions& options) {
       return contact.error();
     }
     report.contacts.push_back(std::move(*contact));
+  }
+  const bool nothing = report.assemblies.empty() &&
+                       std::all_of(report.contacts.begin(), report.contacts.end(),
+                                   [](const ContactReport& contact) { return contact.entries.empty(); });
+  const auto run = nothing ? start_run(profile->mechanism, schedule->first_positions(), options.tolerance)
+                           : tl::expected<Run, StartFailure>();
+  if (!run) {
+    return fail(options, run.error().reason);
   }
   return write_all(options, report);
 }

@@ -7,7 +7,9 @@
 #include "run_command.hpp"
 #include "verify_command.hpp"
 
+#include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 
 #include <CLI/CLI.hpp>
@@ -49,6 +51,7 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
       "branches", "every contact of the two curves at the first driver position, free or not");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_output_options(*command, {"the list", options.csv}, {"the list", options.json});
+  higherpair::cli::add_unused_samples(*command);
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
@@ -97,6 +100,15 @@ int run(int argc, char** argv) {
   const CLI::App* map_command = higherpair::cli::add_map_command(app, map);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
+  bool known = argc < 2 || argv[1][0] == '-';
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->set_version_flag("--version", "higherpair " HIGHERPAIR_VERSION);
+    known = known || command->check_name(argv[1]);
+  }
+  if (!known) {
+    fmt::print(stderr, "higherpair: there is no command {}; see higherpair --help\n", argv[1]);
+    return higherpair::cli::kExitInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -119,11 +131,22 @@ int run(int argc, char** argv) {
                                                                 : forces);
 }
 
+// What was printed may still be on its way.
+int flushed(int code) {
+  std::cout.flush();
+  const bool good = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (good || code != higherpair::cli::kExitOk) {
+    return code;
+  }
+  fmt::print(stderr, "higherpair: cannot write to standard output\n");
+  return higherpair::cli::kExitMachine;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return flushed(run(argc, argv));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "higherpair: out of memory\n");
   } catch (const std::exception& error) {

@@ -133,6 +133,9 @@ int map_command(const MapOptions& options) {
   if (!profile) {
     return report_input(profile.error());
   }
+  if (const auto code = refuse_without_driver(options.profile, *profile)) {
+    return *code;
+  }
   const auto schedule = DriverSchedule::analyze(*profile);
   if (!schedule) {
     return report_input(schedule.error());

@@ -58,7 +58,7 @@ std::string list_of(const std::vector<int>& branches) {
 
 std::string events_table(const ContactMapReport& contact, const MapReport& report) {
   if (contact.events.empty()) {
-    return "\nno folds: the driver can go round on every branch\n";
+    return "\nno folds: nothing stops the driver on any branch\n";
   }
   std::string text =
       fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", "at [" + contact.driver_unit + "]",

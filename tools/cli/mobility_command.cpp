@@ -4,8 +4,10 @@
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
+#include "json_text.hpp"
 #include "mobility_report.hpp"
 #include "output_file.hpp"
+#include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
 
@@ -26,11 +28,17 @@ MobilityQuestion question_of(const DriverSchedule& schedule) {
 }
 
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
-  const std::string text = options.json ? mobility_json(findings).dump(2) + "\n" : mobility_text(findings);
-  if (!write_files({{options.json.value_or("-"), text}})) {
-    return kExitMachine;
+  std::vector<FileText> files;
+  if (options.csv) {
+    files.push_back({*options.csv, mobility_csv(findings)});
   }
-  return kExitOk;
+  if (options.json) {
+    files.push_back({*options.json, text_of(mobility_json(findings)) + "\n"});
+  }
+  if (files.empty()) {
+    files.push_back({"-", mobility_text(findings)});
+  }
+  return write_files(files) ? kExitOk : kExitMachine;
 }
 
 // Why the mechanism cannot be run, by the rank first.
@@ -49,25 +57,18 @@ CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
                                          "degree of freedom by count and by rank, idle freedoms, order of "
                                          "solution, Grashof class of every four-bar");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("--json", options.json, "write the findings as JSON to this file (-: standard output)");
-  command->add_option("--csv", options.csv, "refused: the findings are no table");
+  add_output_options(*command, {"the findings, one to a row,", options.csv}, {"the findings", options.json});
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
+  add_unused_samples(*command);
   command->add_flag("--quiet", options.quiet, "no messages about drivers on standard error");
   return command;
 }
 
 int mobility_command(const MobilityOptions& options) {
-  if (options.csv) {
-    fmt::print(
-        stderr,
-        "higherpair: mobility writes no table, so there is nothing for --csv; leave it out for readable "
-        "text, or use --json FILE\n");
-    return kExitInput;
-  }
   const auto profile = read_profile_file(options.profile, options.overrides);
   if (!profile) {
     return report_input(profile.error());

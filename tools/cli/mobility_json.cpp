@@ -7,6 +7,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan_text.hpp"
+#include "json_text.hpp"
 #include "mobility_report.hpp"
 
 #include <array>
@@ -310,6 +311,25 @@ private:
 
 nlohmann::ordered_json mobility_json(const MobilityFindings& findings) {
   return Writer(findings).all();
+}
+
+std::string mobility_csv(const MobilityFindings& findings) {
+  std::string csv = "key,value\n";
+  const nlohmann::ordered_json flat = mobility_json(findings).flatten();
+  for (const auto& [path, value] : flat.items()) {
+    std::string text = value.is_null() || value.empty() ? "" : text_of(value);
+    if (value.is_string()) {
+      text = value.get<std::string>();
+      if (text.find_first_of(",\"\n") != std::string::npos) {
+        for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) {
+          text.insert(at, 1, '"');
+        }
+        text = '"' + text + '"';
+      }
+    }
+    csv += path.substr(1) + ',' + text + '\n';
+  }
+  return csv;
 }
 
 }  // namespace higherpair::cli

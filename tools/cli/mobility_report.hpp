@@ -50,4 +50,8 @@ struct MobilityFindings {
 /// The same as readable text.
 [[nodiscard]] std::string mobility_text(const MobilityFindings& findings);
 
+/// The findings as CSV, `key,value`: one row for each value of mobility_json, its key the path to it
+/// (`four_bars/0/grashof`). Text that holds a comma or a quote is quoted.
+[[nodiscard]] std::string mobility_csv(const MobilityFindings& findings);
+
 }  // namespace higherpair::cli

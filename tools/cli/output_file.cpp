@@ -12,6 +12,24 @@ namespace higherpair::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// The file that a chain of links names, whether it exists or not; empty where the links go round.
+std::string target_of(std::string path) {
+  constexpr int kMostLinks = 40;
+  std::error_code code;
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (!fs::is_symlink(fs::symlink_status(path, code))) {
+      return path;
+    }
+    const fs::path next = fs::read_symlink(path, code);
+    path = (next.is_absolute() ? next : fs::path(path).parent_path() / next).string();
+  }
+  return "";
+}
+
+}  // namespace
+
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (path == "-") {
     file_ = stdout;
@@ -23,9 +41,11 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (direct) {
     file_ = std::fopen(path.c_str(), "wb");
   } else {
-    target_ = fs::exists(status) ? fs::canonical(path, code).string() : path;
+    target_ = target_of(path);
     if (target_.empty()) {
-      target_ = path;
+      errno = ELOOP;
+      fail("cannot write " + path);
+      return;
     }
     temporary_ = target_ + ".part" + std::to_string(getpid());
     file_ = std::fopen(temporary_.c_str(), "wb");
@@ -45,6 +65,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(const std::string& what) {
+  reader_gone_ = reader_gone_ || errno == EPIPE;
   if (error_.empty()) {
     error_ = what + ": " + std::strerror(errno);
   }
@@ -83,12 +104,21 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
+bool report_failure(const OutputFile& file) {
+  if (file.good()) {
+    return false;
+  }
+  if (!file.reader_gone()) {
+    fmt::print(stderr, "higherpair: {}\n", file.error());
+  }
+  return true;
+}
+
 bool write_files(const std::vector<FileText>& files) {
   std::vector<std::unique_ptr<OutputFile>> outputs;
   const auto good = [&] {
     for (const auto& output : outputs) {
-      if (!output->good()) {
-        fmt::print(stderr, "higherpair: {}\n", output->error());
+      if (report_failure(*output)) {
         return false;
       }
     }

@@ -20,6 +20,8 @@ public:
   /// False on any failure so far; error() says which.
   [[nodiscard]] bool good() const { return error_.empty(); }
   [[nodiscard]] const std::string& error() const { return error_; }
+  /// Whether nobody reads the pipe any more.
+  [[nodiscard]] bool reader_gone() const { return reader_gone_; }
 
   void write(std::string_view text);
   /// Nothing is written after this.
@@ -35,7 +37,11 @@ private:
   std::string temporary_;  ///< empty: written directly
   std::FILE* file_ = nullptr;
   std::string error_;
+  bool reader_gone_ = false;
 };
+
+/// Whether a file has failed; says so on standard error, but for a reader that has read enough.
+[[nodiscard]] bool report_failure(const OutputFile& file);
 
 struct FileText {
   std::string path;

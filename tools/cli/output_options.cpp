@@ -33,4 +33,9 @@ void add_output_options(CLI::App& command, const Output& csv, const Output& json
   });
 }
 
+void add_unused_samples(CLI::App& command) {
+  command.add_option_function<std::int64_t>(
+      "--samples", [](std::int64_t) {}, "no effect: the first driver position only is looked at");
+}
+
 }  // namespace higherpair::cli

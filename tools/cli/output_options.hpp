@@ -16,4 +16,7 @@ struct Output {
 /// Adds --csv and --json to a command. Both into one file, or both to standard output, are refused.
 void add_output_options(CLI::App& command, const Output& csv, const Output& json);
 
+/// Adds --samples to a command that looks at one position only, as all commands take it.
+void add_unused_samples(CLI::App& command);
+
 }  // namespace higherpair::cli

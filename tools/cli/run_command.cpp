@@ -4,6 +4,7 @@
 #include "higherpair/io/derivative_table.hpp"
 #include "higherpair/io/jerk_table.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
 #include "progress.hpp"
 #include "row_writer.hpp"
 #include "summary.hpp"
@@ -38,13 +39,19 @@ std::vector<RowWriter> open_outputs(const RunOptions& options) {
 }
 
 bool failed(const std::vector<RowWriter>& writers) {
-  for (const RowWriter& writer : writers) {
-    if (!writer.file().good()) {
-      fmt::print(stderr, "higherpair: {}\n", writer.file().error());
-      return true;
-    }
+  return std::any_of(writers.begin(), writers.end(),
+                     [](const RowWriter& writer) { return report_failure(writer.file()); });
+}
+
+// A write that waits for a reader comes back with an error instead of beginning again; a pipe that nobody
+// reads is an error of its write.
+void listen_to_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(number, &action, nullptr);
   }
-  return false;
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 // All tables into their places, or none.
@@ -212,11 +219,11 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
   bool all_ok = true;
   Progress progress(!options.quiet);
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    if (k % 4096 == 0 && failed(writers)) {
-      return kExitMachine;
-    }
     if (interrupted != 0) {
       return kExitInterrupted;
+    }
+    if (k % 256 == 0 && failed(writers)) {
+      return kExitMachine;
     }
     read_row(schedule, k, states, motions);
     move_to(run, motions);
@@ -238,7 +245,7 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
     all_ok = all_ok && !tables.forces->opened();
   }
   if (!finish(writers, events)) {
-    return kExitMachine;
+    return interrupted != 0 ? kExitInterrupted : kExitMachine;
   }
   if (options.summary) {
     summary.print(profile.mechanism.title, tables.columns);
@@ -258,10 +265,23 @@ int report_input(const Diagnostics& diagnostics) {
   return kExitInput;
 }
 
+std::optional<int> refuse_without_driver(const std::string& path, const Profile& profile) {
+  if (!profile.mechanism.drivers.empty()) {
+    return std::nullopt;
+  }
+  fmt::print(stderr, "{}: {}\n", path,
+             driver_objection(profile.mechanism, std::vector<double>{})
+                 .value_or("no driver: nothing moves this mechanism; `mobility` tells what it is"));
+  return kExitMechanism;
+}
+
 int run_command(const RunOptions& options) {
   const auto profile = read_profile_file(options.profile, options.overrides);
   if (!profile) {
     return report_input(profile.error());
+  }
+  if (const auto code = refuse_without_driver(options.profile, *profile)) {
+    return *code;
   }
   const auto schedule = options.timed ? DriverSchedule::step(*profile, options.samples)
                                       : DriverSchedule::analyze(*profile, options.samples);
@@ -276,8 +296,7 @@ int run_command(const RunOptions& options) {
   if (!tables) {
     return report_input(tables.error());
   }
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  listen_to_signals();
   return write_rows(options, *profile, *schedule, *run, *tables);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/profile.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -33,6 +34,10 @@ struct RunOptions {
 
 /// Prints what is wrong with the input on standard error; returns the exit code.
 [[nodiscard]] int report_input(const Diagnostics& diagnostics);
+
+/// The exit code of a mechanism that nothing drives, which is all the same for `mobility` only; says why on
+/// standard error.
+[[nodiscard]] std::optional<int> refuse_without_driver(const std::string& path, const Profile& profile);
 
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

@@ -1,5 +1,6 @@
 #include "verify_command.hpp"
 
+#include "higherpair/io/profile_reader.hpp"
 #include "output_file.hpp"
 #include "run_command.hpp"
 #include "verify/reference.hpp"
@@ -110,6 +111,13 @@ int verify_command(const VerifyOptions& options) {
   const auto table = text_of(*options.table);
   if (!profile || !table) {
     return kExitInput;
+  }
+  const auto read = read_profile_text(*profile, *options.profile);
+  if (!read) {
+    return report_input(read.error());
+  }
+  if (const auto code = refuse_without_driver(*options.profile, *read)) {
+    return *code;
   }
   verdicts.push_back(verify({*options.profile, *profile, *table}));
   return report(verdicts, options);

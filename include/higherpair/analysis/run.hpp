@@ -24,6 +24,7 @@ struct MotionRow {
   double residual = 0;  ///< largest closure error, and disagreement of velocities times size/speed [m]
   std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies; meaningless where not assemblable
   std::vector<bool> has_rates;          ///< whether the body's rates are defined
+  bool all_rates = true;                ///< whether those of all bodies are
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
   std::vector<bool> arcs_hold;          ///< whether the contact has been one and the same since the first row
 };

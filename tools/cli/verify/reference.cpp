@@ -61,7 +61,8 @@ Or<Wanted> wanted(std::string_view word, const std::string& head) {
   }
   double number = 0;
   const char* end = word.data() + word.size();
-  if (std::from_chars(word.data(), end, number).ptr != end) {
+  const auto [rest, status] = std::from_chars(word.data(), end, number);
+  if (rest != end || status != std::errc() || !std::isfinite(number)) {
     return tl::unexpected(fmt::format("'{}' is no number", word));
   }
   return Wanted(number);
@@ -281,7 +282,9 @@ Or<std::vector<ColumnCheck>> compare(const Profile& profile, std::string_view ta
   if (!expected) {
     return tl::unexpected(expected.error());
   }
-  auto rows = Rows::start(profile, expected->head.front().starts_with("time["));
+  const bool timed = std::any_of(expected->head.begin(), expected->head.end(),
+                                 [](const std::string& head) { return head.starts_with("time["); });
+  auto rows = Rows::start(profile, timed);
   if (!rows) {
     return tl::unexpected(rows.error());
   }
