@@ -2,6 +2,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -209,6 +210,47 @@ TEST(DeadPoints, CanBeStartedAtOnTheBranchOfTheSlowerMotion) {
   move_to(run, {{kPi / 3, 1, 0}});
   EXPECT_EQ(run.row.status, RowStatus::kOk);
   EXPECT_NEAR(run.row.bodies[3].theta, kPi / 3, 1e-13);
+}
+
+// A stroke that ends between the first row and the second, however near they are.
+TEST(StrokeEnds, InTheFirstStepAreSaid) {
+  const auto profile = shipped("toggle_press");
+  const DriverSchedule schedule = DriverSchedule::analyze(profile).value();
+  auto run = start_run(profile.mechanism, schedule.first_positions()).value();
+  std::vector<double> ends;
+  for (const std::int64_t k : {0, 1}) {
+    const DriverValues at = schedule.state(k).si;
+    move_to(run, {{at.position, at.velocity, at.acceleration}});
+    for (const RunEvent& event : run.events) {
+      EXPECT_EQ(event.type, EventType::kStrokeEnd);
+      ends.push_back(event.driver);
+    }
+  }
+  ASSERT_FALSE(ends.empty());
+  for (const double end : ends) EXPECT_NEAR(end, 0.273973480999 * kPi / 180, 1e-13);
+}
+
+// Where a second contact appears and at which rates does not depend on the rows, also where one falls on it.
+TEST(SecondContacts, AreTheSameWhateverTheRows) {
+  const auto profile = shipped("oval_in_ring");
+  const double place = 99.39339667515179 * kPi / 180;
+  std::string first_cause;
+  for (const std::vector<double>& rows :
+       {std::vector<double>{0, 2}, std::vector<double>{0, place, 2}, std::vector<double>{0, place + 1e-9, 2},
+        std::vector<double>{0, 1, 1.5, 1.7, 1.8}}) {
+    auto run = start_run(profile.mechanism, {0}).value();
+    std::vector<RunEvent> seconds;
+    for (const double u : rows) {
+      move_to(run, {{u, 1, 0}});
+      for (const RunEvent& event : run.events) {
+        if (event.type == EventType::kSecondContact) seconds.push_back(event);
+      }
+    }
+    ASSERT_EQ(seconds.size(), 1U);
+    EXPECT_NEAR(seconds[0].driver, place, 2e-9);
+    first_cause = first_cause.empty() ? seconds[0].cause : first_cause;
+    EXPECT_EQ(seconds[0].cause, first_cause);
+  }
 }
 
 TEST(LimitPositions, OfAFourBarAreWhereCouplerAndRockerAreInLine) {

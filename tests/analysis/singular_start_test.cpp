@@ -189,6 +189,49 @@ positions = [0, 60, 90, 120]
   EXPECT_THAT(motion.events()[0].cause, HasSubstr("slides are parallel"));
 }
 
+// An arm of 20 on a cart keeps its tip on an ellipse 20 by 10 from below: at the top it cannot go lower.
+// Beside that limit a prediction leads anywhere.
+TEST(LimitPositions, OfACarriedFollowerEndTheRunOnItsBranch) {
+  constexpr const char* kArmOnACart = R"(
+[bodies.ground]
+points.Q = [0, -10]
+curves.edge = { type = "ellipse", center = [0, 0], semi_axes = [20, 10] }
+[bodies.cart]
+pose = { y = -10 }
+points.Q = [0, 0]
+[bodies.arm]
+pose = { y = -10, angle = 93 }
+points.Q = [0, 0]
+curves.tip = { type = "point", at = [20, 0] }
+[joints]
+slide = { type = "prismatic", between = ["ground.Q", "cart.Q"], direction = [0, 1] }
+pivot = { type = "revolute", between = ["cart.Q", "arm.Q"] }
+[contacts]
+touch = { between = ["ground.edge", "arm.tip"] }
+[driver]
+joint = "slide"
+start = 4
+end = -4
+samples = 9
+)";
+  for (const char* angle : {"bodies.arm.pose.angle=93", "bodies.arm.pose.angle=120"}) {
+    const Motion motion = analyze(kArmOnACart, {angle});
+    ASSERT_EQ(motion.size(), 9U) << motion.failure();
+    for (std::size_t k = 0; k < 4; ++k) {
+      // The tip on the ellipse: (20 cos a)²/400 + (y + 20 sin a)²/100 = 1 with y = -10 + driver.
+      const double a = motion.radians(k, "arm.angle");
+      const double y = motion.value(k, "driver") - 10 + 20 * std::sin(a);
+      EXPECT_EQ(motion.status(k), RowStatus::kOk);
+      EXPECT_NEAR(std::cos(a) * std::cos(a) + y * y / 100, 1, 1e-12);
+      EXPECT_GT(a, kPi / 2);
+      EXPECT_LT(a, kPi);
+    }
+    EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 4U);
+    ASSERT_EQ(motion.events().size(), 1U);
+    EXPECT_NEAR(motion.events()[0].driver, 0, 1e-15);
+  }
+}
+
 // The crank of a parallelogram and a pointer that has nothing to do with it, each with its driver.
 constexpr const char* kTwoDrivers = R"(
 [bodies.ground]

@@ -53,6 +53,12 @@ TEST(Branches, OfADriverPositionThatIsOverriddenAreThoseThere) {
   EXPECT_NEAR(json.at("contacts").at(1).at("position").get<double>(), 28, 1e-13);
 }
 
+TEST(Branches, OfWhatCannotBeStartedAreRefused) {
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + profile("lock_up.toml") +
+                              " --set driver.start=100 >/dev/null 2>&1";
+  EXPECT_EQ(std::system(command.c_str()) >> 8, 3);
+}
+
 TEST(Branches, AtADeadPointAreOneAssembly) {
   for (const auto& [start, count] : {std::pair("0", 1U), std::pair("60", 2U)}) {
     const auto json = nlohmann::json::parse(

@@ -151,6 +151,71 @@ TEST_F(Program, WritesAllItsFilesOrNone) {
   }
 }
 
+TEST_F(Program, MakesTheFileThatALinkNames) {
+  const fs::path link = folder_ / "link";
+  fs::create_symlink("file", link);
+  EXPECT_EQ(run("analyze " + profile("ellipse_cam_roller.toml") + " --csv " + link.string()).code, 0);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_THAT(read_file(folder_ / "file"), HasSubstr("driver[deg]"));
+  fs::create_symlink("round", folder_ / "round");
+  EXPECT_EQ(
+      run("analyze " + profile("ellipse_cam_roller.toml") + " --csv " + (folder_ / "round").string()).code,
+      1);
+}
+
+TEST_F(Program, CanBeInterruptedWhileNobodyReads) {
+  const std::string pipe = (folder_ / "pipe").string();
+  const std::string command = "mkfifo " + pipe + "; timeout -s INT 0.3 " + std::string(HIGHERPAIR_PROGRAM) +
+                              " analyze " + profile("ellipse_cam_roller.toml") + " --csv " + pipe +
+                              " 2>/dev/null; test $? = 124";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST_F(Program, LeavesNoPartFileWhereAReaderHasReadEnough) {
+  const std::string table = (folder_ / "table.csv").string();
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " analyze " + profile("four_bar.toml") +
+                              " --samples 20000 --json - --csv " + table + " 2>" +
+                              (folder_ / "err").string() + " | head -1 >/dev/null";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(read_file(folder_ / "err"), "");
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    EXPECT_EQ(entry.path().filename(), "err");
+  }
+}
+
+TEST_F(Program, SaysThatNothingIsDriven) {
+  std::ofstream(folder_ / "still.toml") << R"([bodies.ground]
+points = { A = [0, 0], B = [10, 0] }
+[bodies.a]
+points = { A = [0, 0], C = [6, 8] }
+[bodies.b]
+points = { B = [10, 0], C = [6, 8] }
+[joints]
+A = { type = "revolute", between = ["ground.A", "a.A"] }
+B = { type = "revolute", between = ["ground.B", "b.B"] }
+C = { type = "revolute", between = ["a.C", "b.C"] }
+[drivers]
+)";
+  const std::string still = (folder_ / "still.toml").string();
+  for (const char* command : {"analyze ", "step ", "forces ", "branches ", "map "}) {
+    const Outcome outcome = run(command + still);
+    EXPECT_EQ(outcome.code, 3) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("nothing moves this mechanism"));
+  }
+  EXPECT_EQ(run("mobility " + still).code, 0);
+}
+
+TEST_F(Program, TellsItsVersionEverywhereAndKnowsItsCommands) {
+  for (const char* command : {"", "analyze ", "mobility ", "map ", "verify "}) {
+    EXPECT_THAT(run(std::string(command) + "--version").out, HasSubstr("higherpair "));
+  }
+  const Outcome wrong = run("analyse " + profile("four_bar.toml"));
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("there is no command analyse"));
+  EXPECT_EQ(std::system((std::string(HIGHERPAIR_PROGRAM) + " --version >/dev/full 2>/dev/null").c_str()) >> 8,
+            1);
+}
+
 TEST_F(Program, RefusesTwoTablesInOneFile) {
   const std::string table = (folder_ / "table").string();
   const std::string same = (folder_ / "none" / ".." / "table").string();

@@ -53,6 +53,15 @@ TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
   EXPECT_EQ(own.at("driver"), 0.0);
 }
 
+// A disc about its own pivot does not move its follower: what it seems to move is rounding.
+TEST(Map, OfAFollowerAtRestHasNoTurningPoints) {
+  const auto json =
+      json_of(profile("flat_faced_translating.toml") + " --set bodies.cam.curves.disc.center=[0,0]");
+  for (const nlohmann::json& branch : json.at("contacts").at(0).at("branches")) {
+    EXPECT_EQ(branch.at("extremes").size(), 0U);
+  }
+}
+
 // A fold has one coordinate, whichever turn the poses put the follower in.
 TEST(Map, GivesAFoldTheCoordinateOfItsBranches) {
   for (const char* turns : {"-325", "35", "395"}) {

@@ -127,9 +127,18 @@ TEST(Verify, FailsWhereTheTableIsNoTable) {
   EXPECT_THAT(outcome.out, HasSubstr("table row 1: '-45.0x' is no number"));
 }
 
+TEST(Verify, TakesNoInfinityForANumber) {
+  for (const char* wrong : {"inf,", "nan,", "1e400,"}) {
+    const ChangedTable table("geneva_wheel.csv", "-45.0,", wrong);
+    EXPECT_EQ(verify(reference("geneva_wheel.toml") + " " + table.path()).code, 4) << wrong;
+  }
+}
+
 TEST(Verify, RefusesFilesThatItCannotRead) {
   EXPECT_EQ(verify("no_such.toml no_such.csv").code, 2);
   EXPECT_EQ(verify(reference("geneva_wheel.toml")).code, 2);
+  EXPECT_EQ(verify(reference("geneva_wheel.toml") + " " + reference("")).code, 2);
+  EXPECT_EQ(verify(reference("geneva_wheel.csv") + " " + reference("geneva_wheel.csv")).code, 2);
   EXPECT_EQ(verify("--json /dev/full").code, 1);
 }
 

@@ -164,6 +164,15 @@ TEST(StepSchedule, HasARowAtEveryTimeStepAndAtBothEnds) {
   }
 }
 
+TEST(StepSchedule, TakesTheTimeStepForTheDecimalNumberThatItIs) {
+  const DriverSchedule tenths = step(crank_profile("duration = 0.7\ntime_step = 0.1\n"));
+  EXPECT_THAT(times(tenths), ElementsAre(0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7));
+  const DriverSchedule fine = step(crank_profile("duration = 1e6\ntime_step = 1e-9\n"));
+  EXPECT_EQ(fine.time(300'000'000'000'003), 300000.000000003);
+  const DriverSchedule coarse = step(crank_profile("velocity = 0\nduration = 1e30\ntime_step = 1.7e28\n"));
+  EXPECT_EQ(coarse.time(3), 5.1e28);
+}
+
 TEST(StepSchedule, EndsAtTheDurationAlsoIfItIsNoMultiple) {
   EXPECT_THAT(times(step(crank_profile("duration = 1\ntime_step = 0.3\n"))),
               ElementsAre(0, 0.3, 0.6, 0.9, 1));

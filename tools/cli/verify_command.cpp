@@ -6,6 +6,7 @@
 #include "verify/reference.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -17,12 +18,11 @@ namespace {
 
 std::optional<std::string> text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file.is_open() || file.bad()) {
+  if (!file.is_open() || std::filesystem::is_directory(path)) {
     fmt::print(stderr, "{}: cannot be read\n", path);
     return std::nullopt;
   }
-  return text;
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
 void print(const Verdict& verdict, double bound) {
