@@ -192,8 +192,8 @@ bool is_near_crossing(const Run& run, const State& state) {
   return false;
 }
 
-bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
-  if (!is_near_crossing(run, run.trial)) {
+bool stop_near_crossing(Run& run, const Path& path, double s, double rest, bool refused) {
+  if (!refused && !is_near_crossing(run, run.trial)) {
     return false;
   }
   const double reach = std::copysign(kReach * unit_of(run, path), path.length);

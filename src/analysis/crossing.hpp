@@ -13,7 +13,9 @@ namespace higherpair {
 /// place, the position there is interpolated between both sides (quintic Hermite from positions, velocities
 /// and accelerations) into run.trial. False, with run.trial at the end of the path as solved, where branches
 /// do not cross there.
-[[nodiscard]] bool stop_near_crossing(Run& run, const Path& path, double s, double rest);
+/// \param refused  the end of the path could not be taken as solved, so that run.trial tells nothing of it
+[[nodiscard]] bool stop_near_crossing(Run& run, const Path& path, double s, double rest,
+                                      bool refused = false);
 
 /// Moves a run whose first position is singular a little back (or on, where it cannot go back), to a regular
 /// position from which the first one is reached as any other; where it is singular to rounding it is kept as

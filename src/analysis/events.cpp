@@ -107,24 +107,28 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
 
 // Where a group's sine passes through 0 with its sign changed: between `reach` before and after the place of
 // the least slack it is interpolated with its rates (cubic Hermite).
-double crossing_between(Run& run, const Path& path, std::size_t g, double s, double h) {
+// \param after  the state at the end of the step
+double crossing_between(Run& run, const Path& path, std::size_t g, double s, double h, State after) {
   const auto sine = [&](double x) {
     return solve_at(run, path, s, x) ? std::abs(run.trial.groups[g].sine) : INFINITY;
   };
   std::uintmax_t calls = 100;
   const double middle =
       boost::math::tools::brent_find_minima(sine, std::min(0.0, h), std::max(0.0, h), 52, calls).first;
-  const double reach = std::min({1e-3, std::abs(middle), std::abs(h - middle)});
-  if (!(reach > 1e-9) || !solve_at(run, path, s, middle - reach)) {
+  const double reach = std::copysign(std::min({1e-3, std::abs(middle), std::abs(h - middle)}), h);
+  if (!(std::abs(reach) > 1e-9) || !solve_at(run, path, s, middle - reach)) {
     return middle;
   }
   const GroupState a = run.trial.groups[g];
-  if (!solve_at(run, path, s, middle + reach)) {
+  // Beyond the crossing the motion has the modes of the end of the step.
+  run.state.groups.swap(after.groups);
+  const bool solved = solve_at(run, path, s, middle + reach);
+  run.state.groups.swap(after.groups);
+  if (!solved) {
     return middle;
   }
   const GroupState b = run.trial.groups[g];
-  // Beyond the crossing the same mode has the other sign.
-  const double f0 = a.sine, f1 = -b.sine, d0 = a.sine_rate * 2 * reach, d1 = -b.sine_rate * 2 * reach;
+  const double f0 = a.sine, f1 = b.sine, d0 = a.sine_rate * 2 * reach, d1 = b.sine_rate * 2 * reach;
   double t = 0.5;
   for (int i = 0; i < 20; ++i) {
     const double u = 1 - t;
@@ -163,7 +167,8 @@ void note_dead_points(Run& run, const Path& path, double s, double h) {
     }
     const State kept = run.trial;
     const bool tracked = std::holds_alternative<TrackedPair>(run.plan.groups[g].kind);
-    const double x = tracked ? crossing_of_track(run, path, g, s, h) : crossing_between(run, path, g, s, h);
+    const double x =
+        tracked ? crossing_of_track(run, path, g, s, h) : crossing_between(run, path, g, s, h, kept);
     run.trial = kept;
     RunEvent event;
     event.type = EventType::kDeadPoint;

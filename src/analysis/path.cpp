@@ -139,6 +139,11 @@ bool follow(Run& run, const Path& path) {
       run.state.tracks[result.group] = run.trial.tracks[result.group];
       return lose(run, path);
     }
+    if (last && stop_near_crossing(run, path, s, rest, true)) {
+      run.between = true;
+      path.positions(s, run.drivers);
+      return true;
+    }
     h = std::abs(step) / 2;
     if (++halvings >= kHalvingsToLimit) {
       if (const auto limit = locate_limit(run, path, result.group, s, step)) {

@@ -87,46 +87,45 @@ bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double 
   if (!std::isfinite(before)) {
     return true;
   }
-  const auto slack = [&](double x) { return slack_after(run, path, g, s, x); };
+  // The gap of a contact may come to 0 from either side.
+  const double sense = before < 0 ? -1 : 1;
+  const auto slack = [&](double x) { return sense * slack_after(run, path, g, s, x); };
   std::uintmax_t calls = 100;
   const auto [x, smallest] =
       boost::math::tools::brent_find_minima(slack, std::min(0.0, h), std::max(0.0, h), 52, calls);
   const double after = slack(h);
-  return std::abs(smallest) <= 1e-13 * (std::abs(before) + std::abs(after) + run.plan.size * run.plan.size);
+  const double size = run.plan.size;
+  const bool is_length = std::holds_alternative<TouchingBody>(run.plan.groups[g].kind);
+  return std::abs(smallest) <=
+         1e-13 * (std::abs(before) + std::abs(after) + (is_length ? size : size * size));
+}
+
+// Places a group in run.trial on the branch given by `mode`, where the present position leads to.
+GroupStatus place_on(Run& run, std::size_t g, int mode, double h, double share,
+                     const std::vector<double>& drivers, StepResult& result) {
+  run.trial.groups[g].mode = mode;
+  const GroupStatus status = place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit);
+  const Group& group = run.plan.groups[g];
+  return status != GroupStatus::kOk || is_safe(group) || agrees(run, group, h, share)
+             ? status
+             : GroupStatus::kNotConverged;
 }
 
 GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
                            const std::vector<double>& drivers, StepResult& result) {
   const Group& group = run.plan.groups[g];
   const GroupState& before = run.state.groups[g];
-  GroupState& now = run.trial.groups[g];
-  now.mode = before.mode;
-  const GroupStatus status = place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit);
-  if (status != GroupStatus::kOk || is_safe(group)) {
-    return status;
-  }
-  const bool crosses = (before.sine + h * before.sine_rate) * before.sine < 0;
-  if (!crosses && agrees(run, group, h, kAgreement)) {
-    return GroupStatus::kOk;
-  }
-  if (crosses && !std::holds_alternative<CoupledBodies>(group.kind)) {
-    now.mode = -before.mode;
-    if (place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit) == GroupStatus::kOk &&
-        agrees(run, group, h, kCrossingAgreement)) {
-      const State kept = run.trial;
-      const bool crossing = really_crosses(run, path, g, s, h);
-      run.trial = kept;
-      if (crossing) {
-        return GroupStatus::kOk;
-      }
-    }
-    now.mode = before.mode;
-    if (place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit) == GroupStatus::kOk &&
-        agrees(run, group, h, kAgreement)) {
+  const bool crosses = !is_safe(group) && !std::holds_alternative<CoupledBodies>(group.kind) &&
+                       (before.sine + h * before.sine_rate) * before.sine < 0;
+  if (crosses && place_on(run, g, -before.mode, h, kCrossingAgreement, drivers, result) == GroupStatus::kOk) {
+    const State kept = run.trial;
+    const bool crossing = really_crosses(run, path, g, s, h);
+    run.trial = kept;
+    if (crossing) {
       return GroupStatus::kOk;
     }
   }
-  return GroupStatus::kNotConverged;
+  return place_on(run, g, before.mode, h, kAgreement, drivers, result);
 }
 
 }  // namespace
