@@ -22,11 +22,8 @@ const Contact& contact_of(const Mechanism& mechanism, int index) {
   return mechanism.contacts[static_cast<std::size_t>(index)];
 }
 
-std::string explain(FindStatus status, const Contact& contact, const ContactPair& pair, double u) {
+std::string explain(FindStatus status, const Contact& contact) {
   const std::string name = "contacts." + contact.name + ": ";
-  if (status == FindStatus::kNoContact && find_contact_at_limit(pair, u, 0)) {
-    return name + kTouchesAtLimit;
-  }
   switch (status) {
     case FindStatus::kOverlapAtStart:
       return name +
@@ -165,14 +162,10 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
       return false;
     }
   } else if (found.status != FindStatus::kFound) {
-    const auto at_limit = find_contact_at_limit(tracked.pair, u, q);
-    if (!at_limit || contact.approach != Approach::kNearest) {
-      fail(g, explain(found.status, contact, tracked.pair, u));
-      return false;
-    }
-    state_.tracks[g] = start_track(tracked.pair, *at_limit, 1);
+    fail(g, explain(found.status, contact));
+    return false;
   } else {
-    state_.tracks[g] = start_track(tracked.pair, found.at, found.branch);
+    state_.tracks[g] = start_track(tracked.pair, found.at, found.branch == 0 ? 1 : found.branch);
   }
   std::optional<LimitPosition> limit;
   const State from = state_;
@@ -196,7 +189,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   }
   const Contact& contact = contact_of(run_.mechanism, tracked.contact);
   if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact, pair, u));
+    fail(g, explain(found.status, contact));
     return false;
   }
   fail(g, "contacts." + contact.name +
@@ -220,7 +213,11 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   const FindResult found =
       first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
   if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact, placed.pair, placed.u));
+    fail(g, explain(found.status, contact));
+    return false;
+  }
+  if (found.branch == 0) {
+    fail(g, "contacts." + contact.name + ": " + kTouchesAtLimit);
     return false;
   }
   state_.groups[g].mode = found.branch;

@@ -48,13 +48,17 @@ void add_limit(Run& run, std::size_t g, const Path& path, double s) {
   report_limit(run, path, std::move(event));
 }
 
-void add_limit(Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
+double place_of(const Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
   const auto driver = static_cast<std::size_t>(std::get<TrackedPair>(run.plan.groups[g].kind).driver);
   const double way = limit.u - path.from[driver];
+  return path.is_single() ? way : way / (path.to[driver] - path.from[driver]);
+}
+
+void add_limit(Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
   RunEvent event;
   event.type = EventType::kLimitPosition;
-  set_place(event, path, path.is_single() ? way : way / (path.to[driver] - path.from[driver]));
-  if (driver == 0) {
+  set_place(event, path, place_of(run, g, path, limit));
+  if (std::get<TrackedPair>(run.plan.groups[g].kind).driver == 0) {
     event.driver = limit.u;
   }
   name_item(run, g, event);

@@ -108,7 +108,7 @@ std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, do
   const auto& tracked = std::get<TrackedPair>(run.plan.groups[g].kind);
   const auto& track = std::get<ContactTrack>(run.trial.tracks[g]);
   const FindResult found = find_nearest_contact(tracked.pair, track.at.u, track.at.q);
-  if (found.status != FindStatus::kFound) {
+  if (found.status != FindStatus::kFound || found.branch == 0) {
     return std::nullopt;
   }
   ContactTrack next = start_track(tracked.pair, found.at, found.branch);

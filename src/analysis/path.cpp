@@ -19,7 +19,9 @@ constexpr double kMaxTurn = kPi / 18;    // of a driver in one inner step [rad]
 constexpr double kMaxSlide = 1.0 / 6;    // of a driver in one inner step, of the size
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
-constexpr double kMostSteps = 2e5;  // inner steps besides those that the way takes at least
+constexpr double kShortOfLimit = 1e-6;  // of the driver's scale: as near as this a limit is reached
+constexpr double kShareToLimit = 0.9;   // of the way to it in one step
+constexpr double kMostSteps = 2e5;      // inner steps besides those that the way takes at least
 
 double largest_step(const Run& run, const Path& path) {
   double parts = 1;
@@ -112,16 +114,25 @@ bool follow(Run& run, const Path& path) {
     const bool last = std::abs(rest) <= h;
     const double step = last ? rest : std::copysign(h, rest);
     const StepResult result = try_step(run, path, s, step);
-    if (result.limit) {
+    const bool lost = result.kind != StepResult::kOk;
+    const bool tracked = std::holds_alternative<TrackedPair>(run.plan.groups[result.group].kind);
+    if (result.limit && lost && tracked) {
+      // What hangs on this contact may come to a limit before: go on to just short of it.
+      const double ahead = std::abs(place_of(run, result.group, path, *result.limit) - s);
+      if (result.group + 1 < run.plan.groups.size() && ahead > kShortOfLimit * scale) {
+        h = std::min(kShareToLimit * ahead, std::abs(step) / 2);
+        continue;
+      }
+    }
+    if (result.limit && tracked) {
       add_limit(run, result.group, path, *result.limit);
     }
-    if (result.kind == StepResult::kOk && !last && is_near_crossing(run, run.trial) &&
-        std::abs(step) > 0.02 * scale) {
+    if (!lost && !last && is_near_crossing(run, run.trial) && std::abs(step) > 0.02 * scale) {
       // No place to rest at: come down elsewhere.
       h = 0.618 * std::abs(step);
       continue;
     }
-    if (result.kind == StepResult::kOk) {
+    if (!lost) {
       if (last && stop_near_crossing(run, path, s, rest)) {
         run.between = true;
         path.positions(s, run.drivers);
@@ -134,7 +145,7 @@ bool follow(Run& run, const Path& path) {
       h = std::min(2 * h, largest);
       continue;
     }
-    if (std::holds_alternative<TrackedPair>(run.plan.groups[result.group].kind)) {
+    if (tracked) {
       // The track remembers by itself where it was lost.
       run.state.tracks[result.group] = run.trial.tracks[result.group];
       return lose(run, path);

@@ -7,6 +7,8 @@
 namespace higherpair {
 namespace {
 
+constexpr double kNoDirection = 1e-12;  // of what it is the difference of: a shorter vector is rounding
+
 // `sense`: +1 if t of body 1 is the outward normal n_W of this body turned +90°, else -1.
 ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W, double rho,
                     double normal_angle, double sense) {
@@ -32,15 +34,22 @@ std::optional<double> transmission(const ContactSide& side, const ContactBody& b
     return std::nullopt;
   }
   const Vector2d arm = *side.center_W - body.grounded->p_WO;
-  return arm.norm() > 0 ? std::optional(angle_between(n_W, arm)) : std::nullopt;
+  const double lengths = side.center_W->norm() + body.grounded->p_WO.norm() + std::abs(side.rho.value_or(0));
+  return arm.norm() > kNoDirection * lengths ? std::optional(angle_between(n_W, arm)) : std::nullopt;
 }
 
 std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W) {
-  const Vector2d direction =
-      body.grounded != nullptr
-          ? velocity_per_q(*body.grounded, p_W)
-          : Vector2d(body.motion.v_WB + body.motion.omega * perp(Vector2d(p_W - body.motion.X_WB.p_WB)));
-  return direction.norm() > 0 ? std::optional(angle_between(n_W, direction)) : std::nullopt;
+  Vector2d direction;
+  double size = 1;
+  if (body.grounded != nullptr) {
+    direction = velocity_per_q(*body.grounded, p_W);
+    size = body.grounded->turns ? p_W.norm() + body.grounded->p_WO.norm() : 1;
+  } else {
+    const Vector2d turning = body.motion.omega * perp(Vector2d(p_W - body.motion.X_WB.p_WB));
+    direction = body.motion.v_WB + turning;
+    size = body.motion.v_WB.norm() + turning.norm();
+  }
+  return direction.norm() > kNoDirection * size ? std::optional(angle_between(n_W, direction)) : std::nullopt;
 }
 
 std::optional<double> arm(const ContactSide& side, const ContactBody& body) {

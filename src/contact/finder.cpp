@@ -1,8 +1,6 @@
 #include "higherpair/contact/finder.hpp"
 
-#include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
-#include "limit.hpp"
 #include "listed_contact.hpp"
 
 #include <algorithm>
@@ -176,23 +174,6 @@ FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std
     }
   }
   return best;
-}
-
-std::optional<ContactPosition> find_contact_at_limit(const ContactPair& pair, double u, double q) {
-  std::optional<ContactPosition> nearest;
-  for (const CurveContact& contact : find_curve_contacts(pair, u).contacts) {
-    if (!contact.free || contact.branch != 0 || contact.coincident) {
-      continue;
-    }
-    ContactPosition at;
-    at.u = u;
-    at.q = pair.motion2.turns ? nearest_turn(contact.q, q) : contact.q;
-    at.n_W = contact.n_W;
-    if (place_points(pair, at) && (!nearest || std::abs(at.q - q) < std::abs(nearest->q - q))) {
-      nearest = at;
-    }
-  }
-  return nearest;
 }
 
 }  // namespace higherpair

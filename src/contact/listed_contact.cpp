@@ -1,6 +1,7 @@
 #include "listed_contact.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "limit.hpp"
 
 #include <cmath>
 
@@ -48,7 +49,21 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   double shortest = INFINITY;
   for (const CurveContact& contact : list_->contacts) {
     const double way = way_to(pair, q, direction, contact);
-    if (!contact.free || contact.branch != branch || !(way >= -kTouching) || !(way < shortest)) {
+    if (!contact.free || !(way >= -kTouching) || !(way < shortest)) {
+      continue;
+    }
+    if (contact.branch == 0 && !contact.coincident) {
+      ContactPosition at;
+      at.u = u;
+      at.q = q + direction * way;
+      at.n_W = contact.n_W;
+      if (place_points(pair, at)) {
+        shortest = way;
+        result = {FindStatus::kFound, at, 0};
+      }
+      continue;
+    }
+    if (contact.branch != branch) {
       continue;
     }
     const ContactResult solved = solve_contact(pair, u, q + direction * way, contact.n_W, contact.branch);

@@ -20,6 +20,7 @@ constexpr double kNearCrossing = 5e-3;    // of the driver's scale: how near a c
 constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
 constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
 constexpr double kSameCrossing = 1e-6;    // of the driver's scale: places as near as this are one crossing
+constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
 constexpr double kClosed = 1e-13;         // of the lengths: gap that an interpolated crossing may leave
 constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
 constexpr int kAttempts = 2000;           // inner steps that may fail
@@ -248,15 +249,19 @@ bool resume(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
   if (found.status != FindStatus::kFound) {
     return false;
   }
-  const double from = track.at.u;
-  const double phi = nearest_turn(angle_of(found.at.n_W), track.phi);
-  track = start_track(track.pair, found.at, track.branch);
-  track.phi = phi;
-  // Where this stretch begins: the limit on the way back.
-  ContactTrack back = track;
-  if (follow(back, from, limit)) {
+  ContactTrack next = start_track(track.pair, found.at, track.branch);
+  next.phi = nearest_turn(next.phi, track.phi);
+  // Where this stretch begins: the limit on the way back. Without one it is another branch, that the follower
+  // cannot have come to, or there has been no limit.
+  ContactTrack back = next;
+  if (follow(back, track.at.u, limit)) {
     limit.reset();
+    const double unit = unit_of(track.pair.motion2, track);
+    if (!(std::abs(back.at.q - track.at.q) <= kSameContact * unit)) {
+      return false;
+    }
   }
+  track = next;
   return true;
 }
 

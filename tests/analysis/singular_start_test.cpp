@@ -72,9 +72,12 @@ TEST(SingularStarts, AtTheLimitOfAContactCanGoOneWayOnly) {
   EXPECT_NEAR(motion.events()[0].driver, kPi / 3, 1e-12);
 }
 
-TEST(SingularStarts, OfAContactThatIsApproachedAreRefused) {
-  EXPECT_THAT(analyze(kKnifeAtItsLimit, {"contacts.touch.approach=-"}).failure(),
-              HasSubstr("touch at a limit position"));
+TEST(SingularStarts, OfAContactThatIsApproachedGoOnTheSideOfThePose) {
+  for (const char* approach : {"contacts.touch.approach=-", "contacts.touch.approach=nearest"}) {
+    const Motion motion = analyze(kKnifeAtItsLimit, {approach});
+    EXPECT_EQ(motion.status(0), RowStatus::kSingular);
+    EXPECT_GT(motion.value(6, "slide.position"), 10);
+  }
   EXPECT_THAT(analyze(kKnifeAtItsLimit, {"driver.start=90"}).failure(), HasSubstr("do not touch"));
 }
 
@@ -162,6 +165,45 @@ TEST(SingularStarts, AndEndsOfAStrokeAreRowsAndTheLimitIsSaidOnce) {
   }
 }
 
+// Two four-bars of discs in series: the second one locks before the first, whatever the rows.
+TEST(LimitPositions, OfAChainAreThoseOfTheContactThatLocksFirst) {
+  constexpr const char* kChain = R"(
+[bodies.ground]
+points = { O1 = [0, 0], O2 = [80, 0], O3 = [80, -60] }
+[bodies.a]
+points.O = [0, 0]
+curves.c = { type = "circle", center = [30, 0], radius = 20 }
+[bodies.b]
+pose = { x = 80, angle = 136 }
+points.O = [0, 0]
+curves.c = { type = "circle", center = [40, 0], radius = 15 }
+curves.o = { type = "circle", center = [-20, 0], radius = 10 }
+[bodies.c]
+pose = { x = 80, y = -60, angle = 60 }
+points.O = [0, 0]
+curves.c = { type = "circle", center = [30, 0], radius = 10 }
+[joints]
+p1 = { type = "revolute", between = ["ground.O1", "a.O"] }
+p2 = { type = "revolute", between = ["ground.O2", "b.O"] }
+p3 = { type = "revolute", between = ["ground.O3", "c.O"] }
+[contacts]
+k = { between = ["a.c", "b.c"] }
+l = { between = ["b.o", "c.c"] }
+[driver]
+joint = "p1"
+end = 70
+)";
+  for (const char* samples : {"driver.samples=2", "driver.samples=8", "driver.samples=71"}) {
+    const Motion motion = analyze(kChain, {samples});
+    std::vector<double> limits;
+    for (const RunEvent& event : motion.events()) {
+      if (event.type == EventType::kLimitPosition) limits.push_back(event.driver * 180 / kPi);
+    }
+    ASSERT_EQ(limits.size(), 1U) << samples;
+    EXPECT_NEAR(limits[0], 62.58487431164, 1e-10);
+  }
+}
+
 // A block on the line x = 20 in the slot of a crank: it runs off to infinity where both are parallel.
 TEST(LimitPositions, OfTwoSlidesAreWhereTheyAreParallel) {
   const Motion motion = analyze(R"(
@@ -187,6 +229,81 @@ positions = [0, 60, 90, 120]
   EXPECT_EQ(motion.events()[0].type, EventType::kLimitPosition);
   EXPECT_NEAR(motion.events()[0].driver, kPi / 2, 1e-12);
   EXPECT_THAT(motion.events()[0].cause, HasSubstr("slides are parallel"));
+}
+
+// The same arm on ground, the ellipse sliding: where it begins to reach the top two contacts merge, and two
+// others are far away. It neither starts there nor goes on there past the end of its branch.
+TEST(SingularStarts, TakeNoFarContactForTheOneAtItsLimit) {
+  constexpr const char* kArmOnASlide = R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [0, -10] }
+[bodies.cam]
+points.O = [0, 0]
+curves.edge = { type = "ellipse", center = [0, 0], semi_axes = [20, 10] }
+[bodies.arm]
+pose = { y = -10, angle = 93 }
+points.Q = [0, 0]
+curves.tip = { type = "point", at = [20, 0] }
+[joints]
+slide = { type = "prismatic", between = ["ground.O", "cam.O"], direction = [0, 1] }
+pivot = { type = "revolute", between = ["ground.Q", "arm.Q"] }
+[contacts]
+touch = { between = ["cam.edge", "arm.tip"] }
+[driver]
+joint = "slide"
+start = 0
+end = -4
+samples = 5
+)";
+  const Motion from_limit = analyze(kArmOnASlide);
+  ASSERT_EQ(from_limit.size(), 5U) << from_limit.failure();
+  EXPECT_EQ(from_limit.status(0), RowStatus::kSingular);
+  EXPECT_NEAR(from_limit.value(0, "arm.angle"), 90, 1e-10);
+  EXPECT_NEAR(from_limit.value(4, "arm.angle"), 180 - std::asin(0.6) * 180 / kPi, 1e-11);
+  const Motion beyond = analyze(
+      kArmOnASlide, {"driver.start=-4", "driver.end=4", "driver.samples=9", "bodies.arm.pose.angle=120"});
+  for (std::size_t k = 5; k < 9; ++k) EXPECT_EQ(beyond.status(k), RowStatus::kNotAssemblable);
+}
+
+// Where two pins of a rhombus coincide the links may stand anywhere, but the motion leads straight through.
+TEST(SingularStarts, AndRowsWherePinsCoincideGoStraightOn) {
+  constexpr const char* kRhombus = R"(
+[bodies.ground]
+points = { A = [0, 0], D = [50, 0] }
+[bodies.crank]
+points = { A = [0, 0], B = [50, 0] }
+[bodies.coupler]
+pose = { x = 50 }
+points = { B = [0, 0], C = [50, 0] }
+[bodies.rocker]
+pose = { x = 50 }
+points = { D = [0, 0], C = [50, 0] }
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "coupler.B"] }
+c = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+d = { type = "revolute", between = ["ground.D", "rocker.D"] }
+[driver]
+joint = "a"
+start = 60
+end = -60
+samples = 3
+)";
+  const Settings placed = {"bodies.crank.pose.angle=60", "bodies.coupler.pose={x=25,y=43.3}",
+                           "bodies.rocker.pose={x=50,angle=60}"};
+  for (const Settings& settings : {placed, Settings{"driver.start=0", "driver.samples=4"}}) {
+    for (const char* samples :
+         {"driver.samples=2", "driver.samples=3", "driver.samples=7", "driver.samples=121"}) {
+      Settings all = settings;
+      all.emplace_back(samples);
+      const Motion motion = analyze(kRhombus, all);
+      ASSERT_EQ(motion.failure(), "");
+      for (std::size_t k = 0; k < motion.size(); ++k) {
+        EXPECT_NEAR(motion.value(k, "rocker.angle"), motion.value(k, "driver"), 1e-9);
+        EXPECT_NEAR(motion.value(k, "coupler.angle"), 0, 1e-9);
+      }
+    }
+  }
 }
 
 // An arm of 20 on a cart keeps its tip on an ellipse 20 by 10 from below: at the top it cannot go lower.
@@ -263,6 +380,53 @@ end = 30
 velocity = 7
 samples = 3
 )";
+
+// A belt turns the disc, so that the pair is no driver and follower: a parallelogram of discs all the same.
+TEST(DeadPoints, OfContactsOnCarriedBodiesAreCrossedStraightOn) {
+  constexpr const char* kDrivenByABelt = R"(
+[bodies.ground]
+points = { M = [0, 0], O = [100, 0], Q = [190, 0] }
+[bodies.motor]
+pose = { angle = 60 }
+points.O = [0, 0]
+[bodies.disc]
+pose = { x = 100, angle = 60 }
+points.O = [0, 0]
+curves.c = { type = "circle", center = [30, 0], radius = 50 }
+[bodies.follower]
+pose = { x = 190, angle = 60 }
+points.O = [0, 0]
+curves.c = { type = "circle", center = [30, 0], radius = 40 }
+[joints]
+m = { type = "revolute", between = ["ground.M", "motor.O"] }
+o = { type = "revolute", between = ["ground.O", "disc.O"] }
+q = { type = "revolute", between = ["ground.Q", "follower.O"] }
+belt = { type = "belt", between = ["motor.O", "disc.O"], ratio = 1 }
+[contacts]
+k = { between = ["disc.c", "follower.c"] }
+[driver]
+joint = "m"
+start = 60
+end = 780
+)";
+  for (const char* samples : {"2", "3", "5", "9", "13", "37", "361"}) {
+    for (const char* start : {"driver.start=60", "driver.start=60.5"}) {
+      SCOPED_TRACE(samples);
+      const Motion motion = analyze(kDrivenByABelt, {start, std::string("driver.samples=") + samples});
+      ASSERT_EQ(motion.failure(), "");
+      for (std::size_t k = 0; k < motion.size(); ++k) {
+        EXPECT_NEAR(motion.value(k, "follower.angle"), motion.value(k, "driver"), 1e-7);
+      }
+      std::vector<double> places;
+      for (const RunEvent& event : motion.events()) {
+        EXPECT_EQ(event.type, EventType::kDeadPoint);
+        places.push_back(event.driver);
+      }
+      ASSERT_EQ(places.size(), 4U);
+      for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(places[i], static_cast<double>(i + 1) * kPi, 1e-7);
+    }
+  }
+}
 
 TEST(DeadPoints, WithTwoDriversLeaveTheirRatesToBoth) {
   for (const char* end : {"359.9", "359.9998", "360"}) {

@@ -165,7 +165,7 @@ void Cases::make_conforming(Case& one) {
 void Cases::move_beside_limit(Case& one) {
   const auto pair = pair_of(one);
   const FindResult found = find_nearest_contact(*pair, one.u, one.q);
-  if (found.status != FindStatus::kFound) {
+  if (found.status != FindStatus::kFound || found.branch == 0) {
     return;
   }
   ContactTrack track = start_track(*pair, found.at, found.branch);

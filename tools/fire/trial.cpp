@@ -112,7 +112,8 @@ Failure rates(const ContactTrack& track, double h, int row) {
 
 Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
   const FindResult found = find_nearest_contact(pair, one.u, one.q);
-  if (found.status != FindStatus::kFound) {
+  // Without a branch there is nothing to follow: two contacts merge here, perhaps wherever the driver stands.
+  if (found.status != FindStatus::kFound || found.branch == 0) {
     return {};
   }
   ++counts.found;

@@ -36,10 +36,4 @@ struct FindResult {
 [[nodiscard]] FindResult find_nearest_contact(const ContactPair& pair, double u, double q,
                                               std::optional<int> branch = std::nullopt);
 
-/// Of the contacts that leave the interiors disjoint and in which two contacts merge or branches cross, the
-/// one whose coordinate is nearest to `q`. It has no branch: its rates and gap_q are 0. Empty if there is
-/// none.
-[[nodiscard]] std::optional<ContactPosition> find_contact_at_limit(const ContactPair& pair, double u,
-                                                                   double q);
-
 }  // namespace higherpair
