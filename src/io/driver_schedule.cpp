@@ -297,15 +297,25 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
   }
   const double before = time(row - 1);
   const double after = time(row);
-  double t = std::lerp(before, after, std::clamp(share, 0.0, 1.0));
-  // A parabola: Newton's method has all digits after a few steps, and is at once there on a straight line.
-  for (int i = 0; drivers_.size() == 1 && i < 6; ++i) {
-    const OneDriver& driver = drivers_.front();
-    const double error = driver.start - position + t * (driver.velocity + t * driver.acceleration / 2);
-    const double velocity = driver.velocity + t * driver.acceleration;
-    t = velocity == 0 ? t : std::clamp(t - error / velocity, before, after);
+  const double t = std::lerp(before, after, std::clamp(share, 0.0, 1.0));
+  if (drivers_.size() != 1) {
+    return t;
   }
-  return t;
+  const OneDriver& driver = drivers_.front();
+  const double way = position - driver.start;
+  if (driver.acceleration == 0) {
+    return driver.velocity == 0 ? t : std::clamp(way / driver.velocity, before, after);
+  }
+  // A parabola passes a place twice: once in the interval, or else the nearer time is meant.
+  const double discriminant = driver.velocity * driver.velocity + 2 * driver.acceleration * way;
+  const double sum = driver.velocity + std::copysign(std::sqrt(std::max(discriminant, 0.0)), driver.velocity);
+  const double one = sum == 0 ? 0 : 2 * way / sum;
+  const double other = -sum / driver.acceleration;
+  const auto missed = [&](double root) { return std::abs(std::clamp(root, before, after) - root); };
+  const auto from_share = [&](double root) { return std::abs(root - t); };
+  const bool first =
+      missed(one) == missed(other) ? from_share(one) <= from_share(other) : missed(one) < missed(other);
+  return std::clamp(first ? one : other, before, after);
 }
 
 DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {

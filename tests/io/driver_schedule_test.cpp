@@ -173,6 +173,21 @@ TEST(StepSchedule, TakesTheTimeStepForTheDecimalNumberThatItIs) {
   EXPECT_EQ(coarse.time(3), 5.1e28);
 }
 
+// start + 20 t - 10 t² is 9 beyond the start at 1 - √0.1 and 1 + √0.1: before and after the driver turns
+// back.
+TEST(StepSchedule, TellsTheTimeOfAPassageOnTheRightSideOfTheTurningPoint) {
+  const DriverSchedule schedule = step(
+      crank_profile("start = 29.2\nvelocity = 20\nacceleration = -20\nduration = 2.1\ntime_step = 0.7\n"));
+  EXPECT_NEAR(schedule.passing_time(1, 38.2, 0.99), 1 - std::sqrt(0.1), 1e-14);
+  EXPECT_NEAR(schedule.passing_time(2, 38.2, 0.1), 1 + std::sqrt(0.1), 1e-14);
+  EXPECT_NEAR(schedule.passing_time(3, 29.2, 0.9), 2, 1e-14);
+  // At the turning point itself, and beyond it by rounding.
+  EXPECT_NEAR(schedule.passing_time(2, 39.2, 0.4), 1, 1e-7);
+  EXPECT_NEAR(schedule.passing_time(2, 39.2000000000001, 0.4), 1, 1e-7);
+  const DriverSchedule uniform = step(crank_profile("velocity = -5\nduration = 4\ntime_step = 1\n"));
+  EXPECT_NEAR(uniform.passing_time(3, -12, 0.4), 2.4, 1e-15);
+}
+
 TEST(StepSchedule, EndsAtTheDurationAlsoIfItIsNoMultiple) {
   EXPECT_THAT(times(step(crank_profile("duration = 1\ntime_step = 0.3\n"))),
               ElementsAre(0, 0.3, 0.6, 0.9, 1));

@@ -161,7 +161,11 @@ private:
     add("  r2 = {}, r3 = {}, offset {} {}; crank angles from the line of sliding", number(loop["r2"]),
         number(loop["r3"]), number(loop["offset"]), length_);
     const Json& stroke = loop["stroke"];
-    if (stroke.is_null()) {
+    const double slack =
+        loop["r3"].get<double>() - loop["r2"].get<double>() - std::abs(loop["offset"].get<double>());
+    if (stroke.is_null() && std::abs(slack) <= 1e-12 * loop["r3"].get<double>()) {
+      add("  the crank turns fully only through a change point: r3 = r2 + |offset|");
+    } else if (stroke.is_null()) {
       add("  the crank does not turn fully against the guide: r3 must exceed r2 + |offset|");
     } else {
       add("  stroke {}, time ratio {}; from outer to inner dead centre the crank turns {}",
