@@ -75,6 +75,7 @@ TEST(SingularStarts, AtTheLimitOfAContactCanGoOneWayOnly) {
 TEST(SingularStarts, OfAContactThatIsApproachedGoOnTheSideOfThePose) {
   for (const char* approach : {"contacts.touch.approach=-", "contacts.touch.approach=nearest"}) {
     const Motion motion = analyze(kKnifeAtItsLimit, {approach});
+    ASSERT_EQ(motion.size(), 25U) << motion.failure();
     EXPECT_EQ(motion.status(0), RowStatus::kSingular);
     EXPECT_GT(motion.value(6, "slide.position"), 10);
   }
