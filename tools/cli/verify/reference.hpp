@@ -8,9 +8,9 @@
 namespace higherpair::cli {
 
 /// A mechanism whose motion is known: a profile (its `title` names it, its `description` is the source) and
-/// the table that is right for it, a CSV whose head is that of the program's own tables, those of `step` where
-/// there is a column `time`. Columns may be left out, rows not. Words and empty fields have to be the same,
-/// the residual not; rows need not be `ok` only where there is a column `status`.
+/// the table that is right for it, a CSV whose head is that of the program's own tables, those of `step`
+/// where there is a column `time`. Columns may be left out, rows not. Words and empty fields have to be the
+/// same, the residual not; rows need not be `ok` only where there is a column `status`.
 struct Reference {
   std::string_view name;
   std::string_view profile;
