@@ -1,5 +1,6 @@
 #include "coupled_bodies.hpp"
 
+#include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -12,8 +13,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxSteps = 30;
-constexpr double kMaxStep = 0.3;   // of an angle [rad], or of the size
-constexpr double kNoStep = 1e-17;  // below rounding
+constexpr double kMaxStep = 0.3;  // of an angle [rad], or of the size
 constexpr double kRankTolerance = 1e-10;
 
 Eigen::Vector3d at_rest(int /*body*/) {
@@ -240,7 +240,7 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
     }
     hold_idle(model, group, step);
     const double length = step.cwiseAbs().maxCoeff() / size;
-    if (length < kNoStep || (length < 1e-9 && length >= last / 2)) {
+    if (newton_has_settled(length, last, 1e-9)) {
       set_rank(solver, to.groups[g]);
       return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size
                  ? GroupStatus::kOk

@@ -134,8 +134,6 @@ bool follow(Run& run, const Path& path) {
     }
     if (!lost) {
       if (last && stop_near_crossing(run, path, s, rest)) {
-        run.between = true;
-        path.positions(s, run.drivers);
         return true;
       }
       note_events(run, path, s, step);
@@ -151,8 +149,6 @@ bool follow(Run& run, const Path& path) {
       return lose(run, path);
     }
     if (last && stop_near_crossing(run, path, s, rest, true)) {
-      run.between = true;
-      path.positions(s, run.drivers);
       return true;
     }
     h = std::abs(step) / 2;

@@ -1,7 +1,6 @@
 #include "higherpair/analysis/run.hpp"
 
 #include "assembly.hpp"
-#include "crossing.hpp"
 #include "events.hpp"
 #include "first_position.hpp"
 #include "group_solver.hpp"
@@ -9,6 +8,7 @@
 #include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
+#include "singular_start.hpp"
 #include "step.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "higherpair/contact/common_normal.hpp"
 
+#include "higherpair/geometry/newton.hpp"
 #include "higherpair/geometry/support.hpp"
-#include "limit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ std::optional<CommonNormal> find_common_normal(const Curve& curve1, const Pose<d
     const double tangential = (at->p2_W - at->p1_W).dot(perp(at->n_W));
     const double slope = -(at->rho1 + at->rho2) - at->gap();
     const double step = std::clamp(slope == 0 ? 0 : -tangential / slope, -kMaxTurn, kMaxTurn);
-    if (std::abs(step) < 1e-9 && (std::abs(step) >= last / 2 || std::abs(step) < kNoStep)) {
+    if (newton_has_settled(std::abs(step), last, 1e-9)) {
       return at;
     }
     last = std::abs(step);

@@ -1,6 +1,7 @@
 #include "higherpair/contact/extreme_gap.hpp"
 
 #include "gap_derivatives.hpp"
+#include "higherpair/geometry/newton.hpp"
 #include "limit.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::optional<double> extreme_gap(const ContactPair& pair, const ContactPosition
     if (!step.allFinite()) {
       return std::nullopt;
     }
-    if (size < kNoStep || (size < 1e-7 && size >= last / 2)) {
+    if (newton_has_settled(size, last, 1e-7)) {
       return gap;
     }
     last = size;

@@ -2,6 +2,7 @@
 
 #include "contact_points.hpp"
 #include "gap_derivatives.hpp"
+#include "higherpair/geometry/newton.hpp"
 
 #include <cmath>
 
@@ -63,7 +64,7 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
     at.n_W = Rotation<double>::from_angle(step(0)) * at.n_W;
     at.q += step(1) * unit(1);
     at.u += step(2) * unit(2);
-    if (size < kNoStep || (size < 1e-7 && size >= last / 2)) {
+    if (newton_has_settled(size, last, 1e-7)) {
       return LimitPosition{at.u, at.q};
     }
     last = size;

@@ -42,8 +42,8 @@ DoubleDouble power_of_ten(int exponent) {
   return power;
 }
 
-// k times the shortest decimal number that is read as x > 0, rounded once.
-double decimal_multiple(std::int64_t k, double x) {
+// The shortest decimal number that is read as x > 0, less x.
+double rest_of_decimal(double x) {
   char text[32];
   const char* end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
   std::int64_t digits = 0;
@@ -64,9 +64,9 @@ double decimal_multiple(std::int64_t k, double x) {
   exponent += negative ? -power : power;
   const auto high = static_cast<double>(digits);
   const DoubleDouble mantissa = {high, static_cast<double>(digits - static_cast<std::int64_t>(high))};
-  const DoubleDouble multiple = mantissa * DoubleDouble{static_cast<double>(k), 0};
   const DoubleDouble scale = power_of_ten(std::abs(exponent));
-  return exponent < 0 ? (multiple / scale).high : (multiple * scale).high;
+  const DoubleDouble decimal = exponent < 0 ? mantissa / scale : mantissa * scale;
+  return (decimal.high - x) + decimal.low;
 }
 
 bool is_turning(const Profile& profile, std::size_t driver) {
@@ -264,6 +264,7 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& pr
   schedule.size_ = timing->rows;
   schedule.duration_ = timing->rows == 1 ? 0 : timing->duration;
   schedule.time_step_ = timing->time_step;
+  schedule.time_step_rest_ = timing->time_step > 0 ? rest_of_decimal(timing->time_step) : 0;
   schedule.time_to_si_ = to_si(dimension::kTime, profile.units);
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     const DriverState last = schedule.state(schedule.size() - 1, i);
@@ -288,7 +289,12 @@ double DriverSchedule::time(std::int64_t row) const {
   if (row == size_ - 1) {
     return duration_;
   }
-  return time_step_ > 0 ? decimal_multiple(row, time_step_) : between(0, duration_, row, size_ - 1);
+  if (time_step_ == 0) {
+    return between(0, duration_, row, size_ - 1);
+  }
+  const auto steps = static_cast<double>(row);
+  const DoubleDouble multiple = io_detail::exact_product(steps, time_step_);
+  return multiple.high + (multiple.low + steps * time_step_rest_);
 }
 
 double DriverSchedule::passing_time(std::int64_t row, double position, double share) const {

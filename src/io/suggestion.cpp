@@ -29,11 +29,6 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   };
   std::vector<Candidate> candidates;
   for (const std::string& candidate : existing) {
-    const bool known = std::any_of(candidates.begin(), candidates.end(),
-                                   [&](const Candidate& other) { return other.name == candidate; });
-    if (known) {
-      continue;
-    }
     const int distance = edit_distance(name, candidate);
     if (is_near(distance, name) || (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});

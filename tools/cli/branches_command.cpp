@@ -15,21 +15,13 @@ namespace higherpair::cli {
 namespace {
 
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
-  std::vector<FileText> files;
-  if (options.csv) {
-    files.push_back({*options.csv, branches_csv(report)});
-  }
-  if (options.json) {
-    files.push_back({*options.json, text_of(branches_json(report)) + "\n"});
-  }
-  const bool as_text = files.empty();
-  if (as_text) {
-    files.push_back({"-", branches_text(report)});
-  }
-  if (!write_files(files)) {
+  const Forms forms = {[&] { return branches_csv(report); },
+                       [&] { return text_of(branches_json(report)) + "\n"; },
+                       [&] { return branches_text(report); }};
+  if (!write_forms(options.csv, options.json, forms)) {
     return kExitMachine;
   }
-  if (!as_text && !options.quiet) {
+  if ((options.csv || options.json) && !options.quiet) {
     for (const ContactReport& contact : report.contacts) {
       for (const std::string& remark : {contact.note, contact.certificate}) {
         if (!remark.empty()) {

@@ -4,6 +4,7 @@
 #include "higherpair/contact/contact_map.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "json_text.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -19,18 +20,9 @@ namespace higherpair::cli {
 namespace {
 
 bool write_all(const MapOptions& options, const MapReport& report) {
-  std::vector<FileText> files;
-  if (options.csv) {
-    files.push_back({*options.csv, map_csv(report)});
-  }
-  if (options.json) {
-    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    files.push_back({*options.json, map_json(report).dump(-1, ' ', false, replace) + "\n"});
-  }
-  if (files.empty()) {
-    files.push_back({"-", map_text(report)});
-  }
-  return write_files(files);
+  return write_forms(options.csv, options.json,
+                     {[&] { return map_csv(report); }, [&] { return text_of(map_json(report), -1) + "\n"; },
+                      [&] { return map_text(report); }});
 }
 
 // The whole turn from the start; of a slide the way that the profile drives it.

@@ -28,17 +28,10 @@ MobilityQuestion question_of(const DriverSchedule& schedule) {
 }
 
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
-  std::vector<FileText> files;
-  if (options.csv) {
-    files.push_back({*options.csv, mobility_csv(findings)});
-  }
-  if (options.json) {
-    files.push_back({*options.json, text_of(mobility_json(findings)) + "\n"});
-  }
-  if (files.empty()) {
-    files.push_back({"-", mobility_text(findings)});
-  }
-  return write_files(files) ? kExitOk : kExitMachine;
+  const Forms forms = {[&] { return mobility_csv(findings); },
+                       [&] { return text_of(mobility_json(findings)) + "\n"; },
+                       [&] { return mobility_text(findings); }};
+  return write_forms(options.csv, options.json, forms) ? kExitOk : kExitMachine;
 }
 
 // Why the mechanism cannot be run, by the rank first.

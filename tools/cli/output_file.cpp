@@ -1,5 +1,6 @@
 #include "output_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -114,33 +115,48 @@ bool report_failure(const OutputFile& file) {
   return true;
 }
 
+bool commit_all(const std::vector<OutputFile*>& files) {
+  const auto failed = [](const OutputFile* file) { return report_failure(*file); };
+  if (std::any_of(files.begin(), files.end(), failed)) {
+    return false;
+  }
+  for (OutputFile* file : files) {
+    file->commit();
+  }
+  return std::none_of(files.begin(), files.end(), failed);
+}
+
 bool write_files(const std::vector<FileText>& files) {
   std::vector<std::unique_ptr<OutputFile>> outputs;
-  const auto good = [&] {
-    for (const auto& output : outputs) {
-      if (report_failure(*output)) {
-        return false;
-      }
-    }
-    return true;
-  };
+  std::vector<OutputFile*> all;
   for (const FileText& file : files) {
     outputs.push_back(std::make_unique<OutputFile>(file.path));
+    all.push_back(outputs.back().get());
   }
-  if (!good()) {
+  // Nothing goes to standard output where a file cannot be opened.
+  if (std::any_of(all.begin(), all.end(), [](const OutputFile* file) { return report_failure(*file); })) {
     return false;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
-    outputs[i]->write(files[i].text);
-    outputs[i]->finish();
+    all[i]->write(files[i].text);
+    all[i]->finish();
   }
-  if (!good()) {
-    return false;
+  return commit_all(all);
+}
+
+bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
+                 const Forms& forms) {
+  std::vector<FileText> files;
+  if (csv) {
+    files.push_back({*csv, forms.csv()});
   }
-  for (const auto& output : outputs) {
-    output->commit();
+  if (json) {
+    files.push_back({*json, forms.json()});
   }
-  return good();
+  if (files.empty()) {
+    files.push_back({"-", forms.text()});
+  }
+  return write_files(files);
 }
 
 }  // namespace higherpair::cli

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +45,10 @@ private:
 /// Whether a file has failed; says so on standard error, but for a reader that has read enough.
 [[nodiscard]] bool report_failure(const OutputFile& file);
 
+/// Puts finished files into their places, all or none; false, with the reason on standard error, where one
+/// has failed.
+[[nodiscard]] bool commit_all(const std::vector<OutputFile*>& files);
+
 struct FileText {
   std::string path;
   std::string text;
@@ -50,5 +56,16 @@ struct FileText {
 
 /// Writes whole files, all or none; false, with the reason on standard error, where that fails.
 [[nodiscard]] bool write_files(const std::vector<FileText>& files);
+
+/// What a command has found, each form made where it is asked for.
+struct Forms {
+  std::function<std::string()> csv;
+  std::function<std::string()> json;
+  std::function<std::string()> text;
+};
+
+/// Writes CSV and JSON to the files named, readable text to standard output where neither is; as write_files.
+[[nodiscard]] bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
+                               const Forms& forms);
 
 }  // namespace higherpair::cli

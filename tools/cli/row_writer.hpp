@@ -30,10 +30,8 @@ public:
   void row(const std::vector<Cell>& cells);
   /// Nothing is written after this.
   void end(const std::vector<Event>& events);
-  /// Puts the file into its place.
-  void commit() { file_->commit(); }
 
-  [[nodiscard]] const OutputFile& file() const { return *file_; }
+  [[nodiscard]] OutputFile& file() const { return *file_; }
 
 private:
   void flush(std::size_t limit);

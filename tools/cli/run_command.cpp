@@ -56,16 +56,12 @@ void listen_to_signals() {
 
 // All tables into their places, or none.
 bool finish(std::vector<RowWriter>& writers, const std::vector<Event>& events) {
+  std::vector<OutputFile*> files;
   for (RowWriter& writer : writers) {
     writer.end(events);
+    files.push_back(&writer.file());
   }
-  if (failed(writers)) {
-    return false;
-  }
-  for (RowWriter& writer : writers) {
-    writer.commit();
-  }
-  return !failed(writers);
+  return commit_all(files);
 }
 
 const Joint& driven_joint(const Profile& profile) {

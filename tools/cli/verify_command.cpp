@@ -1,6 +1,7 @@
 #include "verify_command.hpp"
 
 #include "higherpair/io/profile_reader.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "run_command.hpp"
 #include "verify/reference.hpp"
@@ -16,7 +17,7 @@
 namespace higherpair::cli {
 namespace {
 
-std::optional<std::string> text_of(const std::string& path) {
+std::optional<std::string> text_in(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file.is_open() || std::filesystem::is_directory(path)) {
     fmt::print(stderr, "{}: cannot be read\n", path);
@@ -64,9 +65,7 @@ int write_json(const std::string& path, const std::vector<Verdict>& verdicts, do
     references.push_back(json_of(verdict, bound));
   }
   const nlohmann::ordered_json json = {{"format", 1}, {"bound", bound}, {"references", references}};
-  // Titles and messages may quote a file that is not UTF-8.
-  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  if (!write_files({{path, json.dump(1, ' ', false, replace) + "\n"}})) {
+  if (!write_files({{path, text_of(json, 1) + "\n"}})) {
     return kExitMachine;
   }
   return kExitOk;
@@ -107,8 +106,8 @@ int verify_command(const VerifyOptions& options) {
     fmt::print(stderr, "higherpair: verify: a profile needs the table that it is checked against\n");
     return kExitInput;
   }
-  const auto profile = text_of(*options.profile);
-  const auto table = text_of(*options.table);
+  const auto profile = text_in(*options.profile);
+  const auto table = text_in(*options.table);
   if (!profile || !table) {
     return kExitInput;
   }

@@ -42,10 +42,11 @@ public:
   /// The rows of `step`: t = k time_step up to duration and a last row at duration, position = start +
   /// velocity t + acceleration t²/2. A remainder of the duration below 1e-9 time steps (or the rounding of
   /// their number) is none: duration 6 and time_step 0.01 give 601 rows. t is the double nearest to k times
-  /// the decimal number that is given as time_step (3 times 0.1 is 0.3); with `samples` k duration/(samples -
-  /// 1). \param samples so many rows over the duration, instead of `time_step`. Duration and time step may be
-  /// given by any of several drivers, but not differently. Fails where one of them is missing, for more than
-  /// 2^53 rows, and where the motion leaves the range of a double.
+  /// the decimal number that is given as time_step (3 times 0.1 is 0.3).
+  /// \param samples so many rows over the duration, equally spaced, instead of `time_step`.
+  /// Duration and time step may be given by any of several drivers, but not differently. Fails where one of
+  /// them is missing, for more than 2^53 rows, and where the motion leaves the range of a double or turns a
+  /// driver more than 1e9 times.
   [[nodiscard]] static tl::expected<DriverSchedule, Diagnostics> step(
       const Profile& profile, std::optional<std::int64_t> samples = std::nullopt);
 
@@ -94,7 +95,8 @@ private:
   std::int64_t size_ = 1;
   bool timed_ = false;
   double duration_ = 0;
-  double time_step_ = 0;  ///< 0: rows are equally spaced over the duration
+  double time_step_ = 0;       ///< 0: rows are equally spaced over the duration
+  double time_step_rest_ = 0;  ///< what the decimal number that was given is more than its double
   Scaling time_to_si_;
 };
 

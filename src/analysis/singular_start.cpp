@@ -1,0 +1,184 @@
+#include "singular_start.hpp"
+
+#include "crossing.hpp"
+#include "higherpair/contact/finder.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kSingularStart = 1e-7;  // of a group's lever: a sine below this is that of a singular start
+constexpr double kSameSpeed = 1e-3;  // speeds, and accelerations, that differ less than by this share are one
+constexpr double kSameAcceleration = 1e-6;
+constexpr std::size_t kMostChosen = 6;  // singular groups whose modes are all tried together
+constexpr double kNearStart = 0.3;  // of a unit: how far a contact may be from where it merges with another
+
+bool is_singular(const GroupState& group) {
+  return std::abs(group.sine) <= kSingularStart * group.lever;
+}
+
+// The groups that start where their branches may cross.
+std::vector<std::size_t> singular_groups(const Run& run) {
+  std::vector<std::size_t> found;
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const Group& group = run.plan.groups[g];
+    const bool tracked = std::holds_alternative<TrackedPair>(group.kind) &&
+                         std::holds_alternative<ContactTrack>(run.state.tracks[g]);
+    if ((tracked || can_cross(group)) && is_singular(run.state.groups[g])) {
+      found.push_back(g);
+    }
+  }
+  return found;
+}
+
+// Takes a mode of a group; of a tracked contact the contact of that branch with the drivers `there`, if there
+// is one near by.
+bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& there) {
+  run.state.groups[g].mode = mode;
+  const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
+  if (tracked == nullptr) {
+    return true;
+  }
+  const ContactPosition at = std::get<ContactTrack>(run.state.tracks[g]).at;
+  const double u = tracked->driver_sign * there[static_cast<std::size_t>(tracked->driver)];
+  const FindResult found = find_nearest_contact(tracked->pair, u, at.q, mode);
+  const double unit = tracked->pair.motion2.turns ? 1 : run.plan.size;
+  if (found.status != FindStatus::kFound || !(std::abs(found.at.q - at.q) <= kNearStart * unit) ||
+      !(found.at.n_W.dot(at.n_W) > 1 - kNearStart)) {
+    return false;
+  }
+  run.state.tracks[g] = start_track(tracked->pair, found.at, mode);
+  return true;
+}
+
+// How fast all bodies together move.
+double total_speed(const Run& run, const State& state) {
+  double speed = 0;
+  for (const BodyMotion& body : state.bodies) {
+    speed += std::abs(body.omega) + body.v_WB.norm() / run.plan.size;
+  }
+  return speed;
+}
+
+double total_acceleration(const Run& run, const State& state) {
+  double acceleration = 0;
+  for (const BodyMotion& body : state.bodies) {
+    acceleration += std::abs(body.alpha) + body.a_WB.norm() / run.plan.size;
+  }
+  return acceleration;
+}
+
+// How far the bodies of a group are from their poses, squared.
+double distance_from_poses(const Run& run, const Group& group, const State& state) {
+  const std::vector<BodyMotion> posed = posed_bodies(run.mechanism);
+  double distance = 0;
+  for (const int body : group.bodies) {
+    const auto i = static_cast<std::size_t>(body);
+    const double turned = run.plan.size * (state.bodies[i].theta - posed[i].theta);
+    distance += (state.bodies[i].X_WB.p_WB - posed[i].X_WB.p_WB).squaredNorm() + turned * turned;
+  }
+  return distance;
+}
+
+// A way to leave a singular start.
+struct Departure {
+  State state;
+  std::size_t driver = 0;
+  double reach = 0;  // of that driver from the start
+  double speed = 0;
+  double acceleration = 0;
+  double distance = 0;  // of the singular groups from the poses
+
+  // Where branches cross: the slower motion, of equally fast ones the steadier, and the nearer to the poses.
+  [[nodiscard]] bool goes_before(const Departure& other) const {
+    if (std::abs(speed - other.speed) > kSameSpeed * (speed + other.speed)) {
+      return speed < other.speed;
+    }
+    if (std::abs(acceleration - other.acceleration) >
+        kSameAcceleration * (acceleration + other.acceleration)) {
+      return acceleration < other.acceleration;
+    }
+    return distance < other.distance;
+  }
+};
+
+// With every combination of modes of the singular groups.
+std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& groups, std::size_t driver,
+                                  double reach) {
+  std::vector<Departure> found;
+  const State start = run.state;
+  std::vector<double> there = run.drivers;
+  there[driver] += reach;
+  Path path;
+  set_path(path, run.drivers, there);
+  const std::size_t chosen = std::min(groups.size(), kMostChosen);
+  for (unsigned combination = 0; combination < (1U << chosen); ++combination) {
+    run.state = start;
+    bool taken = true;
+    for (std::size_t i = 0; i < chosen && taken; ++i) {
+      const int mode = start.groups[groups[i]].mode * ((combination >> i & 1U) != 0 ? -1 : 1);
+      taken = take_mode(run, groups[i], mode, there);
+    }
+    if (!taken || !solve_at(run, path, 0, path.length)) {
+      continue;
+    }
+    Departure departure{
+        run.trial, driver, reach, total_speed(run, run.trial), total_acceleration(run, run.trial), 0};
+    bool regular = true;
+    for (const std::size_t g : groups) {
+      regular = regular && !is_singular(run.trial.groups[g]);
+      departure.distance += distance_from_poses(run, run.plan.groups[g], run.trial);
+    }
+    if (regular) {
+      found.push_back(std::move(departure));
+    }
+  }
+  run.state = start;
+  return found;
+}
+
+// Whether a start is next to where it is left to; where pins coincide the links may stand anywhere in it.
+bool leads_to(const State& start, const State& departure) {
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
+    if (!(std::abs(start.bodies[i].theta - departure.bodies[i].theta) <= kNearStart)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<int> leave_singular_start(Run& run) {
+  const std::vector<std::size_t> groups = singular_groups(run);
+  if (groups.empty()) {
+    return std::nullopt;
+  }
+  std::optional<Departure> chosen;
+  for (std::size_t driver = 0; driver < run.drivers.size() && !chosen; ++driver) {
+    const double reach = kCrossingReach * driver_scale(run, driver);
+    const std::vector<Departure> before = departures(run, groups, driver, -reach);
+    const std::vector<Departure> after = departures(run, groups, driver, reach);
+    const bool crossing = !before.empty() && !after.empty();
+    for (const Departure& one : before.empty() ? after : before) {
+      const bool better = !chosen || (crossing ? one.goes_before(*chosen) : one.distance < chosen->distance);
+      chosen = better ? one : chosen;
+    }
+  }
+  const GroupState& start = run.state.groups[groups.front()];
+  const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[groups.front()].kind);
+  if (!chosen) {
+    return tracked == nullptr ? std::nullopt : std::optional(tracked->contact);
+  }
+  run.between =
+      run.drivers.size() == 1 && !(std::abs(start.sine) > start.noise) && leads_to(run.state, chosen->state);
+  run.trial = run.state;
+  run.state = chosen->state;
+  run.drivers[chosen->driver] += chosen->reach;
+  return std::nullopt;
+}
+
+}  // namespace higherpair
