@@ -19,6 +19,23 @@ ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_i
   return motion;
 }
 
+// The group is singular where the follower's joint does not change the gap.
+void set_sine(const ContactPair& pair, const ContactPosition& at, GroupState& group) {
+  group.sine = at.gap_q;
+  group.lever = std::max(velocity_per_q(pair.motion2, at.p2_W).norm(), 1e-300);
+  group.noise = 1e-12 * group.lever;
+}
+
+const ContactPosition& position_of(const PairTrack& track) {
+  if (const auto* rolling = std::get_if<RollingTrack>(&track)) {
+    return rolling->at;
+  }
+  if (const auto* standing = std::get_if<StandingContact>(&track)) {
+    return standing->at;
+  }
+  return std::get<ContactTrack>(track).at;
+}
+
 }  // namespace
 
 GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
@@ -36,6 +53,10 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     at = &rolling->at;
     phi = rolling->phi;
     group.sine = 1;
+  } else if (auto* standing = std::get_if<StandingContact>(&to.tracks[g])) {
+    at = &standing->at;
+    phi = angle_of(at->n_W);
+    set_sine(tracked.pair, *at, group);
   } else {
     auto& track = std::get<ContactTrack>(to.tracks[g]);
     const TrackResult result = follow_to(track, u);
@@ -48,10 +69,8 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     }
     at = &track.at;
     phi = track.phi;
-    group.lever = std::max(velocity_per_q(tracked.pair.motion2, at->p2_W).norm(), 1e-300);
     group.mode = track.branch;
-    group.sine = at->gap_q;
-    group.noise = 1e-12 * group.lever;
+    set_sine(tracked.pair, *at, group);
   }
   place_at(tracked.follower.freedom, at->q, tracked.follower.body, from, to);
   to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
@@ -60,8 +79,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
 
 void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state) {
-  const auto* rolling = std::get_if<RollingTrack>(&state.tracks[g]);
-  const ContactPosition& at = rolling != nullptr ? rolling->at : std::get<ContactTrack>(state.tracks[g]).at;
+  const ContactPosition& at = position_of(state.tracks[g]);
   const DriverMotion& driver = drivers[static_cast<std::size_t>(tracked.driver)];
   const double u_dot = tracked.driver_sign * driver.velocity;
   const double u_ddot = tracked.driver_sign * driver.acceleration;
@@ -94,10 +112,7 @@ GroupStatus place_touching(const Model& model, const TouchingBody& touching, std
   to.contacts[static_cast<std::size_t>(touching.contact)] =
       contact_motion(at, phi, touching.follower_is_second);
   body_in(to, follower.body) = motion_at(placed.pair.motion2, at.q, 0, 0);
-  GroupState& group = to.groups[g];
-  group.sine = at.gap_q;
-  group.lever = std::max(velocity_per_q(placed.pair.motion2, at.p2_W).norm(), 1e-300);
-  group.noise = 1e-12 * group.lever;
+  set_sine(placed.pair, at, to.groups[g]);
   return GroupStatus::kOk;
 }
 

@@ -157,10 +157,15 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   const double q = carried_coordinate(tracked.follower, posed_.bodies[0],
                                       posed_.bodies[static_cast<std::size_t>(tracked.follower.body)]);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
+  const bool anywhere = moves_in_itself(tracked.pair.curve2, tracked.pair.motion2);
+  const double touching = found.status == FindStatus::kFound && !anywhere ? found.at.q : q;
   if (contact.rolling) {
     if (!start_rolling_pair(tracked, g, u, q, found)) {
       return false;
     }
+  } else if (const auto standing =
+                 standing_contact(tracked.pair, u, touching, run_.tolerance * run_.plan.size)) {
+    state_.tracks[g] = *standing;
   } else if (found.status != FindStatus::kFound) {
     fail(g, explain(found.status, contact));
     return false;

@@ -18,7 +18,7 @@ inline constexpr double kShortestForSecond = 1e-14;
 inline constexpr double kShortestForThird = 1e-4;
 inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short step
 // ∂gap/∂q that may be that of a crossing: of the follower's lever, and of its present value.
-inline constexpr double kAtCrossing = 1e-6;
+inline constexpr double kAtCrossing = 1e-3;
 inline constexpr double kFallsToCrossing = 1e-3;
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
@@ -124,6 +124,7 @@ inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   renew(track.follower, track.at.q, at.q);
   track.at = at;
   track.branch = branch;
+  track.interpolated = false;
 }
 
 // Whether a ∂gap/∂q to come is small enough for a crossing: against the lever, or against what it is now.

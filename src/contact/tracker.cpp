@@ -16,16 +16,17 @@ namespace {
 
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kNearCrossing = 5e-3;    // of the driver's scale: how near a crossing is interpolated over
-constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
-constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
-constexpr double kSameCrossing = 1e-6;    // of the driver's scale: places as near as this are one crossing
-constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
-constexpr double kClosed = 1e-13;         // of the lengths: gap that an interpolated crossing may leave
-constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;           // inner steps that may fail
-constexpr double kMostSteps = 2e5;        // of kMaxTurn that a way may be long; so many more inner steps
-constexpr double kSmallestStep = 1e-14;   // of the driver's scale
+constexpr double kNearCrossing = 5e-3;      // of the driver's scale: how near a crossing is interpolated over
+constexpr double kMayBeCrossing = 0.1;      // of ∂gap/∂q: what is left of it where it may be a crossing
+constexpr double kShortOfCrossing = 0.6;    // of a step that would end at a crossing
+constexpr double kIsCrossing = 1e-12;       // of the follower's speed: a ∂gap/∂q that is 0 to rounding
+constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
+constexpr double kSameContact = 1e-2;       // of the follower's unit: a contact as near as this is the same
+constexpr double kClosed = 1e-13;           // of the lengths: gap that an interpolated crossing may leave
+constexpr int kHalvingsToLimit = 4;         // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;             // inner steps that may fail
+constexpr double kMostSteps = 2e5;          // of kMaxTurn that a way may be long; so many more inner steps
+constexpr double kSmallestStep = 1e-14;     // of the driver's scale
 
 enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
 
@@ -48,8 +49,8 @@ Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_
   return Outcome::kTaken;
 }
 
-// Sets the points and the normal, nearly n_W, for bodies that stand where branches cross; false where they do
-// not touch.
+// Sets the points, the normal, nearly n_W, and ∂gap/∂q for bodies that stand next to where branches cross;
+// false where they do not touch.
 bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& at) {
   const auto& [curve1, motion1, curve2, motion2] = track.pair;
   const auto touch = find_common_normal(curve1, pose_at(motion1, at.u), curve2, pose_at(motion2, at.q), n_W);
@@ -63,12 +64,21 @@ bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& a
   at.rho2 = touch->rho2;
   at.sliding =
       (at.dq * velocity_per_q(motion2, at.p1_W) - velocity_per_q(motion1, at.p1_W)).dot(perp(at.n_W));
+  const Vector2d per_q = velocity_per_q(motion2, at.p2_W);
+  at.gap_q = at.n_W.dot(per_q);
+  at.gap_q = std::abs(at.gap_q) <= kIsCrossing * per_q.norm() ? 0 : at.gap_q;
   return true;
 }
 
+// Takes a position at, or next to, a crossing that is not solved for but known from the smooth motion. At the
+// crossing itself it counts as beyond.
+void accept_interpolated(ContactTrack& track, const ContactPosition& at) {
+  accept(track, at, at.gap_q * track.branch > 0 ? track.branch : -track.branch);
+  track.interpolated = true;
+}
+
 // The driver stops (nearly) where branches cross, at u: the closure has lost its rank there. The
-// position is interpolated between here and a place just beyond; its gap_q is exactly 0 and its rates are
-// those of the smooth motion.
+// position is interpolated between here and a place just beyond; its rates are those of the smooth motion.
 bool stop_at_crossing(ContactTrack& track, double u) {
   const double rest = u - track.at.u;
   if (std::abs(rest) > kNearCrossing * unit_of(track.pair.motion1, track)) {
@@ -95,7 +105,6 @@ bool stop_at_crossing(ContactTrack& track, double u) {
   at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
   at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
   at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
-  at.gap_q = 0;
   at.dgap_q = (a.dgap_q + b.dgap_q) / 2;
   const Vector2d n_W =
       Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
@@ -103,24 +112,20 @@ bool stop_at_crossing(ContactTrack& track, double u) {
   if (!close_at(track, n_W, at)) {
     return false;
   }
-  accept(track, at, -track.branch);
+  accept_interpolated(track, at);
   return true;
 }
 
-// From a crossing to a place that is the same but for rounding: the smooth motion leads there.
-bool stay_at_crossing(ContactTrack& track, double u) {
-  const double rest = u - track.at.u;
-  if (track.at.gap_q != 0 || !(std::abs(rest) <= kSameCrossing * unit_of(track.pair.motion1, track))) {
-    return false;
+// From next to a crossing a track goes on from a regular place, which is found a little back (for u) along
+// the smooth motion.
+void step_back_from_crossing(ContactTrack& track, double u) {
+  const double h = std::copysign(kBackFromCrossing * unit_of(track.pair.motion1, track), track.at.u - u);
+  const bool same = (track.at.gap_q + h * track.at.dgap_q) * track.branch > 0;
+  const int branch = same ? track.branch : -track.branch;
+  const Step back = try_step(track, h, branch);
+  if (agrees(back, kCrossingAgreement)) {
+    accept(track, back.result.at, branch);
   }
-  ContactPosition at = track.at;
-  at.u = u;
-  at.q += rest * at.dq;
-  if (!close_at(track, Rotation<double>::from_angle(rest * at.dphi) * at.n_W, at)) {
-    return false;
-  }
-  accept(track, at, track.branch);
-  return true;
 }
 
 // The limit lies ahead, not further than the step that failed and the few before it, and the motion leads to
@@ -220,8 +225,8 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       limit = LimitPosition{track.at.u, track.at.q};
       return false;
     }
-    if (stay_at_crossing(track, u)) {
-      return true;
+    if (track.interpolated && std::abs(u - track.at.u) <= kNearCrossing * unit) {
+      step_back_from_crossing(track, u);
     }
     Aim aim = aim_at(track, u, h, kNearCrossing * unit);
     const Outcome outcome = step_towards(track, u, aim, kNearCrossing * unit);

@@ -1,6 +1,7 @@
 #include "equal_discs.hpp"
 #include "run_testing.hpp"
 
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,9 +83,9 @@ TEST(SingularStarts, OfAContactThatIsApproachedGoOnTheSideOfThePose) {
   EXPECT_THAT(analyze(kKnifeAtItsLimit, {"driver.start=90"}).failure(), HasSubstr("do not touch"));
 }
 
-// A disc about its own pivot reaches the roller, 20 + 10, just where its arm of 30 points to the pivot.
-TEST(SingularStarts, ThatNothingLeadsAwayFromAreRefused) {
-  const Motion motion = analyze(R"(
+// The arm of a roller points to the centre of a disc that turns about it, or both discs turn about their own
+// centres: they touch whatever the driver does, and nothing says how the follower moves.
+constexpr const char* kConcentricDisc = R"(
 [bodies.ground]
 points = { O = [0, 0], Q = [60, 0] }
 [bodies.cam]
@@ -101,8 +102,32 @@ follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
 touch = { between = ["cam.edge", "follower.roller"] }
 [driver]
 joint = "cam_pivot"
-)");
-  EXPECT_THAT(motion.failure(), HasSubstr("touch at a limit position"));
+samples = 5
+)";
+
+TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
+  const Settings concentric{"bodies.ground.points.Q.0=30", "bodies.follower.pose.x=30",
+                            "bodies.follower.pose.angle=77", "bodies.follower.curves.roller.center.0=0"};
+  for (const auto& [settings, angle] : {std::pair{Settings{}, 180.0}, std::pair{concentric, 77.0}}) {
+    const Motion motion = analyze(kConcentricDisc, settings);
+    ASSERT_EQ(motion.size(), 5U) << motion.failure();
+    EXPECT_EQ(motion.count(RowStatus::kSingular), 5U);
+    EXPECT_TRUE(motion.events().empty());
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_NEAR(motion.value(k, "follower.angle"), angle, 1e-12);
+      EXPECT_NEAR(motion.value(k, "touch.x"), 20, 1e-13);
+      EXPECT_TRUE(std::isnan(motion.value(k, "follower.omega")));
+      EXPECT_EQ(motion.value(k, "cam.alpha"), 0);
+    }
+  }
+}
+
+TEST(SingularStarts, OfContactsThatTheDriverOpensAreRefused) {
+  // An eccentric disc and a roller about its own pivot touch in single positions only.
+  const Motion motion =
+      analyze(kConcentricDisc, {"bodies.cam.curves.edge.center.0=10", "bodies.ground.points.Q.0=40",
+                                "bodies.follower.pose.x=40", "bodies.follower.curves.roller.center.0=0"});
+  EXPECT_THAT(motion.failure(), HasSubstr("more drivers than freedom"));
 }
 
 // Equal eccentric discs move like the cranks of a parallelogram, whose branches cross at 0 and 180 degrees.
@@ -118,6 +143,32 @@ TEST(SingularStarts, WhereContactsCrossGoStraightOn) {
     }
     for (const EventType type : types_of(motion)) EXPECT_EQ(type, EventType::kDeadPoint);
   }
+}
+
+// However near to the crossing a row is, it is as good as any other.
+TEST(SingularStarts, RowsBesideACrossingOfContactsAreNotSingular) {
+  const std::vector<double> beside{1e-3, 1e-4, 2e-5, 1e-5, 1e-6, 1e-7, 1e-8};
+  std::vector<double> positions{170};
+  for (const double delta : beside) positions.push_back(180 - delta);
+  positions.push_back(180);
+  for (const double delta : beside) positions.push_back(180 + delta);
+  const Motion motion = analyze(
+      testing::kEqualDiscs,
+      {"bodies.follower.pose.angle=170", fmt::format("driver.positions=[{}]", fmt::join(positions, ","))});
+  ASSERT_EQ(motion.size(), positions.size()) << motion.failure();
+  EXPECT_EQ(motion.count(RowStatus::kSingular), 1U);
+  EXPECT_EQ(motion.status(1 + beside.size()), RowStatus::kSingular);
+  EXPECT_EQ(motion.count(RowStatus::kOk), positions.size() - 1);
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    SCOPED_TRACE(positions[k]);
+    EXPECT_NEAR(motion.value(k, "follower.angle"), positions[k], 1e-10);
+    if (motion.status(k) == RowStatus::kOk) {
+      EXPECT_NEAR(motion.value(k, "follower.omega") / motion.value(k, "driver.velocity"), 1, 1e-8);
+      EXPECT_NEAR(motion.value(k, "follower.alpha"), 0, 1e-3);
+    }
+  }
+  ASSERT_EQ(types_of(motion), std::vector{EventType::kDeadPoint});
+  EXPECT_NEAR(motion.events()[0].driver, kPi, 1e-12);
 }
 
 // Driven by its piston a slider-crank starts and ends in its dead centres, 120 and 60.

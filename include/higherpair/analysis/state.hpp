@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/rolling.hpp"
+#include "higherpair/contact/standing_contact.hpp"
 #include "higherpair/contact/tracker.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
@@ -20,7 +21,7 @@ struct GroupState {
   double noise = 0;      ///< |sine| up to which it says nothing but 0
 };
 
-using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack>;
+using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, StandingContact>;
 
 /// A position of a whole mechanism and its rates.
 struct State {

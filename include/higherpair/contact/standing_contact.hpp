@@ -1,0 +1,25 @@
+#pragma once
+
+#include "higherpair/contact/contact_pair.hpp"
+
+#include <optional>
+
+namespace higherpair {
+
+/// Whether a body's joint moves its curve within itself, to rounding: a circle or a point about its own
+/// centre, a line along itself. How the bodies stand does not change with such a joint's coordinate.
+[[nodiscard]] bool moves_in_itself(const Curve& curve, const OneFreedom& motion);
+
+/// A contact of a driver that moves its curve within itself and a follower that the contact does not hold
+/// (gap = ∂gap/∂q = 0): the follower is at rest wherever the driver stands, but its rates are not determined.
+struct StandingContact {
+  ContactPosition at;
+};
+
+/// The contact in which the follower, at q, stands whatever the driver does. None where the driver changes
+/// anything, where the gap is larger than `tolerance` [m], or where ∂gap/∂q tells how the follower moves.
+/// Concentric discs are such a pair, and an arm that points to the centre of a disc that turns about it.
+[[nodiscard]] std::optional<StandingContact> standing_contact(const ContactPair& pair, double u, double q,
+                                                              double tolerance);
+
+}  // namespace higherpair

@@ -1,0 +1,56 @@
+#include "higherpair/contact/standing_contact.hpp"
+
+#include "higherpair/contact/common_normal.hpp"
+#include "higherpair/contact/separation.hpp"
+
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kRounding = 1e-14;  // of the lengths that are compared
+constexpr double kNotHeld = 1e-7;    // of the follower's speed: a ∂gap/∂q that tells nothing
+
+}  // namespace
+
+bool moves_in_itself(const Curve& curve, const OneFreedom& motion) {
+  if (is_line(curve)) {
+    return !motion.turns && std::abs(motion.direction_W.dot(motion.R_WB * curve.axis_B)) <= kRounding;
+  }
+  const bool round = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kPoint;
+  if (!round || !motion.turns) {
+    return false;
+  }
+  const Vector2d center_B = curve.vertex_B + curve.semi_latus * curve.axis_B;
+  return (center_B - motion.p_BO).norm() <= kRounding * (curve.semi_latus + motion.p_BO.norm());
+}
+
+std::optional<StandingContact> standing_contact(const ContactPair& pair, double u, double q,
+                                                double tolerance) {
+  const auto& [curve1, motion1, curve2, motion2] = pair;
+  if (!moves_in_itself(curve1, motion1)) {
+    return std::nullopt;
+  }
+  const Pose<double> X_W1 = pose_at(motion1, u);
+  const Pose<double> X_W2 = pose_at(motion2, q);
+  const auto touch =
+      find_common_normal(curve1, X_W1, curve2, X_W2, separation(curve1, X_W1, curve2, X_W2, tolerance).n_W);
+  if (!touch || !(std::abs(touch->gap()) <= tolerance)) {
+    return std::nullopt;
+  }
+  StandingContact standing;
+  ContactPosition& at = standing.at;
+  at.u = u;
+  at.q = q;
+  at.n_W = touch->n_W;
+  at.p1_W = touch->p1_W;
+  at.p2_W = touch->p2_W;
+  at.rho1 = touch->rho1;
+  at.rho2 = touch->rho2;
+  at.sliding = -velocity_per_q(motion1, at.p1_W).dot(perp(at.n_W));
+  const Vector2d per_q = velocity_per_q(motion2, at.p2_W);
+  at.gap_q = at.n_W.dot(per_q);
+  return std::abs(at.gap_q) <= kNotHeld * per_q.norm() ? std::optional(standing) : std::nullopt;
+}
+
+}  // namespace higherpair
