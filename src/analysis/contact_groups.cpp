@@ -2,9 +2,14 @@
 #include "higherpair/contact/extreme_gap.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace higherpair {
 namespace {
+
+constexpr double kAtLimit = 1e-7;   // of the follower's speed: a ∂gap/∂q that may be that of a limit
+constexpr double kTouches = 1e-14;  // of the size: a gap that is 0 to rounding
+constexpr double kNearLimit = 0.3;  // of a unit: how far the follower may be guessed from its limit
 
 // Seen from the first body of the file.
 ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_is_first) {
@@ -88,6 +93,32 @@ void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
   set_contact_rates(model, tracked.contact, state);
 }
 
+namespace {
+
+// The contact from a guess; at a limit itself, where no branch is left to look for it on, the position that
+// two branches share.
+ContactResult contact_near(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
+                           double size) {
+  const ContactResult solved = solve_contact(pair, u, q, n_W, branch);
+  const double speed = velocity_per_q(pair.motion2, solved.at.p2_W).norm();
+  if (solved.status == ContactStatus::kOk && std::abs(solved.at.gap_q) > kAtLimit * speed) {
+    return solved;
+  }
+  ContactPosition near;
+  near.u = u;
+  near.q = q;
+  near.n_W = n_W;
+  const auto extreme = extreme_gap(pair, near);
+  const double unit = pair.motion2.turns ? 1 : size;
+  if (!extreme || !(std::abs(extreme->gap) <= kTouches * size) ||
+      !(std::abs(extreme->at.q - q) <= kNearLimit * unit)) {
+    return solved;
+  }
+  return {ContactStatus::kOk, extreme->at, 0};
+}
+
+}  // namespace
+
 GroupStatus place_touching(const Model& model, const TouchingBody& touching, std::size_t g, const State& from,
                            double h, State& to) {
   const StandingPair placed = standing_pair(model, touching, to);
@@ -102,7 +133,7 @@ GroupStatus place_touching(const Model& model, const TouchingBody& touching, std
   }
   const Vector2d n = (touching.follower_is_second ? 1 : -1) *
                      (Rotation<double>::from_angle(h * before.rates.phi_dot) * before.at.n_W);
-  const ContactResult result = solve_contact(placed.pair, placed.u, q, n, to.groups[g].mode);
+  const ContactResult result = contact_near(placed.pair, placed.u, q, n, to.groups[g].mode, model.plan.size);
   if (result.status != ContactStatus::kOk) {
     return result.status == ContactStatus::kNoContact ? GroupStatus::kOutOfReach : GroupStatus::kNotConverged;
   }
@@ -166,7 +197,8 @@ std::optional<double> touching_slack(const Model& model, const TouchingBody& tou
                ? body.theta
                : (body.X_WB * touching.follower.freedom.p_BO - placed.pair.motion2.p_WO)
                      .dot(placed.pair.motion2.direction_W);
-  return extreme_gap(placed.pair, near);
+  const auto extreme = extreme_gap(placed.pair, near);
+  return extreme ? std::optional(extreme->gap) : std::nullopt;
 }
 
 double touching_sine(const Model& model, const TouchingBody& touching, const State& state) {

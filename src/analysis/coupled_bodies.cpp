@@ -95,6 +95,7 @@ private:
 
 void set_rank(const Solver& solver, GroupState& group) {
   group.sine = solver.determinant();
+  group.mode = group.sine < 0 ? -1 : 1;
   group.noise = 1e-14;
 }
 
@@ -211,6 +212,18 @@ void group_rows(const Model& model, const Group& group, const std::vector<Driver
   }
 }
 
+namespace {
+
+Solver solver_at(const Model& model, std::size_t g, const State& state) {
+  const Group& group = model.plan.groups[g];
+  std::vector<ConstraintRow> rows;
+  group_rows(model, group, std::vector<DriverMotion>(model.mechanism.drivers.size()), state, rows);
+  append_idle_rows(model, group, rows);
+  return Solver(make_system(group, rows, model.plan.size, at_rest).J);
+}
+
+}  // namespace
+
 GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
                           const std::vector<double>& drivers, State& to,
                           const std::optional<std::vector<int>>& held) {
@@ -254,11 +267,11 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
 }
 
 void judge_coupled(const Model& model, std::size_t g, State& state) {
-  const Group& group = model.plan.groups[g];
-  std::vector<ConstraintRow> rows;
-  group_rows(model, group, std::vector<DriverMotion>(model.mechanism.drivers.size()), state, rows);
-  append_idle_rows(model, group, rows);
-  set_rank(Solver(make_system(group, rows, model.plan.size, at_rest).J), state.groups[g]);
+  set_rank(solver_at(model, g, state), state.groups[g]);
+}
+
+double coupled_sine(const Model& model, std::size_t g, const State& state) {
+  return solver_at(model, g, state).determinant();
 }
 
 void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers, State& state) {

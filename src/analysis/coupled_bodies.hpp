@@ -12,8 +12,11 @@ namespace higherpair {
                                         const std::vector<double>& drivers, State& to,
                                         const std::optional<std::vector<int>>& held = {});
 
-/// Sets whether the group's bodies stand where their conditions have lost their rank.
+/// Sets whether the group's bodies stand where their conditions have lost their rank, and on which branch.
 void judge_coupled(const Model& model, std::size_t g, State& state);
+
+/// The determinant of the group's conditions where its bodies stand, scaled: GroupState::sine.
+[[nodiscard]] double coupled_sine(const Model& model, std::size_t g, const State& state);
 
 /// Velocities and accelerations from the same conditions.
 void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers, State& state);

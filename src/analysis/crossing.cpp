@@ -66,29 +66,19 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
   }
   for (std::size_t g = 0; g < b.groups.size(); ++g) {
     if (can_cross(run.plan.groups[g])) {
+      const bool coupled = std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind);
       b.groups[g].sine = sine_of(model_of(run), g, b);
-      b.groups[g].noise = 1e-14 * b.groups[g].lever;
+      b.groups[g].noise = (coupled ? 1e-11 : 1e-14) * b.groups[g].lever;
     }
   }
-}
-
-// One unit of the first driver's scale, in the path's coordinate.
-double unit_of(const Run& run, const Path& path) {
-  if (path.is_single()) {
-    return driver_scale(run, 0);
-  }
-  double fastest = 0;
-  for (std::size_t i = 0; i < path.from.size(); ++i) {
-    fastest = std::max(fastest, std::abs(path.to[i] - path.from[i]) / driver_scale(run, i));
-  }
-  return 1 / fastest;
 }
 
 }  // namespace
 
 bool can_cross(const Group& group) {
   return std::holds_alternative<RrrDyad>(group.kind) || std::holds_alternative<RrpDyad>(group.kind) ||
-         std::holds_alternative<RprDyad>(group.kind) || std::holds_alternative<TouchingBody>(group.kind);
+         std::holds_alternative<RprDyad>(group.kind) || std::holds_alternative<TouchingBody>(group.kind) ||
+         std::holds_alternative<CoupledBodies>(group.kind);
 }
 
 bool is_near_crossing(const Run& run, const State& state) {

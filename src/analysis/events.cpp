@@ -1,5 +1,6 @@
 #include "events.hpp"
 
+#include "coupled_crossing.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "root_between.hpp"
 
@@ -149,15 +150,22 @@ double crossing_of_track(Run& run, const Path& path, std::size_t g, double s, do
   const double middle = root_between(sine, before, h, after).value_or(h * before / (before - after));
   const double d = std::copysign(
       std::min({1e-3 * driver_scale(run, 0), std::abs(middle) / 3, std::abs(h - middle) / 3}), h);
-  const double a = sine(middle - 3 * d), b = sine(middle - d), c = sine(middle + d), e = sine(middle + 3 * d);
-  const double slope = (a - 27 * b + 27 * c - e) / 48;
-  double t = 0;
-  for (int i = 0; i < 20; ++i) {
-    const double rest =
-        (9 * (b + c) - (a + e)) / 16 + t * t * (((a + e) - (b + c)) / 16 + t * ((e - a) - 3 * (c - b)) / 48);
-    t = -rest / slope;
+  const auto t =
+      root_of_cubic(sine(middle - 3 * d), sine(middle - d), sine(middle + d), sine(middle + 3 * d));
+  return middle + t.value_or(0) * d;
+}
+
+// Where in a step that changes a group's mode its branches cross, from the start of the path.
+double crossing_in_step(Run& run, const Path& path, std::size_t g, double s, double h) {
+  const GroupKind& kind = run.plan.groups[g].kind;
+  if (std::holds_alternative<TrackedPair>(kind)) {
+    return s + crossing_of_track(run, path, g, s, h);
   }
-  return std::abs(t) < 1 ? middle + t * d : middle;
+  if (std::holds_alternative<CoupledBodies>(kind)) {
+    return place_of_crossing(run, path, g, s, h).value_or(s + h / 2);
+  }
+  const State after = run.trial;
+  return s + crossing_between(run, path, g, s, h, after);
 }
 
 void note_dead_points(Run& run, const Path& path, double s, double h) {
@@ -166,13 +174,11 @@ void note_dead_points(Run& run, const Path& path, double s, double h) {
       continue;
     }
     const State kept = run.trial;
-    const bool tracked = std::holds_alternative<TrackedPair>(run.plan.groups[g].kind);
-    const double x =
-        tracked ? crossing_of_track(run, path, g, s, h) : crossing_between(run, path, g, s, h, kept);
+    const double place = crossing_in_step(run, path, g, s, h);
     run.trial = kept;
     RunEvent event;
     event.type = EventType::kDeadPoint;
-    set_place(event, path, s + x);
+    set_place(event, path, place);
     name_item(run, g, event);
     event.cause =
         "branches cross here: the input cannot tell which way the mechanism goes on; it is taken straight on";

@@ -60,8 +60,8 @@ std::string unreachable(const Run& run, const State& state, const Group& group) 
         names, distance / limit, far ? "reach together" : "differ in length");
   }
   return fmt::format(
-      "bodies {} cannot be put together at the first driver position near their poses; change driver.start, "
-      "the dimensions or the poses",
+      "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
+      "there; change driver.start, the dimensions or the poses",
       names);
 }
 

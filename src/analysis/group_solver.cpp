@@ -153,6 +153,7 @@ double sine_of(const Model& model, std::size_t g, const State& state) {
                [&](const RrpDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const RprDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const TouchingBody& touching) { return touching_sine(model, touching, state); },
+               [&](const CoupledBodies&) { return coupled_sine(model, g, state); },
                [&](const auto&) { return state.groups[g].sine; }},
       model.plan.groups[g].kind);
 }

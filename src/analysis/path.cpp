@@ -100,6 +100,7 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 bool follow(Run& run, const Path& path) {
   const double largest = largest_step(run, path);
   const double scale = path.is_single() ? driver_scale(run, 0) : 1;
+  const double near = kCrossingReach * unit_of(run, path);
   double s = 0;
   double h = largest;
   int halvings = 0;
@@ -130,6 +131,11 @@ bool follow(Run& run, const Path& path) {
     if (!lost && !last && is_near_crossing(run, run.trial) && std::abs(step) > 0.02 * scale) {
       // No place to rest at: come down elsewhere.
       h = 0.618 * std::abs(step);
+      continue;
+    }
+    if (last && std::abs(rest) > 2 * near && (lost ? !tracked : is_near_crossing(run, run.trial))) {
+      // A place to interpolate from, near enough to be on the same branch surely.
+      h = std::abs(rest) - 1.5 * near;
       continue;
     }
     if (!lost) {
@@ -167,19 +173,18 @@ bool follow(Run& run, const Path& path) {
   return true;
 }
 
-bool resume(Run& run, const std::vector<double>& drivers) {
+bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
   const StepResult result = place_anew(run, drivers);
   if (result.kind != StepResult::kOk) {
     return false;
   }
-  const std::vector<double> lost_at = run.drivers;
+  Path way;
+  set_path(way, from, drivers);
   accept(run);
   renew_overlaps(run);
   run.held = true;
   run.between = false;
   run.drivers = drivers;
-  Path way;
-  set_path(way, lost_at, drivers);
   if (result.limit) {
     add_limit(run, result.group, way, *result.limit);
     return true;
@@ -188,7 +193,7 @@ bool resume(Run& run, const std::vector<double>& drivers) {
   Run back = run;
   back.events.clear();
   Path way_back;
-  set_path(way_back, drivers, lost_at);
+  set_path(way_back, drivers, way.from);
   if (!follow(back, way_back)) {
     for (RunEvent& event : back.events) {
       if (event.type == EventType::kLimitPosition) {

@@ -23,7 +23,8 @@ void name_item(const Run& run, std::size_t g, RunEvent& event);
 /// Sets run.drivers to where run.state stands, and run.between where the end itself is in run.trial.
 bool follow(Run& run, const Path& path);
 
-/// Looks for the branch held last at the drivers' positions; true if it is there again.
-bool resume(Run& run, const std::vector<double>& drivers);
+/// Looks for the branch held last at the drivers' positions; true if it is there again. An event says where
+/// on the way `from` the row before this stretch begins.
+bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from);
 
 }  // namespace higherpair

@@ -171,7 +171,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (held) {
     // It is in run.trial.
   } else if (!run.held) {
-    held = resume(run, run.targets);
+    held = resume(run, run.targets, run.drivers);
   } else if (run.targets == run.drivers) {
     run.between = false;
     held = true;
@@ -182,7 +182,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       set_rates(run, run.trial_motions, run.state);
     }
     // The branch may be there again at the end of a path on which it is lost.
-    held = follow(run, run.path) || resume(run, run.targets);
+    held = follow(run, run.path) || resume(run, run.targets, run.path.from);
   }
   if (held) {
     fill_row(run, drivers);

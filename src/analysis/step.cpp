@@ -1,5 +1,6 @@
 #include "step.hpp"
 
+#include "coupled_crossing.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -12,8 +13,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
-constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kFarthestTurn = 2;          // of a body in one step [rad]
+constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
 
 // Groups that keep to their branch by themselves.
 bool is_safe(const Group& group) {
@@ -62,24 +62,6 @@ bool keeps_contacts(const Run& run, const Group& group) {
   });
 }
 
-// Whether a group in run.trial is where the present position leads to.
-bool agrees(const Run& run, const Group& group, double h, double share) {
-  return agreement(group, run.state, run.trial, h, run.plan.size).within(share) && keeps_contacts(run, group);
-}
-
-// Places groups up to (not including) `end` in run.trial, without asking whether they agree with a
-// prediction.
-bool place_before(Run& run, std::size_t end, double h, const std::vector<double>& drivers) {
-  std::optional<LimitPosition> limit;
-  for (std::size_t g = 0; g < end; ++g) {
-    run.trial.groups[g].mode = run.state.groups[g].mode;
-    if (place_group(model_of(run), g, run.state, h, drivers, run.trial, limit) != GroupStatus::kOk) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // Whether the slack only touches 0 within the step, so that branches really cross there; without it the links
 // would come near to being aligned and part again, or part of the way could not be assembled.
 bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
@@ -111,12 +93,29 @@ GroupStatus place_on(Run& run, std::size_t g, int mode, double h, double share,
              : GroupStatus::kNotConverged;
 }
 
+// Newton's method may come out on any branch: the sign of the determinant tells which.
+GroupStatus place_coupled_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
+                                   const std::vector<double>& drivers, StepResult& result) {
+  const int mode = run.state.groups[g].mode;
+  const GroupStatus status = place_on(run, g, mode, h, kAgreement, drivers, result);
+  if (status != GroupStatus::kOk || run.trial.groups[g].mode == mode) {
+    return status;
+  }
+  const State kept = run.trial;
+  const bool crosses =
+      agrees(run, run.plan.groups[g], h, kCrossingAgreement) && passes_crossing(run, path, g, s, h);
+  run.trial = kept;
+  return crosses ? GroupStatus::kOk : GroupStatus::kNotConverged;
+}
+
 GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
                            const std::vector<double>& drivers, StepResult& result) {
   const Group& group = run.plan.groups[g];
+  if (std::holds_alternative<CoupledBodies>(group.kind)) {
+    return place_coupled_agreeing(run, path, g, s, h, drivers, result);
+  }
   const GroupState& before = run.state.groups[g];
-  const bool crosses = !is_safe(group) && !std::holds_alternative<CoupledBodies>(group.kind) &&
-                       (before.sine + h * before.sine_rate) * before.sine < 0;
+  const bool crosses = !is_safe(group) && (before.sine + h * before.sine_rate) * before.sine < 0;
   if (crosses && place_on(run, g, -before.mode, h, kCrossingAgreement, drivers, result) == GroupStatus::kOk) {
     const State kept = run.trial;
     const bool crossing = really_crosses(run, path, g, s, h);
@@ -129,6 +128,34 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
 }
 
 }  // namespace
+
+bool agrees(const Run& run, const Group& group, double h, double share) {
+  return agreement(group, run.state, run.trial, h, run.plan.size).within(share) && keeps_contacts(run, group);
+}
+
+double unit_of(const Run& run, const Path& path) {
+  if (path.is_single()) {
+    return driver_scale(run, 0);
+  }
+  double fastest = 0;
+  for (std::size_t i = 0; i < path.from.size(); ++i) {
+    fastest = std::max(fastest, std::abs(path.to[i] - path.from[i]) / driver_scale(run, i));
+  }
+  return 1 / fastest;
+}
+
+bool place_before(Run& run, const Path& path, std::size_t end, double s, double x) {
+  std::vector<double> drivers;
+  path.positions(s + x, drivers);
+  std::optional<LimitPosition> limit;
+  for (std::size_t g = 0; g < end; ++g) {
+    run.trial.groups[g].mode = run.state.groups[g].mode;
+    if (place_group(model_of(run), g, run.state, x, drivers, run.trial, limit) != GroupStatus::kOk) {
+      return false;
+    }
+  }
+  return true;
+}
 
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
@@ -149,9 +176,7 @@ double driver_scale(const Run& run, std::size_t driver) {
 }
 
 double slack_after(Run& run, const Path& path, std::size_t g, double s, double h) {
-  std::vector<double> drivers;
-  path.positions(s + h, drivers);
-  if (!place_before(run, g, h, drivers)) {
+  if (!place_before(run, path, g, s, h)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   for (const int body : run.plan.groups[g].bodies) {
@@ -169,7 +194,9 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
   std::vector<double>& drivers = run.trial_drivers;
   path.positions(s + h, drivers);
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const bool known = result.limit.has_value();
     const GroupStatus status = place_agreeing(run, path, g, s, h, drivers, result);
+    result.group = result.limit && !known ? g : result.group;
     if (status != GroupStatus::kOk) {
       result.group = g;
       result.kind = status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees;
@@ -182,9 +209,7 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
 }
 
 bool solve_at(Run& run, const Path& path, double s, double x) {
-  std::vector<double> drivers;
-  path.positions(s + x, drivers);
-  if (!place_before(run, run.plan.groups.size(), x, drivers)) {
+  if (!place_before(run, path, run.plan.groups.size(), s, x)) {
     return false;
   }
   path.motions(s + x, run.trial_motions);

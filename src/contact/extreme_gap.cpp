@@ -11,7 +11,7 @@
 
 namespace higherpair {
 
-std::optional<double> extreme_gap(const ContactPair& pair, const ContactPosition& near) {
+std::optional<ExtremeGap> extreme_gap(const ContactPair& pair, const ContactPosition& near) {
   constexpr int kMaxSteps = 60;
   ContactPosition at = near;
   const bool has_line = pair.curve1.kind == CurveKind::kLine || pair.curve2.kind == CurveKind::kLine;
@@ -39,7 +39,7 @@ std::optional<double> extreme_gap(const ContactPair& pair, const ContactPosition
       return std::nullopt;
     }
     if (newton_has_settled(size, last, 1e-7)) {
-      return gap;
+      return ExtremeGap{gap, at};
     }
     last = size;
     step *= std::min(1.0, 0.3 / size);

@@ -22,11 +22,13 @@ constexpr double kShortOfCrossing = 0.6;    // of a step that would end at a cro
 constexpr double kIsCrossing = 1e-12;       // of the follower's speed: a ∂gap/∂q that is 0 to rounding
 constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
 constexpr double kSameContact = 1e-2;       // of the follower's unit: a contact as near as this is the same
-constexpr double kClosed = 1e-13;           // of the lengths: gap that an interpolated crossing may leave
-constexpr int kHalvingsToLimit = 4;         // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;             // inner steps that may fail
-constexpr double kMostSteps = 2e5;          // of kMaxTurn that a way may be long; so many more inner steps
-constexpr double kSmallestStep = 1e-14;     // of the driver's scale
+constexpr double kNearLimit = 1e-7;      // of the follower's speed: a ∂gap/∂q that may be that of a limit
+constexpr double kAtLimit = 1e-14;       // of the driver's scale: a limit that is at the driver's position
+constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
+constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;          // inner steps that may fail
+constexpr double kMostSteps = 2e5;       // of kMaxTurn that a way may be long; so many more inner steps
+constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 
 enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
 
@@ -174,6 +176,40 @@ struct Aim {
   bool last = false;
 };
 
+// The driver stops at a limit itself. The position is the last of the branch; it has no rates, and the track
+// waits there for the branch to be there again.
+bool stop_at_limit(ContactTrack& track, double u, const LimitPosition& limit) {
+  if (!(std::abs(limit.u - u) <= kAtLimit * (unit_of(track.pair.motion1, track) + std::abs(u)))) {
+    return false;
+  }
+  ContactPosition at = track.at;
+  at.u = u;
+  at.q = limit.q;
+  at.dq = at.d2q = at.dphi = at.dgap_q = 0;
+  if (!close_at(track, at.n_W, at)) {
+    return false;
+  }
+  at.gap_q = 0;
+  accept(track, at, track.branch);
+  track.d3q = track.d2phi = track.d3phi = 0;
+  return true;
+}
+
+// The same where a step has come so near to a limit that its rates are noise.
+bool has_come_to_limit(ContactTrack& track, std::optional<LimitPosition>& limit) {
+  const Vector2d per_q = velocity_per_q(track.pair.motion2, track.at.p2_W);
+  const bool near = track.at.gap_q * track.at.gap_q <= kNearLimit * kNearLimit * per_q.squaredNorm();
+  if (!near || track.interpolated) {
+    return false;
+  }
+  const auto found = limit_near(track.pair, track.at, track.size);
+  if (!found || !stop_at_limit(track, track.at.u, *found)) {
+    return false;
+  }
+  limit = found;
+  return true;
+}
+
 // At most h, and not at once to a place that may be a crossing: at a crossing itself a position is noise, or
 // not found at all.
 Aim aim_at(const ContactTrack& track, double u, double h, double near) {
@@ -211,7 +247,7 @@ Outcome step_towards(ContactTrack& track, double u, Aim& aim, double near) {
   return outcome;
 }
 
-// Follows the contact towards u; false if it is lost on the way (then `limit` says where).
+// Follows the contact towards u; false if it is lost on the way. `limit` says where, also where u is a limit.
 bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) {
   const double unit = unit_of(track.pair.motion1, track);
   const double largest = kMaxTurn * unit;
@@ -241,6 +277,9 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
     h = std::abs(aim.step) / 2;
     limit = --attempts < 0 ? LimitPosition{track.at.u, track.at.q}
                            : obstacle(track, u, h, ++halvings >= kHalvingsToLimit);
+    if (limit && stop_at_limit(track, u, *limit)) {
+      return true;
+    }
     if (limit && !pass_crossing(track, *limit)) {
       return false;
     }
@@ -293,13 +332,17 @@ TrackResult follow_to(ContactTrack& track, double u) {
   if (!std::isfinite(u)) {
     return result;
   }
-  const bool held = track.assembled ? follow(track, u, result.limit) : resume(track, u, result.limit);
-  if (!held && track.assembled) {
-    // The branch may be there again at u, past a stretch in which it is not.
-    track.assembled = false;
+  bool held = false;
+  if (track.assembled) {
+    held = follow(track, u, result.limit);
+    // The branch may be there again past a stretch in which it is not.
+    track.assembled = held && !result.limit;
+  } else {
+    held = resume(track, u, result.limit);
+    track.assembled = held;
   }
-  if (held) {
-    track.assembled = true;
+  if (track.assembled && has_come_to_limit(track, result.limit)) {
+    track.assembled = false;
   }
   result.status = held ? TrackStatus::kOk : TrackStatus::kNotAssemblable;
   return result;

@@ -395,9 +395,36 @@ samples = 9
       EXPECT_GT(a, kPi / 2);
       EXPECT_LT(a, kPi);
     }
+    EXPECT_EQ(motion.status(4), RowStatus::kSingular);
+    EXPECT_NEAR(motion.value(4, "arm.angle"), 90, 1e-12);
     EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 4U);
     ASSERT_EQ(motion.events().size(), 1U);
     EXPECT_NEAR(motion.events()[0].driver, 0, 1e-15);
+  }
+}
+
+// However a row comes to a limit, it stands there and has no rates; from there the branch goes on.
+TEST(LimitPositions, OfAContactAreSingularRows) {
+  const std::vector<double> positions{0, 30, 59, 60, 45, 60, 61, 60, 30, 60, 59.999};
+  const Motion motion =
+      analyze(kKnifeAtItsLimit, {fmt::format("driver.positions=[{}]", fmt::join(positions, ","))});
+  ASSERT_EQ(motion.size(), positions.size()) << motion.failure();
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    SCOPED_TRACE(fmt::format("row {}, {}", k, positions[k]));
+    if (positions[k] > 60) {
+      EXPECT_EQ(motion.status(k), RowStatus::kNotAssemblable);
+      continue;
+    }
+    const double theta = motion.radians(k, "driver");
+    const double x = 25 - 10 * std::cos(theta);
+    const bool limit = positions[k] == 60;
+    EXPECT_EQ(motion.status(k), limit ? RowStatus::kSingular : RowStatus::kOk);
+    EXPECT_NEAR(motion.value(k, "slide.position"),
+                10 * std::sin(theta) + (limit ? 0 : std::sqrt(400 - x * x)), limit ? 1e-12 : 1e-9);
+    EXPECT_EQ(std::isnan(motion.value(k, "slide.velocity")), limit);
+  }
+  for (const RunEvent& event : motion.events()) {
+    EXPECT_NEAR(event.driver, event.type == EventType::kLimitPosition ? kPi / 3 : event.driver, 1e-12);
   }
 }
 

@@ -1,0 +1,119 @@
+// Where branches of coupled bodies cross, or nearly do.
+#include "run_testing.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::Motion;
+using testing::Settings;
+
+// A change-point four-bar 30-80-50-100 driven by its coupler against its crank: three bodies move at once.
+constexpr const char* kDrivenAtTheMovingPin = R"(
+[bodies.ground]
+points = { O = [0, 0], Q = [100, 0] }
+[bodies.crank]
+pose = { angle = 60 }
+points = { O = [0, 0], A = [30, 0] }
+[bodies.rod]
+pose = { x = 15, y = 25.98, angle = 10 }
+points = { A = [0, 0], B = [80, 0] }
+[bodies.rocker]
+pose = { x = 100, angle = 110 }
+points = { Q = [0, 0], B = [50, 0] }
+[joints]
+o = { type = "revolute", between = ["ground.O", "crank.O"] }
+a = { type = "revolute", between = ["crank.A", "rod.A"] }
+b = { type = "revolute", between = ["rod.B", "rocker.B"] }
+q = { type = "revolute", between = ["ground.Q", "rocker.Q"] }
+[driver]
+joint = "a"
+start = -50
+end = 310
+)";
+
+Motion run_with(int samples, const char* rocker) {
+  return testing::analyze(testing::profile_of(
+      kDrivenAtTheMovingPin,
+      {fmt::format("driver.samples={}", samples), fmt::format("bodies.rocker.points.B.0={}", rocker)}));
+}
+
+// The crank from the triangles O A B (its angle at A is the driver's) and O B Q.
+// \param side  of the line O Q on which B lies
+double crank_angle(double driver, double rocker, double side) {
+  const double x = 30 + 80 * std::cos(driver);
+  const double y = 80 * std::sin(driver);
+  const double reach2 = x * x + y * y;
+  const double at_O = std::acos((reach2 + 1e4 - rocker * rocker) / (200 * std::sqrt(reach2)));
+  double to_B = std::atan2(y, x);
+  to_B += driver > kPi ? 2 * kPi : 0;
+  return side * at_O - to_B;
+}
+
+TEST(CoupledCrossings, ArePassedStraightOnWhateverTheRows) {
+  for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
+    SCOPED_TRACE(samples);
+    const Motion motion = run_with(samples, "50");
+    ASSERT_EQ(motion.failure(), "");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double driver = motion.radians(k, "driver");
+      const bool crossing = motion.value(k, "driver") == 180;
+      EXPECT_EQ(motion.status(k), crossing ? RowStatus::kSingular : RowStatus::kOk);
+      if (!crossing) {
+        EXPECT_NEAR(motion.radians(k, "crank.angle"), crank_angle(driver, 50, driver < kPi ? 1 : -1), 1e-11);
+      }
+    }
+    int dead_points = 0;
+    for (const RunEvent& event : motion.events()) {
+      EXPECT_NE(event.type, EventType::kLimitPosition);
+      if (event.type == EventType::kDeadPoint) {
+        ++dead_points;
+        EXPECT_NEAR(event.driver, kPi, 1e-11);
+      }
+    }
+    EXPECT_EQ(dead_points, 1);
+  }
+}
+
+// A rocker longer by 1e-10 never lets the links come in line: B stays on its side.
+TEST(CoupledCrossings, BranchesThatNearlyCrossAreKeptApart) {
+  for (const char* rocker : {"50.00001", "50.0000001", "50.0000000001"}) {
+    for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
+      SCOPED_TRACE(fmt::format("{} {}", rocker, samples));
+      const Motion motion = run_with(samples, rocker);
+      ASSERT_EQ(motion.failure(), "");
+      EXPECT_EQ(motion.count(RowStatus::kOk), motion.size());
+      for (std::size_t k = 0; k < motion.size(); ++k) {
+        const double driver = motion.radians(k, "driver");
+        if (std::abs(driver - kPi) > 0.01) {
+          EXPECT_NEAR(motion.radians(k, "crank.angle"), crank_angle(driver, std::stod(rocker), 1), 1e-11);
+        }
+      }
+    }
+  }
+}
+
+// A shorter one leaves a stretch that cannot be assembled, where the links of 30 and 80 would reach B nearer
+// to O than 100 - 49.99999.
+TEST(CoupledCrossings, AStretchThatCannotBeAssembledIsFoundWhateverTheRows) {
+  const double nearest = 100 - 49.99999;
+  const double limit = std::acos((nearest * nearest - 900 - 6400) / 4800);
+  for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
+    SCOPED_TRACE(samples);
+    const Motion motion = run_with(samples, "49.99999");
+    ASSERT_EQ(motion.failure(), "");
+    std::vector<double> limits;
+    for (const RunEvent& event : motion.events()) {
+      if (event.type == EventType::kLimitPosition) limits.push_back(event.driver);
+    }
+    ASSERT_EQ(limits.size(), 2U);
+    EXPECT_NEAR(limits[0], limit, 1e-11);
+    EXPECT_NEAR(limits[1], 2 * kPi - limit, 1e-11);
+    EXPECT_EQ(motion.count(RowStatus::kOk), motion.size() - (samples >= 37 ? 1 : 0));
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
