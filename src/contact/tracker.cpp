@@ -21,7 +21,9 @@ constexpr double kMayBeCrossing = 0.1;      // of ∂gap/∂q: what is left of i
 constexpr double kShortOfCrossing = 0.6;    // of a step that would end at a crossing
 constexpr double kIsCrossing = 1e-12;       // of the follower's speed: a ∂gap/∂q that is 0 to rounding
 constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
-constexpr double kSameContact = 1e-2;       // of the follower's unit: a contact as near as this is the same
+constexpr double kSmooth = 1e-7;            // of dq/du: what two ways to interpolate it may differ by
+constexpr double kRounding = 1e-14;
+constexpr double kSameContact = 1e-2;    // of the follower's unit: a contact as near as this is the same
 constexpr double kNearLimit = 1e-7;      // of the follower's speed: a ∂gap/∂q that may be that of a limit
 constexpr double kAtLimit = 1e-14;       // of the driver's scale: a limit that is at the driver's position
 constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
@@ -79,55 +81,67 @@ void accept_interpolated(ContactTrack& track, const ContactPosition& at) {
   track.interpolated = true;
 }
 
-// The driver stops (nearly) where branches cross, at u: the closure has lost its rank there. The
-// position is interpolated between here and a place just beyond; its rates are those of the smooth motion.
-bool stop_at_crossing(ContactTrack& track, double u) {
+// Goes to a regular place at some distance from u, which is next to a crossing, along the smooth motion.
+void step_back(ContactTrack& track, double u) {
+  const double distance = kBackFromCrossing * unit_of(track.pair.motion1, track);
   const double rest = u - track.at.u;
-  if (std::abs(rest) > kNearCrossing * unit_of(track.pair.motion1, track)) {
-    return false;
+  if (std::abs(rest) >= distance) {
+    return;
   }
-  const double h = 2 * rest;
-  const Step beyond = try_step(track, h, -track.branch);
-  if (!agrees(beyond, kCrossingAgreement)) {
-    return false;
-  }
-  const ContactPosition& a = track.at;
-  const ContactPosition& b = beyond.result.at;
-  // Hermite interpolation: h⁴ is left out of the rates, h⁶ of q; the normal is found. Rounding counts as its
-  // share of the squared distance from the crossing there, which is why the distance is not made smaller.
-  const auto middle = [h](double from, double to, double rate_from, double rate_to) {
-    return (from + to) / 2 + h * (rate_from - rate_to) / 8;
-  };
-  const auto rate_in_middle = [h](double change, double rate_from, double rate_to) {
-    return 1.5 * change / h - (rate_from + rate_to) / 4;
-  };
-  ContactPosition at = b;
-  at.u = u;
-  at.q = (a.q + b.q) / 2 + h * (10 * (a.dq - b.dq) + h * (a.d2q + b.d2q)) / 64;
-  at.dq = middle(a.dq, b.dq, a.d2q, b.d2q);
-  at.d2q = rate_in_middle(b.dq - a.dq, a.d2q, b.d2q);
-  at.dphi = rate_in_middle(angle_between(a.n_W, b.n_W), a.dphi, b.dphi);
-  at.dgap_q = (a.dgap_q + b.dgap_q) / 2;
-  const Vector2d n_W =
-      Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
-  // Between two contacts of different branches there may also be a limit of each, and no contact at all.
-  if (!close_at(track, n_W, at)) {
-    return false;
-  }
-  accept_interpolated(track, at);
-  return true;
-}
-
-// From next to a crossing a track goes on from a regular place, which is found a little back (for u) along
-// the smooth motion.
-void step_back_from_crossing(ContactTrack& track, double u) {
-  const double h = std::copysign(kBackFromCrossing * unit_of(track.pair.motion1, track), track.at.u - u);
+  const double h = rest - std::copysign(distance, rest);
   const bool same = (track.at.gap_q + h * track.at.dgap_q) * track.branch > 0;
   const int branch = same ? track.branch : -track.branch;
   const Step back = try_step(track, h, branch);
   if (agrees(back, kCrossingAgreement)) {
     accept(track, back.result.at, branch);
   }
+}
+
+// Halfway between two places h apart, whose rates are those of a smooth motion: Hermite interpolation, h⁴ is
+// left out of d²q and dφ, h⁶ of q. Nothing where the motion is not that smooth.
+std::optional<ContactPosition> halfway(const ContactTrack& track, const ContactPosition& b, double h) {
+  const ContactPosition& a = track.at;
+  const double fast = std::abs(a.dq) + std::abs(b.dq);
+  const double dq = (a.dq + b.dq) / 2 + h * (a.d2q - b.d2q) / 8;
+  const double rise = 15 * (b.q - a.q) / (8 * h) - 7 * (a.dq + b.dq) / 16 + h * (b.d2q - a.d2q) / 32;
+  const double rounding = kRounding * (std::abs(a.q) + unit_of(track.pair.motion2, track)) / std::abs(h);
+  if (!(std::abs(dq - rise) <= kSmooth * fast + rounding)) {
+    return std::nullopt;
+  }
+  ContactPosition at = b;
+  at.u = a.u + h / 2;
+  at.q = (a.q + b.q) / 2 + h * (10 * (a.dq - b.dq) + h * (a.d2q + b.d2q)) / 64;
+  at.dq = dq;
+  at.d2q = 1.5 * (b.dq - a.dq) / h - (a.d2q + b.d2q) / 4;
+  at.dphi = 1.5 * angle_between(a.n_W, b.n_W) / h - (a.dphi + b.dphi) / 4;
+  at.dgap_q = (a.dgap_q + b.dgap_q) / 2;
+  at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
+  return at;
+}
+
+// The driver stops (nearly) where branches cross, at u: the closure has lost its rank there. The
+// position is interpolated between a place before and one just beyond; its rates are those of the smooth
+// motion.
+bool stop_at_crossing(ContactTrack& track, double u) {
+  if (std::abs(u - track.at.u) > kNearCrossing * unit_of(track.pair.motion1, track)) {
+    return false;
+  }
+  ContactTrack before = track;
+  step_back(before, u);
+  const double h = 2 * (u - before.at.u);
+  const Step beyond = try_step(before, h, -before.branch);
+  if (!agrees(beyond, kCrossingAgreement)) {
+    return false;
+  }
+  auto at = halfway(before, beyond.result.at, h);
+  // Between two contacts of different branches there may also be a limit of each, and no contact at all.
+  if (!at || !close_at(before, at->n_W, *at)) {
+    return false;
+  }
+  at->u = u;
+  track = before;
+  accept_interpolated(track, *at);
+  return true;
 }
 
 // The limit lies ahead, not further than the step that failed and the few before it, and the motion leads to
@@ -179,14 +193,19 @@ struct Aim {
 // The driver stops at a limit itself. The position is the last of the branch; it has no rates, and the track
 // waits there for the branch to be there again.
 bool stop_at_limit(ContactTrack& track, double u, const LimitPosition& limit) {
-  if (!(std::abs(limit.u - u) <= kAtLimit * (unit_of(track.pair.motion1, track) + std::abs(u)))) {
+  const auto& [curve1, motion1, curve2, motion2] = track.pair;
+  const Vector2d vertex1_W = pose_at(motion1, u) * curve1.vertex_B;
+  const double length = (pose_at(motion2, limit.q) * curve2.vertex_B - vertex1_W).norm();
+  if (!(std::abs(limit.u - u) <= kAtLimit * ((motion1.turns ? 1 : length) + std::abs(u)))) {
     return false;
   }
   ContactPosition at = track.at;
   at.u = u;
   at.q = limit.q;
   at.dq = at.d2q = at.dphi = at.dgap_q = 0;
-  if (!close_at(track, at.n_W, at)) {
+  // A contact that runs off along an open curve comes to no last position.
+  if (!close_at(track, at.n_W, at) ||
+      !((at.p2_W - at.p1_W).norm() <= kClosed * (length + manhattan(vertex1_W)))) {
     return false;
   }
   at.gap_q = 0;
@@ -260,9 +279,6 @@ bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
     if (--steps < 0) {
       limit = LimitPosition{track.at.u, track.at.q};
       return false;
-    }
-    if (track.interpolated && std::abs(u - track.at.u) <= kNearCrossing * unit) {
-      step_back_from_crossing(track, u);
     }
     Aim aim = aim_at(track, u, h, kNearCrossing * unit);
     const Outcome outcome = step_towards(track, u, aim, kNearCrossing * unit);

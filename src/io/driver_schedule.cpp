@@ -324,6 +324,23 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
   return std::clamp(first ? one : other, before, after);
 }
 
+std::optional<DriverSchedule::TurningPoint> DriverSchedule::turning_point(std::int64_t row) const {
+  if (!timed_ || row == 0 || drivers_.size() != 1 || drivers_.front().acceleration == 0) {
+    return std::nullopt;
+  }
+  const OneDriver& driver = drivers_.front();
+  const double t = -driver.velocity / driver.acceleration;
+  const double before = time(row - 1);
+  const double after = time(row);
+  if (!(t > before && t < after)) {
+    return std::nullopt;
+  }
+  const double position = driver.start + t * driver.velocity / 2;
+  const DriverValues si{driver.position_to_si.apply(position), 0,
+                        driver.acceleration_to_si.apply(driver.acceleration)};
+  return TurningPoint{si, (t - before) / (after - before)};
+}
+
 DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {
   if (timed_) {
     const double t = time(row);

@@ -96,6 +96,22 @@ TEST_F(Program, TellsTheTimeOfEventsBetweenTheRowsOfAStep) {
   EXPECT_THAT(outcome.err, HasSubstr(", time = "));
 }
 
+// Two rows at 50 degrees; between them the driver goes to 70 and back, past the limit and past it again.
+TEST_F(Program, SeesWhatADriverPassesAndPassesBackBetweenTwoRows) {
+  const Outcome outcome = run("step " + profile("lock_up.toml") +
+                              " --set driver.start=50 --set driver.velocity=40 --set driver.acceleration=-40"
+                              " --set driver.duration=2 --samples 2 --json -");
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  std::vector<double> times;
+  for (const nlohmann::json& event : json.at("events")) {
+    if (event.at("type") == "limit_position") times.push_back(event.at("time").get<double>());
+  }
+  const double back = std::sqrt(1 - (65.83442067466342 - 50) / 20);
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_NEAR(times[0], 1 - back, 1e-13);
+  EXPECT_NEAR(times[1], 1 + back, 1e-13);
+}
+
 TEST_F(Program, SummarisesARunWithJerk) {
   const Outcome outcome = run("analyze " + profile("ellipse_cam_roller.toml") + " --jerk --summary");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -201,6 +201,25 @@ void print_events(const std::vector<Event>& events) {
   }
 }
 
+// Moves to row k, by way of the place where the driver turns back if that lies between the rows: it may pass
+// something there and pass it back.
+void move_to_row(Run& run, const std::vector<DriverMotion>& motions, const Profile& profile,
+                 const DriverSchedule& schedule, std::int64_t k, std::vector<Event>& events) {
+  const auto note = [&](double from, double to) {
+    for (RunEvent event : run.events) {
+      event.share = std::lerp(from, to, event.share);
+      events.push_back(printed(event, profile, schedule, k));
+    }
+  };
+  const auto turning = schedule.turning_point(k);
+  if (turning) {
+    move_to(run, {{turning->si.position, turning->si.velocity, turning->si.acceleration}});
+    note(0, turning->share);
+  }
+  move_to(run, motions);
+  note(turning ? turning->share : 0, 1);
+}
+
 // Runs through the schedule and writes; returns the exit code.
 int write_rows(const RunOptions& options, const Profile& profile, const DriverSchedule& schedule, Run& run,
                Tables& tables) {
@@ -222,10 +241,7 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
       return kExitMachine;
     }
     read_row(schedule, k, states, motions);
-    move_to(run, motions);
-    for (const RunEvent& event : run.events) {
-      events.push_back(printed(event, profile, schedule, k));
-    }
+    move_to_row(run, motions, profile, schedule, k, events);
     all_ok = all_ok && run.row.status == RowStatus::kOk;
     const auto& cells = tables.cells(run, states, motions, schedule.time(k), events);
     for (RowWriter& writer : writers) {

@@ -75,6 +75,15 @@ public:
   /// The positions of all drivers in the first row [rad or m].
   [[nodiscard]] std::vector<double> first_positions() const;
 
+  /// Where the driver turns back between a row and the one before.
+  struct TurningPoint {
+    DriverValues si;   ///< the driver at rest, in SI units and radians
+    double share = 0;  ///< of the time between the rows
+  };
+
+  /// Of a single driver in time; none where it does not turn back strictly between the rows.
+  [[nodiscard]] std::optional<TurningPoint> turning_point(std::int64_t row) const;
+
 private:
   struct OneDriver {
     std::vector<double> positions;  ///< explicit ones; else start … end
