@@ -105,6 +105,11 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   }
 }
 
+bool has_coupled_bodies(const Plan& plan) {
+  return std::any_of(plan.groups.begin(), plan.groups.end(),
+                     [](const Group& group) { return std::holds_alternative<CoupledBodies>(group.kind); });
+}
+
 // By the count the bodies of a coupled group are placed. Where their conditions have lost their rank these
 // may repeat each other everywhere, and leave a freedom that no driver sets.
 bool may_be_free(const Run& run) {
@@ -130,13 +135,14 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
   if (auto objection = surplus_objection(mechanism, run.plan, drivers)) {
     return tl::unexpected(StartFailure{*objection, std::nullopt});
   }
-  if (auto failure = assemble(run)) {
-    return tl::unexpected(std::move(*failure));
-  }
-  if (may_be_free(run)) {
+  auto failure = assemble(run);
+  if (failure ? has_coupled_bodies(run.plan) : may_be_free(run)) {
     if (auto objection = driver_objection(mechanism, drivers)) {
       return tl::unexpected(StartFailure{*objection, std::nullopt});
     }
+  }
+  if (failure) {
+    return tl::unexpected(std::move(*failure));
   }
   set_unit_motions(drivers, run.trial_motions);
   set_rates(run, run.trial_motions, run.state);

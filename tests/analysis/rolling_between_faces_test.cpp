@@ -62,5 +62,15 @@ TEST(PlanetBetweenTwoFaces, ThatSlipsOnOneOfThemIsNotHeld) {
   }
 }
 
+TEST(PlanetBetweenTwoFaces, ThatSlipsOnBothIsNotHeldHoweverItIsTurned) {
+  for (const char* angle : {"0", "15", "33", "77", "-120"}) {
+    const auto profile =
+        testing::profile_of(kPlanet, {"contacts.outer.rolling=false", "contacts.inner.rolling=false",
+                                      std::string("bodies.planet.pose.angle=") + angle});
+    EXPECT_THAT(testing::analyze(profile).failure(), ::testing::HasSubstr("wrong mobility for its drivers"))
+        << angle;
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

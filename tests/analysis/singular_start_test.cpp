@@ -85,31 +85,13 @@ TEST(SingularStarts, OfAContactThatIsApproachedGoOnTheSideOfThePose) {
 
 // The arm of a roller points to the centre of a disc that turns about it, or both discs turn about their own
 // centres: they touch whatever the driver does, and nothing says how the follower moves.
-constexpr const char* kConcentricDisc = R"(
-[bodies.ground]
-points = { O = [0, 0], Q = [60, 0] }
-[bodies.cam]
-points.O = [0, 0]
-curves.edge = { type = "circle", center = [0, 0], radius = 20 }
-[bodies.follower]
-pose = { x = 60, angle = 180 }
-points.Q = [0, 0]
-curves.roller = { type = "circle", center = [30, 0], radius = 10 }
-[joints]
-cam_pivot      = { type = "revolute", between = ["ground.O", "cam.O"] }
-follower_pivot = { type = "revolute", between = ["ground.Q", "follower.Q"] }
-[contacts]
-touch = { between = ["cam.edge", "follower.roller"] }
-[driver]
-joint = "cam_pivot"
-samples = 5
-)";
-
 TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
-  const Settings concentric{"bodies.ground.points.Q.0=30", "bodies.follower.pose.x=30",
-                            "bodies.follower.pose.angle=77", "bodies.follower.curves.roller.center.0=0"};
-  for (const auto& [settings, angle] : {std::pair{Settings{}, 180.0}, std::pair{concentric, 77.0}}) {
-    const Motion motion = analyze(kConcentricDisc, settings);
+  const Settings arm{"bodies.cam.curves.edge.center.0=0", "bodies.ground.points.Q.0=45",
+                     "bodies.follower.pose.x=45", "bodies.follower.pose.angle=180", "driver.samples=5"};
+  const Settings concentric{"bodies.cam.curves.edge.center.0=0", "bodies.follower.curves.edge.center.0=0",
+                            "bodies.follower.pose.angle=77", "driver.samples=5"};
+  for (const auto& [settings, angle] : {std::pair{arm, 180.0}, std::pair{concentric, 77.0}}) {
+    const Motion motion = analyze(testing::kEqualDiscs, settings);
     ASSERT_EQ(motion.size(), 5U) << motion.failure();
     EXPECT_EQ(motion.count(RowStatus::kSingular), 5U);
     EXPECT_TRUE(motion.events().empty());
@@ -125,8 +107,8 @@ TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
 TEST(SingularStarts, OfContactsThatTheDriverOpensAreRefused) {
   // An eccentric disc and a roller about its own pivot touch in single positions only.
   const Motion motion =
-      analyze(kConcentricDisc, {"bodies.cam.curves.edge.center.0=10", "bodies.ground.points.Q.0=40",
-                                "bodies.follower.pose.x=40", "bodies.follower.curves.roller.center.0=0"});
+      analyze(testing::kEqualDiscs, {"bodies.follower.curves.edge.center.0=0", "driver.start=0",
+                                     "bodies.ground.points.Q.0=45", "bodies.follower.pose.x=45"});
   EXPECT_THAT(motion.failure(), HasSubstr("more drivers than freedom"));
 }
 
