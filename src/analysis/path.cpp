@@ -46,10 +46,37 @@ void accept(Run& run) {
   std::swap(run.state, run.trial);
 }
 
-bool lose(Run& run, const Path& path) {
+bool lose(Run& run, const Path& path, double s) {
+  if (has_coupled_bodies(run.plan)) {
+    path.positions(s, run.drivers);
+    set_path(run.lost_way, path.from, run.drivers);
+    run.state = run.way_start;
+  }
   run.held = false;
   run.drivers = path.to;
   return false;
+}
+
+// Coupled bodies come back where the drivers come back: what can be assembled beyond a limit need not be
+// their branch.
+bool come_back(Run& run, const std::vector<double>& drivers) {
+  double beyond = 0;
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    const double limit = run.lost_way.to[i];
+    beyond += (drivers[i] - limit) * (limit - run.lost_way.from[i]);
+  }
+  if (!(beyond < 0)) {
+    return false;
+  }
+  Path way;
+  set_path(way, run.lost_way.from, drivers);
+  if (!way.is_single()) {
+    way.motions(0, run.trial_motions);
+    set_rates(run, run.trial_motions, run.state);
+  }
+  renew_overlaps(run);
+  run.held = true;
+  return follow(run, way);
 }
 
 }  // namespace
@@ -106,11 +133,14 @@ bool follow(Run& run, const Path& path) {
   int halvings = 0;
   double steps = kMostSteps + 4 * std::abs(path.length) / largest;
   run.between = false;
+  if (has_coupled_bodies(run.plan)) {
+    run.way_start = run.state;
+  }
   while (s != path.length) {
     const double rest = path.length - s;
     if (--steps < 0) {
       add_limit(run, run.plan.groups.size() - 1, path, s);
-      return lose(run, path);
+      return lose(run, path, s);
     }
     const bool last = std::abs(rest) <= h;
     const double step = last ? rest : std::copysign(h, rest);
@@ -152,7 +182,7 @@ bool follow(Run& run, const Path& path) {
     if (tracked) {
       // The track remembers by itself where it was lost.
       run.state.tracks[result.group] = run.trial.tracks[result.group];
-      return lose(run, path);
+      return lose(run, path, result.limit ? place_of(run, result.group, path, *result.limit) : s);
     }
     if (last && stop_near_crossing(run, path, s, rest, true)) {
       return true;
@@ -161,12 +191,12 @@ bool follow(Run& run, const Path& path) {
     if (++halvings >= kHalvingsToLimit) {
       if (const auto limit = locate_limit(run, path, result.group, s, step)) {
         add_limit(run, result.group, path, *limit);
-        return lose(run, path);
+        return lose(run, path, *limit);
       }
     }
     if (h < kSmallestStep * scale * (1 + std::abs(driver_at(path, s)) / scale)) {
       add_limit(run, result.group, path, s);
-      return lose(run, path);
+      return lose(run, path, s);
     }
   }
   run.drivers = path.to;
@@ -174,6 +204,9 @@ bool follow(Run& run, const Path& path) {
 }
 
 bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  if (has_coupled_bodies(run.plan)) {
+    return come_back(run, drivers);
+  }
   const StepResult result = place_anew(run, drivers);
   if (result.kind != StepResult::kOk) {
     return false;

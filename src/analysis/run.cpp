@@ -105,11 +105,6 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   }
 }
 
-bool has_coupled_bodies(const Plan& plan) {
-  return std::any_of(plan.groups.begin(), plan.groups.end(),
-                     [](const Group& group) { return std::holds_alternative<CoupledBodies>(group.kind); });
-}
-
 // By the count the bodies of a coupled group are placed. Where their conditions have lost their rank these
 // may repeat each other everywhere, and leave a freedom that no driver sets.
 bool may_be_free(const Run& run) {

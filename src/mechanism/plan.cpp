@@ -69,6 +69,11 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
 
 }  // namespace
 
+bool has_coupled_bodies(const Plan& plan) {
+  return std::any_of(plan.groups.begin(), plan.groups.end(),
+                     [](const Group& group) { return std::holds_alternative<CoupledBodies>(group.kind); });
+}
+
 double size_of(const Mechanism& mechanism) {
   std::vector<Vector2d> points;
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);

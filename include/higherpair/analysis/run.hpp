@@ -100,6 +100,10 @@ struct Run {
   std::vector<double> drivers;  ///< the drivers' coordinates there
   bool held = true;             ///< false: lost at a limit; `state` is the last position before it
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
+  /// Of coupled bodies, whose branches have no names to ask for again: where the last way began, and that way
+  /// up to the limit where they were lost.
+  State way_start;
+  Path lost_way;
   std::vector<OutputJoint> outputs;
   std::vector<OverlapWatch> watches;     ///< of Mechanism::contacts
   MotionRow row;                         ///< of the last move_to

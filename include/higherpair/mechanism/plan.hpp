@@ -161,6 +161,9 @@ struct Plan {
   double size = 1;   ///< size_of the mechanism [m]
 };
 
+/// Whether any bodies of the plan are coupled.
+[[nodiscard]] bool has_coupled_bodies(const Plan& plan);
+
 /// Largest distance between joint points and curve centres or vertices, in the poses [m]; 1 m where all of
 /// them coincide.
 [[nodiscard]] double size_of(const Mechanism& mechanism);
