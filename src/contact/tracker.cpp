@@ -1,11 +1,9 @@
 #include "higherpair/contact/tracker.hpp"
 
-#include "contact_points.hpp"
-#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "inner_step.hpp"
-#include "last_step.hpp"
 #include "limit.hpp"
+#include "track_stops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,23 +12,14 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
-constexpr double kCrossingAgreement = 0.03;  // the same where the branch is to change
-constexpr double kNearCrossing = 5e-3;      // of the driver's scale: how near a crossing is interpolated over
-constexpr double kMayBeCrossing = 0.1;      // of ∂gap/∂q: what is left of it where it may be a crossing
-constexpr double kShortOfCrossing = 0.6;    // of a step that would end at a crossing
-constexpr double kIsCrossing = 1e-12;       // of the follower's speed: a ∂gap/∂q that is 0 to rounding
-constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
-constexpr double kSmooth = 1e-7;            // of dq/du: what two ways to interpolate it may differ by
-constexpr double kRounding = 1e-14;
-constexpr double kSameContact = 1e-2;    // of the follower's unit: a contact as near as this is the same
-constexpr double kNearLimit = 1e-7;      // of the follower's speed: a ∂gap/∂q that may be that of a limit
-constexpr double kAtLimit = 1e-14;       // of the driver's scale: a limit that is at the driver's position
-constexpr double kClosed = 1e-13;        // of the lengths: gap that an interpolated crossing may leave
-constexpr int kHalvingsToLimit = 4;      // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;          // inner steps that may fail
-constexpr double kMostSteps = 2e5;       // of kMaxTurn that a way may be long; so many more inner steps
-constexpr double kSmallestStep = 1e-14;  // of the driver's scale
+constexpr double kAgreement = 0.25;       // of the change of a step: distance between prediction and solution
+constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
+constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
+constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
+constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
+constexpr int kAttempts = 2000;           // inner steps that may fail
+constexpr double kMostSteps = 2e5;        // of kMaxTurn that a way may be long; so many more inner steps
+constexpr double kSmallestStep = 1e-14;   // of the driver's scale
 
 enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
 
@@ -51,97 +40,6 @@ Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_
   }
   accept(track, step.result.at, branch);
   return Outcome::kTaken;
-}
-
-// Sets the points, the normal, nearly n_W, and ∂gap/∂q for bodies that stand next to where branches cross;
-// false where they do not touch.
-bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& at) {
-  const auto& [curve1, motion1, curve2, motion2] = track.pair;
-  const auto touch = find_common_normal(curve1, pose_at(motion1, at.u), curve2, pose_at(motion2, at.q), n_W);
-  if (!touch || !((touch->p2_W - touch->p1_W).norm() <= kClosed * (track.size + manhattan(touch->p1_W)))) {
-    return false;
-  }
-  at.n_W = touch->n_W;
-  at.p1_W = touch->p1_W;
-  at.p2_W = touch->p2_W;
-  at.rho1 = touch->rho1;
-  at.rho2 = touch->rho2;
-  at.sliding =
-      (at.dq * velocity_per_q(motion2, at.p1_W) - velocity_per_q(motion1, at.p1_W)).dot(perp(at.n_W));
-  const Vector2d per_q = velocity_per_q(motion2, at.p2_W);
-  at.gap_q = at.n_W.dot(per_q);
-  at.gap_q = std::abs(at.gap_q) <= kIsCrossing * per_q.norm() ? 0 : at.gap_q;
-  return true;
-}
-
-// Takes a position at, or next to, a crossing that is not solved for but known from the smooth motion. At the
-// crossing itself it counts as beyond.
-void accept_interpolated(ContactTrack& track, const ContactPosition& at) {
-  accept(track, at, at.gap_q * track.branch > 0 ? track.branch : -track.branch);
-  track.interpolated = true;
-}
-
-// Goes to a regular place at some distance from u, which is next to a crossing, along the smooth motion.
-void step_back(ContactTrack& track, double u) {
-  const double distance = kBackFromCrossing * unit_of(track.pair.motion1, track);
-  const double rest = u - track.at.u;
-  if (std::abs(rest) >= distance) {
-    return;
-  }
-  const double h = rest - std::copysign(distance, rest);
-  const bool same = (track.at.gap_q + h * track.at.dgap_q) * track.branch > 0;
-  const int branch = same ? track.branch : -track.branch;
-  const Step back = try_step(track, h, branch);
-  if (agrees(back, kCrossingAgreement)) {
-    accept(track, back.result.at, branch);
-  }
-}
-
-// Halfway between two places h apart, whose rates are those of a smooth motion: Hermite interpolation, h⁴ is
-// left out of d²q and dφ, h⁶ of q. Nothing where the motion is not that smooth.
-std::optional<ContactPosition> halfway(const ContactTrack& track, const ContactPosition& b, double h) {
-  const ContactPosition& a = track.at;
-  const double fast = std::abs(a.dq) + std::abs(b.dq);
-  const double dq = (a.dq + b.dq) / 2 + h * (a.d2q - b.d2q) / 8;
-  const double rise = 15 * (b.q - a.q) / (8 * h) - 7 * (a.dq + b.dq) / 16 + h * (b.d2q - a.d2q) / 32;
-  const double rounding = kRounding * (std::abs(a.q) + unit_of(track.pair.motion2, track)) / std::abs(h);
-  if (!(std::abs(dq - rise) <= kSmooth * fast + rounding)) {
-    return std::nullopt;
-  }
-  ContactPosition at = b;
-  at.u = a.u + h / 2;
-  at.q = (a.q + b.q) / 2 + h * (10 * (a.dq - b.dq) + h * (a.d2q + b.d2q)) / 64;
-  at.dq = dq;
-  at.d2q = 1.5 * (b.dq - a.dq) / h - (a.d2q + b.d2q) / 4;
-  at.dphi = 1.5 * angle_between(a.n_W, b.n_W) / h - (a.dphi + b.dphi) / 4;
-  at.dgap_q = (a.dgap_q + b.dgap_q) / 2;
-  at.n_W = Rotation<double>::from_angle(h * (a.dphi - b.dphi) / 8) * Vector2d(a.n_W + b.n_W).normalized();
-  return at;
-}
-
-// The driver stops (nearly) where branches cross, at u: the closure has lost its rank there. The
-// position is interpolated between a place before and one just beyond; its rates are those of the smooth
-// motion.
-bool stop_at_crossing(ContactTrack& track, double u) {
-  if (std::abs(u - track.at.u) > kNearCrossing * unit_of(track.pair.motion1, track)) {
-    return false;
-  }
-  ContactTrack before = track;
-  step_back(before, u);
-  const double h = 2 * (u - before.at.u);
-  const Step beyond = try_step(before, h, -before.branch);
-  if (!agrees(beyond, kCrossingAgreement)) {
-    return false;
-  }
-  auto at = halfway(before, beyond.result.at, h);
-  // Between two contacts of different branches there may also be a limit of each, and no contact at all.
-  if (!at || !close_at(before, at->n_W, *at)) {
-    return false;
-  }
-  at->u = u;
-  track = before;
-  accept_interpolated(track, *at);
-  return true;
 }
 
 // The limit lies ahead, not further than the step that failed and the few before it, and the motion leads to
@@ -173,61 +71,11 @@ std::optional<LimitPosition> obstacle(const ContactTrack& track, double u, doubl
   return std::nullopt;
 }
 
-// Where branches cross all conditions of a limit hold as well, but the motion goes on beyond. It is taken as
-// far beyond as it is still before.
-bool pass_crossing(ContactTrack& track, const LimitPosition& limit) {
-  const Step beyond = try_step(track, 2 * (limit.u - track.at.u), -track.branch);
-  if (limit.u == track.at.u || !agrees(beyond, kCrossingAgreement)) {
-    return false;
-  }
-  accept(track, beyond.result.at, -track.branch);
-  return true;
-}
-
 // A step towards u; the last one leads to u itself.
 struct Aim {
   double step = 0;
   bool last = false;
 };
-
-// The driver stops at a limit itself. The position is the last of the branch; it has no rates, and the track
-// waits there for the branch to be there again.
-bool stop_at_limit(ContactTrack& track, double u, const LimitPosition& limit) {
-  const auto& [curve1, motion1, curve2, motion2] = track.pair;
-  const Vector2d vertex1_W = pose_at(motion1, u) * curve1.vertex_B;
-  const double length = (pose_at(motion2, limit.q) * curve2.vertex_B - vertex1_W).norm();
-  if (!(std::abs(limit.u - u) <= kAtLimit * ((motion1.turns ? 1 : length) + std::abs(u)))) {
-    return false;
-  }
-  ContactPosition at = track.at;
-  at.u = u;
-  at.q = limit.q;
-  at.dq = at.d2q = at.dphi = at.dgap_q = 0;
-  // A contact that runs off along an open curve comes to no last position.
-  if (!close_at(track, at.n_W, at) ||
-      !((at.p2_W - at.p1_W).norm() <= kClosed * (length + manhattan(vertex1_W)))) {
-    return false;
-  }
-  at.gap_q = 0;
-  accept(track, at, track.branch);
-  track.d3q = track.d2phi = track.d3phi = 0;
-  return true;
-}
-
-// The same where a step has come so near to a limit that its rates are noise.
-bool has_come_to_limit(ContactTrack& track, std::optional<LimitPosition>& limit) {
-  const Vector2d per_q = velocity_per_q(track.pair.motion2, track.at.p2_W);
-  const bool near = track.at.gap_q * track.at.gap_q <= kNearLimit * kNearLimit * per_q.squaredNorm();
-  if (!near || track.interpolated) {
-    return false;
-  }
-  const auto found = limit_near(track.pair, track.at, track.size);
-  if (!found || !stop_at_limit(track, track.at.u, *found)) {
-    return false;
-  }
-  limit = found;
-  return true;
-}
 
 // At most h, and not at once to a place that may be a crossing: at a crossing itself a position is noise, or
 // not found at all.
