@@ -21,6 +21,7 @@ constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
 constexpr double kShortOfLimit = 1e-6;  // of the driver's scale: as near as this a limit is reached
 constexpr double kShareToLimit = 0.9;   // of the way to it in one step
+constexpr double kLongStep = 0.02;      // of the driver's scale: one that may as well end elsewhere
 constexpr double kMostSteps = 2e5;      // inner steps besides those that the way takes at least
 
 double largest_step(const Run& run, const Path& path) {
@@ -46,16 +47,142 @@ void accept(Run& run) {
   std::swap(run.state, run.trial);
 }
 
-bool lose(Run& run, const Path& path, double s) {
-  if (has_coupled_bodies(run.plan)) {
-    path.positions(s, run.drivers);
-    set_path(run.lost_way, path.from, run.drivers);
-    run.state = run.way_start;
+// A way along a path, in steps that agree with their predictions.
+class Way {
+public:
+  Way(Run& run, const Path& path)
+      : run_(run),
+        path_(path),
+        largest_(largest_step(run, path)),
+        scale_(path.is_single() ? driver_scale(run, 0) : 1),
+        near_(kCrossingReach * unit_of(run, path)),
+        h_(largest_),
+        steps_left_(kMostSteps + 4 * std::abs(path.length) / largest_) {
+    run.between = false;
+    if (has_coupled_bodies(run.plan)) {
+      run.way_start = run.state;
+    }
   }
-  run.held = false;
-  run.drivers = path.to;
-  return false;
-}
+
+  bool follow() {
+    while (s_ != path_.length) {
+      const Outcome outcome = next();
+      if (outcome != Outcome::kGoesOn) {
+        return outcome == Outcome::kArrived;
+      }
+    }
+    run_.drivers = path_.to;
+    return true;
+  }
+
+private:
+  enum class Outcome { kGoesOn, kArrived, kLost };
+
+  Outcome next() {
+    rest_ = path_.length - s_;
+    if (--steps_left_ < 0) {
+      add_limit(run_, run_.plan.groups.size() - 1, path_, s_);
+      return lose(s_);
+    }
+    last_ = std::abs(rest_) <= h_;
+    step_ = last_ ? rest_ : std::copysign(h_, rest_);
+    const StepResult result = try_step(run_, path_, s_, step_);
+    if (const auto shorter = better_length(result)) {
+      h_ = *shorter;
+      return Outcome::kGoesOn;
+    }
+    if (result.limit && is_tracked(result.group)) {
+      add_limit(run_, result.group, path_, *result.limit);
+    }
+    return result.kind == StepResult::kOk ? take() : refuse(result);
+  }
+
+  [[nodiscard]] bool is_tracked(std::size_t g) const {
+    return std::holds_alternative<TrackedPair>(run_.plan.groups[g].kind);
+  }
+
+  // Of a step that should end elsewhere, though it need not have failed.
+  [[nodiscard]] std::optional<double> better_length(const StepResult& result) const {
+    const bool lost = result.kind != StepResult::kOk;
+    const bool tracked = is_tracked(result.group);
+    const bool near_crossing = !lost && is_near_crossing(run_, run_.trial);
+    if (lost && tracked && result.limit && result.group + 1 < run_.plan.groups.size()) {
+      // What hangs on this contact may come to a limit before: go on to just short of it.
+      const double ahead = std::abs(place_of(run_, result.group, path_, *result.limit) - s_);
+      if (ahead > kShortOfLimit * scale_) {
+        return std::min(kShareToLimit * ahead, std::abs(step_) / 2);
+      }
+    }
+    if (near_crossing && !last_ && std::abs(step_) > kLongStep * scale_) {
+      // No place to rest at: come down elsewhere.
+      return 0.618 * std::abs(step_);
+    }
+    if (last_ && std::abs(rest_) > 2 * near_ && (near_crossing || (lost && !tracked))) {
+      // A place to interpolate from, near enough to be on the same branch surely.
+      return std::abs(rest_) - 1.5 * near_;
+    }
+    return std::nullopt;
+  }
+
+  Outcome take() {
+    if (last_ && stop_near_crossing(run_, path_, s_, rest_)) {
+      return Outcome::kArrived;
+    }
+    note_events(run_, path_, s_, step_);
+    watch_overlaps(run_, path_, s_, step_);
+    accept(run_);
+    s_ = last_ ? path_.length : s_ + step_;
+    h_ = std::min(2 * h_, largest_);
+    return Outcome::kGoesOn;
+  }
+
+  Outcome refuse(const StepResult& result) {
+    if (is_tracked(result.group)) {
+      // The track remembers by itself where it was lost.
+      run_.state.tracks[result.group] = run_.trial.tracks[result.group];
+      return lose(result.limit ? place_of(run_, result.group, path_, *result.limit) : s_);
+    }
+    if (last_ && stop_near_crossing(run_, path_, s_, rest_, true)) {
+      return Outcome::kArrived;
+    }
+    h_ = std::abs(step_) / 2;
+    if (++halvings_ >= kHalvingsToLimit) {
+      if (const auto limit = locate_limit(run_, path_, result.group, s_, step_)) {
+        add_limit(run_, result.group, path_, *limit);
+        return lose(*limit);
+      }
+    }
+    if (h_ < kSmallestStep * scale_ * (1 + std::abs(driver_at(path_, s_)) / scale_)) {
+      add_limit(run_, result.group, path_, s_);
+      return lose(s_);
+    }
+    return Outcome::kGoesOn;
+  }
+
+  Outcome lose(double limit) {
+    if (has_coupled_bodies(run_.plan)) {
+      path_.positions(limit, run_.drivers);
+      set_path(run_.lost_way, path_.from, run_.drivers);
+      run_.state = run_.way_start;
+    }
+    run_.held = false;
+    run_.drivers = path_.to;
+    return Outcome::kLost;
+  }
+
+  Run& run_;
+  const Path& path_;
+  double largest_;     // step
+  double scale_;       // of the driver
+  double near_;        // how far from a crossing places are interpolated from
+  double s_ = 0;       // where run.state stands
+  double rest_ = 0;    // from there
+  double step_ = 0;    // that is tried
+  bool last_ = false;  // it leads to the end
+  double h_;           // largest step that may be tried
+  int halvings_ = 0;
+  double steps_left_;
+};
 
 // Coupled bodies come back where the drivers come back: what can be assembled beyond a limit need not be
 // their branch.
@@ -125,82 +252,7 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 }
 
 bool follow(Run& run, const Path& path) {
-  const double largest = largest_step(run, path);
-  const double scale = path.is_single() ? driver_scale(run, 0) : 1;
-  const double near = kCrossingReach * unit_of(run, path);
-  double s = 0;
-  double h = largest;
-  int halvings = 0;
-  double steps = kMostSteps + 4 * std::abs(path.length) / largest;
-  run.between = false;
-  if (has_coupled_bodies(run.plan)) {
-    run.way_start = run.state;
-  }
-  while (s != path.length) {
-    const double rest = path.length - s;
-    if (--steps < 0) {
-      add_limit(run, run.plan.groups.size() - 1, path, s);
-      return lose(run, path, s);
-    }
-    const bool last = std::abs(rest) <= h;
-    const double step = last ? rest : std::copysign(h, rest);
-    const StepResult result = try_step(run, path, s, step);
-    const bool lost = result.kind != StepResult::kOk;
-    const bool tracked = std::holds_alternative<TrackedPair>(run.plan.groups[result.group].kind);
-    if (result.limit && lost && tracked) {
-      // What hangs on this contact may come to a limit before: go on to just short of it.
-      const double ahead = std::abs(place_of(run, result.group, path, *result.limit) - s);
-      if (result.group + 1 < run.plan.groups.size() && ahead > kShortOfLimit * scale) {
-        h = std::min(kShareToLimit * ahead, std::abs(step) / 2);
-        continue;
-      }
-    }
-    if (result.limit && tracked) {
-      add_limit(run, result.group, path, *result.limit);
-    }
-    if (!lost && !last && is_near_crossing(run, run.trial) && std::abs(step) > 0.02 * scale) {
-      // No place to rest at: come down elsewhere.
-      h = 0.618 * std::abs(step);
-      continue;
-    }
-    if (last && std::abs(rest) > 2 * near && (lost ? !tracked : is_near_crossing(run, run.trial))) {
-      // A place to interpolate from, near enough to be on the same branch surely.
-      h = std::abs(rest) - 1.5 * near;
-      continue;
-    }
-    if (!lost) {
-      if (last && stop_near_crossing(run, path, s, rest)) {
-        return true;
-      }
-      note_events(run, path, s, step);
-      watch_overlaps(run, path, s, step);
-      accept(run);
-      s = last ? path.length : s + step;
-      h = std::min(2 * h, largest);
-      continue;
-    }
-    if (tracked) {
-      // The track remembers by itself where it was lost.
-      run.state.tracks[result.group] = run.trial.tracks[result.group];
-      return lose(run, path, result.limit ? place_of(run, result.group, path, *result.limit) : s);
-    }
-    if (last && stop_near_crossing(run, path, s, rest, true)) {
-      return true;
-    }
-    h = std::abs(step) / 2;
-    if (++halvings >= kHalvingsToLimit) {
-      if (const auto limit = locate_limit(run, path, result.group, s, step)) {
-        add_limit(run, result.group, path, *limit);
-        return lose(run, path, *limit);
-      }
-    }
-    if (h < kSmallestStep * scale * (1 + std::abs(driver_at(path, s)) / scale)) {
-      add_limit(run, result.group, path, s);
-      return lose(run, path, s);
-    }
-  }
-  run.drivers = path.to;
-  return true;
+  return Way(run, path).follow();
 }
 
 bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
