@@ -90,10 +90,7 @@ bool is_near_crossing(const Run& run, const State& state) {
   return false;
 }
 
-bool stop_near_crossing(Run& run, const Path& path, double s, double rest, bool refused) {
-  if (!refused && !is_near_crossing(run, run.trial)) {
-    return false;
-  }
+bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   const double reach = std::copysign(kCrossingReach * unit_of(run, path), path.length);
   const State direct = run.trial;
   const State kept = run.state;

@@ -59,7 +59,7 @@ public:
         h_(largest_),
         steps_left_(kMostSteps + 4 * std::abs(path.length) / largest_) {
     run.between = false;
-    if (has_coupled_bodies(run.plan)) {
+    if (run.plan.couples) {
       run.way_start = run.state;
     }
   }
@@ -87,6 +87,7 @@ private:
     last_ = std::abs(rest_) <= h_;
     step_ = last_ ? rest_ : std::copysign(h_, rest_);
     const StepResult result = try_step(run_, path_, s_, step_);
+    near_crossing_ = result.kind == StepResult::kOk && is_near_crossing(run_, run_.trial);
     if (const auto shorter = better_length(result)) {
       h_ = *shorter;
       return Outcome::kGoesOn;
@@ -105,7 +106,6 @@ private:
   [[nodiscard]] std::optional<double> better_length(const StepResult& result) const {
     const bool lost = result.kind != StepResult::kOk;
     const bool tracked = is_tracked(result.group);
-    const bool near_crossing = !lost && is_near_crossing(run_, run_.trial);
     if (lost && tracked && result.limit && result.group + 1 < run_.plan.groups.size()) {
       // What hangs on this contact may come to a limit before: go on to just short of it.
       const double ahead = std::abs(place_of(run_, result.group, path_, *result.limit) - s_);
@@ -113,11 +113,11 @@ private:
         return std::min(kShareToLimit * ahead, std::abs(step_) / 2);
       }
     }
-    if (near_crossing && !last_ && std::abs(step_) > kLongStep * scale_) {
+    if (near_crossing_ && !last_ && std::abs(step_) > kLongStep * scale_) {
       // No place to rest at: come down elsewhere.
       return 0.618 * std::abs(step_);
     }
-    if (last_ && std::abs(rest_) > 2 * near_ && (near_crossing || (lost && !tracked))) {
+    if (last_ && std::abs(rest_) > 2 * near_ && (near_crossing_ || (lost && !tracked))) {
       // A place to interpolate from, near enough to be on the same branch surely.
       return std::abs(rest_) - 1.5 * near_;
     }
@@ -125,7 +125,7 @@ private:
   }
 
   Outcome take() {
-    if (last_ && stop_near_crossing(run_, path_, s_, rest_)) {
+    if (last_ && near_crossing_ && stop_near_crossing(run_, path_, s_, rest_)) {
       return Outcome::kArrived;
     }
     note_events(run_, path_, s_, step_);
@@ -142,7 +142,7 @@ private:
       run_.state.tracks[result.group] = run_.trial.tracks[result.group];
       return lose(result.limit ? place_of(run_, result.group, path_, *result.limit) : s_);
     }
-    if (last_ && stop_near_crossing(run_, path_, s_, rest_, true)) {
+    if (last_ && stop_near_crossing(run_, path_, s_, rest_)) {
       return Outcome::kArrived;
     }
     h_ = std::abs(step_) / 2;
@@ -160,7 +160,7 @@ private:
   }
 
   Outcome lose(double limit) {
-    if (has_coupled_bodies(run_.plan)) {
+    if (run_.plan.couples) {
       path_.positions(limit, run_.drivers);
       set_path(run_.lost_way, path_.from, run_.drivers);
       run_.state = run_.way_start;
@@ -172,14 +172,15 @@ private:
 
   Run& run_;
   const Path& path_;
-  double largest_;     // step
-  double scale_;       // of the driver
-  double near_;        // how far from a crossing places are interpolated from
-  double s_ = 0;       // where run.state stands
-  double rest_ = 0;    // from there
-  double step_ = 0;    // that is tried
-  bool last_ = false;  // it leads to the end
-  double h_;           // largest step that may be tried
+  double largest_;              // step
+  double scale_;                // of the driver
+  double near_;                 // how far from a crossing places are interpolated from
+  double s_ = 0;                // where run.state stands
+  double rest_ = 0;             // from there
+  double step_ = 0;             // that is tried
+  bool last_ = false;           // it leads to the end
+  bool near_crossing_ = false;  // it could be taken and leads next to where branches may cross
+  double h_;                    // largest step that may be tried
   int halvings_ = 0;
   double steps_left_;
 };
@@ -256,7 +257,7 @@ bool follow(Run& run, const Path& path) {
 }
 
 bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
-  if (has_coupled_bodies(run.plan)) {
+  if (run.plan.couples) {
     return come_back(run, drivers);
   }
   const StepResult result = place_anew(run, drivers);

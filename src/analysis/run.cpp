@@ -131,7 +131,7 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std:
     return tl::unexpected(StartFailure{*objection, std::nullopt});
   }
   auto failure = assemble(run);
-  if (failure ? has_coupled_bodies(run.plan) : may_be_free(run)) {
+  if (failure ? run.plan.couples : may_be_free(run)) {
     if (auto objection = driver_objection(mechanism, drivers)) {
       return tl::unexpected(StartFailure{*objection, std::nullopt});
     }

@@ -69,11 +69,6 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
 
 }  // namespace
 
-bool has_coupled_bodies(const Plan& plan) {
-  return std::any_of(plan.groups.begin(), plan.groups.end(),
-                     [](const Group& group) { return std::holds_alternative<CoupledBodies>(group.kind); });
-}
-
 double size_of(const Mechanism& mechanism) {
   std::vector<Vector2d> points;
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
@@ -139,6 +134,9 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   plan.surplus = structure.surplus;
   plan.phase_bodies = phase_bodies(mechanism);
   plan.size = size_of(mechanism);
+  plan.couples = std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
+    return std::holds_alternative<CoupledBodies>(group.kind);
+  });
   for (Group& group : plan.groups) {
     if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
       dyad->size = plan.size;

@@ -156,13 +156,11 @@ struct Plan {
   std::vector<Group> groups;
   std::vector<int> idle_bodies;  ///< whose turning nothing sets (a roller's spin)
   std::vector<int>
-      phase_bodies;  ///< whose angle nothing but a rolling contact sets: they start in that of their pose
-  int surplus = 0;   ///< conditions more than coordinates
-  double size = 1;   ///< size_of the mechanism [m]
+      phase_bodies;      ///< whose angle nothing but a rolling contact sets: they start in that of their pose
+  int surplus = 0;       ///< conditions more than coordinates
+  bool couples = false;  ///< some of the groups are CoupledBodies
+  double size = 1;       ///< size_of the mechanism [m]
 };
-
-/// Whether any bodies of the plan are coupled.
-[[nodiscard]] bool has_coupled_bodies(const Plan& plan);
 
 /// Largest distance between joint points and curve centres or vertices, in the poses [m]; 1 m where all of
 /// them coincide.
