@@ -99,7 +99,7 @@ namespace {
 // two branches share.
 ContactResult contact_near(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                            double size) {
-  const ContactResult solved = solve_contact(pair, u, q, n_W, branch);
+  ContactResult solved = solve_contact(pair, u, q, n_W, branch);
   const double speed = velocity_per_q(pair.motion2, solved.at.p2_W).norm();
   if (solved.status == ContactStatus::kOk && std::abs(solved.at.gap_q) > kAtLimit * speed) {
     return solved;
