@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -159,7 +160,7 @@ TEST_F(Program, WritesAllItsFilesOrNone) {
   for (const std::string command : {"analyze", "branches", "map"}) {
     const std::string to_table =
         command + " " + profile("ellipse_cam_roller.toml") + " --csv " + table.string();
-    EXPECT_EQ(run(to_table + " --json " + none).code, 1);
+    EXPECT_EQ(run(fmt::format("{} --json {}", to_table, none)).code, 1);
     EXPECT_EQ(run(to_table + " --json /dev/full").code, 1);
     EXPECT_FALSE(fs::exists(table)) << command;
     EXPECT_EQ(run(to_table + " --json /dev/null").code, 0);
@@ -237,9 +238,10 @@ TEST_F(Program, RefusesTwoTablesInOneFile) {
   const std::string same = (folder_ / "none" / ".." / "table").string();
   for (const std::string command : {"analyze", "step", "forces", "branches", "map"}) {
     for (const std::string& outputs :
-         {"--csv " + table + " --json " + table, "--csv " + table + " --json " + same,
+         {fmt::format("--csv {0} --json {0}", table), fmt::format("--csv {} --json {}", table, same),
           std::string("--csv - --json -")}) {
-      const Outcome outcome = run(command + " " + profile("cam_with_return_spring.toml") + " " + outputs);
+      const Outcome outcome =
+          run(fmt::format("{} {} {}", command, profile("cam_with_return_spring.toml"), outputs));
       EXPECT_EQ(outcome.code, 2) << command << " " << outputs;
       EXPECT_THAT(outcome.err, HasSubstr("give each a file of its own"));
       EXPECT_EQ(outcome.out, "");
