@@ -324,7 +324,8 @@ std::string mobility_csv(const MobilityFindings& findings) {
         for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) {
           text.insert(at, 1, '"');
         }
-        text = '"' + text + '"';
+        text.insert(0, 1, '"');
+        text += '"';
       }
     }
     csv += path.substr(1) + ',' + text + '\n';
