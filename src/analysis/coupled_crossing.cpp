@@ -1,5 +1,6 @@
 #include "coupled_crossing.hpp"
 
+#include "higherpair/contact/step_agreement.hpp"
 #include "root_between.hpp"
 #include "step.hpp"
 
@@ -52,16 +53,7 @@ private:
   [[nodiscard]] int mode() const { return run_.trial.groups[g_].mode; }
 
   // The groups up to g, with their rates.
-  bool place(double x) {
-    if (!place_before(run_, path_, g_ + 1, s_, x)) {
-      return false;
-    }
-    path_.motions(s_ + x, run_.trial_motions);
-    for (std::size_t g = 0; g <= g_; ++g) {
-      set_group_rates(model_of(run_), g, run_.trial_motions, run_.trial);
-    }
-    return true;
-  }
+  bool place(double x) { return solve_before(run_, path_, g_ + 1, s_, x); }
 
   // The change of sign, to a tolerance. Where the group cannot be solved the crossing is too near to matter.
   std::optional<double> crossing(double tolerance) {

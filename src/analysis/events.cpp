@@ -108,8 +108,9 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
 
 // Where a group's sine passes through 0 with its sign changed: between `reach` before and after the place of
 // the least slack it is interpolated with its rates (cubic Hermite).
-// \param after  the state at the end of the step
-double crossing_between(Run& run, const Path& path, std::size_t g, double s, double h, State after) {
+// \param after  the groups at the end of the step
+double crossing_between(Run& run, const Path& path, std::size_t g, double s, double h,
+                        std::vector<GroupState> after) {
   const auto sine = [&](double x) {
     return solve_at(run, path, s, x) ? std::abs(run.trial.groups[g].sine) : INFINITY;
   };
@@ -122,9 +123,9 @@ double crossing_between(Run& run, const Path& path, std::size_t g, double s, dou
   }
   const GroupState a = run.trial.groups[g];
   // Beyond the crossing the motion has the modes of the end of the step.
-  run.state.groups.swap(after.groups);
+  run.state.groups.swap(after);
   const bool solved = solve_at(run, path, s, middle + reach);
-  run.state.groups.swap(after.groups);
+  run.state.groups.swap(after);
   if (!solved) {
     return middle;
   }
@@ -164,8 +165,7 @@ double crossing_in_step(Run& run, const Path& path, std::size_t g, double s, dou
   if (std::holds_alternative<CoupledBodies>(kind)) {
     return place_of_crossing(run, path, g, s, h).value_or(s + h / 2);
   }
-  const State after = run.trial;
-  return s + crossing_between(run, path, g, s, h, after);
+  return s + crossing_between(run, path, g, s, h, run.trial.groups);
 }
 
 void note_dead_points(Run& run, const Path& path, double s, double h) {

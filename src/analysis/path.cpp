@@ -161,8 +161,8 @@ private:
 
   Outcome lose(double limit) {
     if (run_.plan.couples) {
-      path_.positions(limit, run_.drivers);
-      set_path(run_.lost_way, path_.from, run_.drivers);
+      run_.lost_way.from = path_.from;
+      path_.positions(limit, run_.lost_way.to);
       run_.state = run_.way_start;
     }
     run_.held = false;

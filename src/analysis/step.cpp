@@ -1,6 +1,7 @@
 #include "step.hpp"
 
 #include "coupled_crossing.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAgreement = 0.25;  // of the change of a step: distance between prediction and solution
 constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
 
 // Groups that keep to their branch by themselves.
@@ -62,6 +62,21 @@ bool keeps_contacts(const Run& run, const Group& group) {
   });
 }
 
+// Places the groups before `end` in run.trial, `x` beyond run.state, which stands at s; in the modes of
+// run.state and without asking whether they agree with a prediction.
+bool place_before(Run& run, const Path& path, std::size_t end, double s, double x) {
+  std::vector<double> drivers;
+  path.positions(s + x, drivers);
+  std::optional<LimitPosition> limit;
+  for (std::size_t g = 0; g < end; ++g) {
+    run.trial.groups[g].mode = run.state.groups[g].mode;
+    if (place_group(model_of(run), g, run.state, x, drivers, run.trial, limit) != GroupStatus::kOk) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Whether the slack only touches 0 within the step, so that branches really cross there; without it the links
 // would come near to being aligned and part again, or part of the way could not be assembled.
 bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
@@ -97,7 +112,7 @@ GroupStatus place_on(Run& run, std::size_t g, int mode, double h, double share,
 GroupStatus place_coupled_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
                                    const std::vector<double>& drivers, StepResult& result) {
   const int mode = run.state.groups[g].mode;
-  const GroupStatus status = place_on(run, g, mode, h, kAgreement, drivers, result);
+  const GroupStatus status = place_on(run, g, mode, h, kStepAgreement, drivers, result);
   if (status != GroupStatus::kOk || run.trial.groups[g].mode == mode) {
     return status;
   }
@@ -124,7 +139,7 @@ GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, 
       return GroupStatus::kOk;
     }
   }
-  return place_on(run, g, before.mode, h, kAgreement, drivers, result);
+  return place_on(run, g, before.mode, h, kStepAgreement, drivers, result);
 }
 
 }  // namespace
@@ -142,19 +157,6 @@ double unit_of(const Run& run, const Path& path) {
     fastest = std::max(fastest, std::abs(path.to[i] - path.from[i]) / driver_scale(run, i));
   }
   return 1 / fastest;
-}
-
-bool place_before(Run& run, const Path& path, std::size_t end, double s, double x) {
-  std::vector<double> drivers;
-  path.positions(s + x, drivers);
-  std::optional<LimitPosition> limit;
-  for (std::size_t g = 0; g < end; ++g) {
-    run.trial.groups[g].mode = run.state.groups[g].mode;
-    if (place_group(model_of(run), g, run.state, x, drivers, run.trial, limit) != GroupStatus::kOk) {
-      return false;
-    }
-  }
-  return true;
 }
 
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
@@ -209,11 +211,17 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
 }
 
 bool solve_at(Run& run, const Path& path, double s, double x) {
-  if (!place_before(run, path, run.plan.groups.size(), s, x)) {
+  return solve_before(run, path, run.plan.groups.size(), s, x);
+}
+
+bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x) {
+  if (!place_before(run, path, end, s, x)) {
     return false;
   }
   path.motions(s + x, run.trial_motions);
-  set_rates(run, run.trial_motions, run.trial);
+  for (std::size_t g = 0; g < end; ++g) {
+    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  }
   return true;
 }
 

@@ -31,22 +31,18 @@ struct StepResult {
 /// What counts as one unit of a driver's coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
 
-/// Of the change of a step: how far a step over a crossing of branches may be from its prediction.
-inline constexpr double kCrossingAgreement = 0.03;
-
 /// Whether a group in run.trial is where run.state and its rates lead after `h`, to `share` of its change.
 [[nodiscard]] bool agrees(const Run& run, const Group& group, double h, double share);
 
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);
 
-/// Places the groups before `end` in run.trial, `x` beyond run.state, which stands at s; in the modes of
-/// run.state and without asking whether they agree with a prediction.
-[[nodiscard]] bool place_before(Run& run, const Path& path, std::size_t end, double s, double x);
-
 /// Places all groups and sets their rates in run.trial, `x` beyond run.state, which stands at s; in the modes
 /// of run.state and without asking whether they agree with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
+
+/// The same for the groups before `end` only.
+[[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
 /// The slack of a group `h` beyond run.state; NaN where the groups before cannot be placed, or it has none.
 [[nodiscard]] double slack_after(Run& run, const Path& path, std::size_t g, double s, double h);

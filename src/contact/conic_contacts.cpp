@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/separation.hpp"
 #include "tangency.hpp"
+#include "within_itself.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +16,7 @@ namespace {
 constexpr double kNearlyReal = 1e-4;
 // Relative; what rounding of the input can make of an exact 0 at a double root.
 constexpr double kSingular = 1e-7;
-constexpr double kRounding = 1e-14;
 constexpr double kNotDefinite = 1e-13;
-
-bool is_centered_at(const Curve& curve, const Vector2d& p_B, double size) {
-  const bool round = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kPoint;
-  const Vector2d c =
-      curve.vertex_B + (curve.kind == CurveKind::kCircle ? curve.semi_latus : 0) * curve.axis_B;
-  return round && (c - p_B).norm() <= kRounding * size;
-}
 
 // Whether moving the follower leaves the distance of the curves as it is.
 bool is_independent(const ContactPair& pair, double u, double size) {
@@ -33,11 +26,8 @@ bool is_independent(const ContactPair& pair, double u, double size) {
     return is_centered_at(pair.curve2, motion.p_BO, size) ||
            is_centered_at(pair.curve1, X_W1.inverse_times(motion.p_WO), size);
   }
-  const auto along = [&](const Curve& curve, const Rotation<double>& R) {
-    return curve.kind == CurveKind::kLine &&
-           std::abs((R * curve.axis_B).dot(motion.direction_W)) <= kRounding;
-  };
-  return along(pair.curve1, X_W1.R_WB) || along(pair.curve2, motion.R_WB);
+  return slides_along_itself(pair.curve1, X_W1.R_WB, motion.direction_W) ||
+         slides_along_itself(pair.curve2, motion.R_WB, motion.direction_W);
 }
 
 // Two parabolas with parallel axes touch at infinity whatever q is, so that the discriminant is always 0.

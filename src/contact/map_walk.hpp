@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/step_agreement.hpp"
 #include "inner_step.hpp"
 
 #include <cmath>
@@ -17,7 +18,6 @@ namespace higherpair {
 /// \param may_cross  branches may cross on the way: ∂gap/∂q may change its sign
 [[nodiscard]] inline bool walk_to(ContactTrack& track, double u, bool may_cross) {
   constexpr double kAgreement = 0.1;
-  constexpr double kCrossingAgreement = 0.03;
   constexpr double kSmallest = 1e-14;  // step, of the driver's unit
   const double unit = unit_of(track.pair.motion1, track);
   const double largest = kMaxTurn * unit;

@@ -2,27 +2,20 @@
 
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/separation.hpp"
+#include "within_itself.hpp"
 
 #include <cmath>
 
 namespace higherpair {
 namespace {
 
-constexpr double kRounding = 1e-14;  // of the lengths that are compared
-constexpr double kNotHeld = 1e-7;    // of the follower's speed: a ∂gap/∂q that tells nothing
+constexpr double kNotHeld = 1e-7;  // of the follower's speed: a ∂gap/∂q that tells nothing
 
 }  // namespace
 
 bool moves_in_itself(const Curve& curve, const OneFreedom& motion) {
-  if (is_line(curve)) {
-    return !motion.turns && std::abs(motion.direction_W.dot(motion.R_WB * curve.axis_B)) <= kRounding;
-  }
-  const bool round = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kPoint;
-  if (!round || !motion.turns) {
-    return false;
-  }
-  const Vector2d center_B = curve.vertex_B + curve.semi_latus * curve.axis_B;
-  return (center_B - motion.p_BO).norm() <= kRounding * (curve.semi_latus + motion.p_BO.norm());
+  return motion.turns ? is_centered_at(curve, motion.p_BO, curve.semi_latus + motion.p_BO.norm())
+                      : slides_along_itself(curve, motion.R_WB, motion.direction_W);
 }
 
 std::optional<StandingContact> standing_contact(const ContactPair& pair, double u, double q,

@@ -1,6 +1,7 @@
 #include "track_stops.hpp"
 
 #include "higherpair/contact/common_normal.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "inner_step.hpp"
 #include "last_step.hpp"
 #include "limit.hpp"

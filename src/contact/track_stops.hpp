@@ -9,8 +9,6 @@
 
 namespace higherpair {
 
-/// Of the change of a step over a crossing of branches: distance between prediction and solution.
-inline constexpr double kCrossingAgreement = 0.03;
 /// Of the driver's scale: how near a crossing is interpolated over.
 inline constexpr double kNearCrossing = 5e-3;
 

@@ -1,6 +1,7 @@
 #include "higherpair/contact/tracker.hpp"
 
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "inner_step.hpp"
 #include "limit.hpp"
 #include "track_stops.hpp"
@@ -12,7 +13,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAgreement = 0.25;       // of the change of a step: distance between prediction and solution
 constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
 constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
 constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
@@ -35,7 +35,7 @@ Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_
   if (step.solved && !may_stop_at_crossing && vanishes(track, step.result.at.gap_q)) {
     return Outcome::kOntoCrossing;
   }
-  if (!agrees(step, crosses ? kCrossingAgreement : kAgreement)) {
+  if (!agrees(step, crosses ? kCrossingAgreement : kStepAgreement)) {
     return Outcome::kRefused;
   }
   accept(track, step.result.at, branch);
