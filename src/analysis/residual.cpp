@@ -13,11 +13,12 @@ struct Errors {
   double distance2 = 0;  // [m²]
   double speed2 = 0;     // [m²/s²]
   double fastest2 = 0;   // [m²/s²]
+  double sum = 0;        // no unit: keeps what is not a number, which a largest value may lose
 
   void add(double length2, double velocity2) {
-    // A value that is not a number must not get lost.
-    distance2 = length2 <= distance2 ? distance2 : length2;
-    speed2 = velocity2 <= speed2 ? speed2 : velocity2;
+    distance2 = std::max(distance2, length2);
+    speed2 = std::max(speed2, velocity2);
+    sum += length2 + velocity2;
   }
 
   void compare(double velocity2) { fastest2 = std::max(fastest2, velocity2); }
@@ -121,7 +122,7 @@ double residual_of(const Run& run) {
     add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
   }
   const double scaled2 = errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan.size) : 0;
-  return std::sqrt(errors.distance2 >= scaled2 ? errors.distance2 : scaled2);
+  return std::isfinite(errors.sum) ? std::sqrt(std::max(errors.distance2, scaled2)) : INFINITY;
 }
 
 }  // namespace higherpair
