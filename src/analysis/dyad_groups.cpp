@@ -12,7 +12,7 @@ namespace {
 void pose_link(int index, const Rotation<double>& along_W, const Rotation<double>& along_B,
                const Vector2d& p_W, const Vector2d& p_B, const State& from, double h, State& to) {
   BodyMotion& body = body_in(to, index);
-  body.X_WB.R_WB = (along_W * along_B.inverse()).normalised();
+  body.X_WB.R_WB = along_W * along_B.inverse();
   body.X_WB.p_WB = p_W - body.X_WB.R_WB * p_B;
   const auto i = static_cast<std::size_t>(index);
   body.theta = from.turns[i].angle_of(body.X_WB.R_WB, predicted_angle(from, index, h));
@@ -65,7 +65,9 @@ RrrEnds rrr_ends(const RrrDyad& dyad, const State& state) {
 
 }  // namespace
 
-GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h, State& to) {
+// Inlined to its last call: each would take numbers through memory that the next one waits for.
+[[gnu::flatten]] GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h,
+                                        State& to) {
   const RrrEnds ends = rrr_ends(dyad, to);
   if (status_of(ends.reach) == LinkageStatus::kNotAssemblable) {
     return GroupStatus::kOutOfReach;

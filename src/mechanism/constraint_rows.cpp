@@ -50,14 +50,22 @@ ConstraintRow moving_row(const Joint& joint, const Vector2d& direction_W, const 
   return row;
 }
 
-ConstraintRow fixed_row(const Joint& joint, const Vector2d& direction_W, const Arm& A, const Arm& B) {
-  ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body, 0};
-  row.coefficient[0] = -along(direction_W, A);
-  row.coefficient[1] = along(direction_W, B);
-  row.value = (B.p_W - A.p_W).dot(direction_W);
-  row.gamma = (B.centripetal_W - A.centripetal_W).dot(direction_W);
-  return row;
+// The conditions of a pin, along x and along y.
+void append_pin_rows(const Joint& joint, const Arm& A, const Arm& B, std::vector<ConstraintRow>& rows) {
+  const Vector2d apart = B.p_W - A.p_W;
+  const Vector2d gamma = B.centripetal_W - A.centripetal_W;
+  ConstraintRow& along_x = rows.emplace_back();
+  along_x.body = {joint.first.body, joint.second.body, 0};
+  along_x.coefficient[0] = {-1, 0, A.r_W.y()};
+  along_x.coefficient[1] = {1, 0, -B.r_W.y()};
+  along_x.value = apart.x();
+  along_x.gamma = gamma.x();
+  ConstraintRow& along_y = rows.emplace_back();
+  along_y.body = {joint.first.body, joint.second.body, 0};
+  along_y.coefficient[0] = {0, -1, -A.r_W.x()};
+  along_y.coefficient[1] = {0, 1, B.r_W.x()};
+  along_y.value = apart.y();
+  along_y.gamma = gamma.y();
 }
 
 ConstraintRow angle_row(const Joint& joint, const std::vector<BodyMotion>& bodies, double angle,
@@ -112,8 +120,7 @@ void append_rows(const Mechanism& mechanism, const Joint& joint, const std::vect
   const Arm A = arm_to_point(mechanism, joint.first, bodies);
   const Arm B = arm_to_point(mechanism, joint.second, bodies);
   if (joint.type == JointType::kRevolute) {
-    rows.push_back(fixed_row(joint, Vector2d::UnitX(), A, B));
-    rows.push_back(fixed_row(joint, Vector2d::UnitY(), A, B));
+    append_pin_rows(joint, A, B, rows);
     return;
   }
   const BodyMotion& first = at(bodies, joint.first.body);

@@ -52,7 +52,7 @@ template <class T>
 
 /// The angle that equals `angle` up to whole turns and lies nearest to `reference` [rad].
 [[nodiscard]] inline double nearest_turn(double angle, double reference) {
-  const double turns = (reference - angle) / (2 * kPi);
+  const double turns = (reference - angle) * (0.5 / kPi);
   return std::abs(turns) < 0.5 ? angle : angle + 2 * kPi * std::round(turns);
 }
 
