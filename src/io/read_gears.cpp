@@ -9,6 +9,8 @@
 namespace higherpair::io_detail {
 namespace {
 
+constexpr double kLargestRatio = 1e9;  // beyond, a turn of one wheel is within the rounding of the other's
+
 // The bodies on the pin of a wheel, without the wheel; none where nothing is pinned there.
 std::vector<int> bodies_at(const std::vector<Pin>& pins, const Mechanism& mechanism, const PointRef& wheel) {
   const Vector2d center_B = point_of(mechanism, wheel);
@@ -70,7 +72,13 @@ std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, con
 }  // namespace
 
 void read_ratio(TableReader& table, Joint& joint) {
-  const double ratio = table.need_quantity("ratio", {dimension::kNumber, Sign::kPositive});
+  const auto item = table.need("ratio", "a number");
+  const auto quantity =
+      item ? as_quantity(table.reading(), *item, {dimension::kNumber, Sign::kPositive}) : std::nullopt;
+  const double ratio = quantity ? quantity->value : 1;
+  if (!(ratio >= 1 / kLargestRatio && ratio <= kLargestRatio)) {
+    report(table.reading(), *item, "must be between 1e-9 and 1e9");
+  }
   const bool gears = joint.type == JointType::kGears;
   const bool same_sense = gears ? table.flag("internal", false) : !table.flag("crossed", false);
   joint.turning_ratio = same_sense ? ratio : -ratio;

@@ -54,6 +54,7 @@ void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
 std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
   std::vector<bool> type_known;
   std::vector<PendingGears> gears;
+  bool ends_known = true;  // of all joints
   const auto joints = root.take("joints");
   if (!joints) {
     return type_known;
@@ -64,6 +65,7 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                    joint.name = name;
                    const auto type = read_type(table);
                    const auto between = read_ends(table, mechanism, joint);
+                   ends_known = ends_known && between;
                    if (type) {
                      joint.type = *type;
                      if (couples_turning(*type)) {
@@ -81,7 +83,9 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                    type_known.push_back(type.has_value());
                    mechanism.joints.push_back(joint);
                  });
-  set_carriers(root.reading(), gears, mechanism);
+  if (ends_known) {  // else the pin that a carrier hangs on may be the one that is wrong
+    set_carriers(root.reading(), gears, mechanism);
+  }
   return type_known;
 }
 

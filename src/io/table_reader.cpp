@@ -18,6 +18,9 @@ constexpr std::array<std::string_view, 12> kTopLevelKeys = {"format", "title",  
                                                             "units",  "bodies",  "joints",      "contacts",
                                                             "driver", "drivers", "loads",       "springs"};
 
+// In SI: what is multiplied of several such numbers stays in the range of a double.
+constexpr double kLargest = 1e50;
+
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
 bool is_top_level(std::string_view key) {
@@ -150,6 +153,12 @@ std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Ex
   }
   if (quantity && expected.dimension == dimension::kAngle && !is_sharp_angle(quantity->si)) {
     report(reading, item, "is more than 1e9 turns: its place within the turn is rounding");
+    return std::nullopt;
+  }
+  if (quantity && expected.dimension != dimension::kNumber && std::abs(quantity->si) > kLargest) {
+    report(reading, item,
+           fmt::format("must be at most 1e50 {}: products of larger numbers are out of range",
+                       unit_text(expected.dimension, kSiUnits)));
     return std::nullopt;
   }
   return quantity;

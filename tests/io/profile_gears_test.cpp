@@ -63,6 +63,8 @@ TEST(ProfileGears, TurnAlikeInARingAndInAnOpenBelt) {
 TEST(ProfileGears, SayWhatIsMissing) {
   EXPECT_THAT(messages(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = -2\n")),
               ElementsAre("test.toml:15:9: joints.mesh.ratio = -2: must be > 0"));
+  EXPECT_THAT(messages(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 1.1e9\n")),
+              ElementsAre("test.toml:15:9: joints.mesh.ratio = 1100000000: must be between 1e-9 and 1e9"));
   EXPECT_THAT(messages(planetary("type = \"belt\"\nbetween = [\"sun.O\", \"planet.P\"]\n")),
               ElementsAre("test.toml:12:1: joints.mesh.ratio is missing: expected a number"));
   EXPECT_THAT(messages(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.Q\"]\nratio = 2\n")),
@@ -80,6 +82,19 @@ TEST(ProfileGears, SayWhatIsMissing) {
           planetary("type = \"belt\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\ninternal = true\n")),
       ElementsAre("test.toml:16:1: joints.mesh.internal: unknown key; there are type, between, ratio, "
                   "crossed, carrier"));
+}
+
+// No carrier is looked for: it may hang on the pin that is wrong.
+TEST(ProfileGears, WaitForPinsWhoseNamesAreRight) {
+  std::string profile = planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\n");
+  profile.replace(profile.find("[\"ground.O\""), 11, "[\"ground.X\"");
+  EXPECT_THAT(messages(profile),
+              ElementsAre("test.toml:18:12: joints.arm_pivot.between.0 = \"ground.X\": there is "
+                          "no point of `ground` `X`; did you mean `O`?"));
+  profile.erase(profile.find("points.O = [0, 0]\n"), 18);
+  EXPECT_THAT(messages(profile),
+              ElementsAre("test.toml:17:12: joints.arm_pivot.between.0 = \"ground.X\": there is "
+                          "no point of `ground` `X`; there is none"));
 }
 
 TEST(ProfileGears, NeedTheNameOfTheCarrierWhereSeveralBodiesWouldDo) {

@@ -151,6 +151,15 @@ TEST(ProfileMessages, NumbersMustBeFinite) {
               ElementsAre("test.toml:15:10: bodies.x.pose.x = 1e+308: must be a finite number"));
 }
 
+TEST(ProfileMessages, ProductsOfQuantitiesMustHaveAPlaceInADouble) {
+  EXPECT_THAT(
+      messages(crank_profile("[bodies.x]\npose.x = 1.1e53\npoints.far = [0, -1e60]\n")),
+      ElementsAre("test.toml:13:10: bodies.x.pose.x = 1.1e+53: must be at most 1e50 m: products of "
+                  "larger numbers are out of range",
+                  "test.toml:14:18: bodies.x.points.far.1 = -1e+60: must be at most 1e50 m: products of "
+                  "larger numbers are out of range"));
+}
+
 TEST(ProfileMessages, AnglesMustHaveAPlaceWithinTheTurn) {
   EXPECT_THAT(
       about("start = 1e300\nend = -3.7e20\n"),

@@ -1,49 +1,100 @@
-// Feeds files, and all files of folders, to a target: what a fuzzer found once is tried with every build.
+// Feeds files, and all files of folders, to a target, and as many inputs made from them as one likes: what a
+// fuzzer found once is tried with every build, by any compiler.
+#include "mutation.hpp"
 #include "target.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-void feed(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> data((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::fprintf(stderr, "%s\n", path.c_str());  // the last one named is the one that fails
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
-}
+struct Options {
+  std::vector<std::string> paths;
+  std::uint64_t mutations = 0;
+  std::uint64_t seed = 1;
+  std::string last;
+};
 
-int replay(int argc, char** argv) {
-  int files = 0;
-  for (int i = 1; i < argc; ++i) {
-    if (!fs::is_directory(argv[i])) {
-      feed(argv[i]);
-      ++files;
+std::vector<fs::path> files_in(const std::vector<std::string>& paths) {
+  std::vector<fs::path> files;
+  for (const std::string& path : paths) {
+    if (!fs::is_directory(path)) {
+      files.emplace_back(path);
       continue;
     }
-    for (const auto& entry : fs::recursive_directory_iterator(argv[i])) {
+    for (const auto& entry : fs::recursive_directory_iterator(path)) {
       if (entry.is_regular_file()) {
-        feed(entry.path());
-        ++files;
+        files.push_back(entry.path());
       }
     }
   }
-  std::fprintf(stderr, "%d files\n", files);
-  return files > 0 ? 0 : 2;
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw std::runtime_error("cannot read " + path.string());
+  }
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void feed(const std::string& input) {
+  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+}
+
+// A fault ends the program at once: what is being tried is written before.
+void keep(const Options& options, const std::string& input) {
+  if (!options.last.empty()) {
+    std::ofstream(options.last, std::ios::binary | std::ios::trunc) << input;
+  }
+}
+
+int replay(const Options& options) {
+  std::vector<std::string> inputs;
+  for (const fs::path& file : files_in(options.paths)) {
+    std::fprintf(stderr, "%s\n", file.c_str());  // the last one named is the one that fails
+    inputs.push_back(read(file));
+    feed(inputs.back());
+  }
+  if (inputs.empty()) {
+    std::fprintf(stderr, "replay: no files\n");
+    return 2;
+  }
+  for (std::uint64_t i = 0; i < options.mutations; ++i) {
+    const std::string input = higherpair::fuzz::mutated(inputs, options.seed + i);
+    keep(options, input);
+    feed(input);
+  }
+  std::fprintf(stderr, "%zu files, %llu inputs made from them\n", inputs.size(),
+               static_cast<unsigned long long>(options.mutations));
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Feeds files to a fuzz target, and inputs made from them.");
+  app.add_option("paths", options.paths, "files, and folders of them")->required()->check(CLI::ExistingPath);
+  app.add_option("--mutations", options.mutations, "how many inputs to make from the files");
+  app.add_option("--seed", options.seed, "of the first of these; the same inputs for a seed everywhere");
+  app.add_option("--last", options.last, "a file for the made input that is being tried: the one that fails");
+  CLI11_PARSE(app, argc, argv);
   try {
-    return replay(argc, argv);
+    return replay(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "replay: %s\n", error.what());
     return 1;
