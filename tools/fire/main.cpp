@@ -43,6 +43,7 @@ void print_summary(std::uint64_t seed, const Counts& counts, const std::map<std:
 
 struct Options {
   std::uint64_t seed = 1;
+  long first = 0;
   long count = 1000;
   double seconds = 0;  // 0: no limit
   long every = 1;
@@ -54,12 +55,15 @@ int run(const Options& options) {
   Counts counts;
   std::map<std::string, long> broken;  // how often each law
   const auto start = std::chrono::steady_clock::now();
-  for (long i = 0; i < options.count; ++i) {
+  for (long i = 0; i - options.first < options.count; ++i) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     if (options.seconds > 0 && spent.count() > options.seconds) {
       break;
     }
     const Case one = cases.next();
+    if (i < options.first) {
+      continue;
+    }
     const Depth depth = i % options.every == 0 ? Depth::kWhole : Depth::kPair;
     const Trial trial = higherpair::fire::try_case(one, depth);
     counts += trial.counts;
@@ -78,6 +82,8 @@ int start(int argc, char** argv) {
   Options options;
   CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
   app.add_option("--seed", options.seed, "of the first case; the same cases for a seed everywhere");
+  app.add_option("--first", options.first, "number of the first case to try; 0 unless given")
+      ->check(CLI::NonNegativeNumber);
   const CLI::Option* count =
       app.add_option("--count", options.count, "number of cases; 1000 if --seconds is not given either")
           ->check(CLI::NonNegativeNumber);

@@ -24,7 +24,8 @@ bool finite(const ContactPosition& at) {
          std::isfinite(at.sliding);
 }
 
-Failure laws(const ContactPair& pair, const ContactPosition& at, int row) {
+// \param at_limit  rates are not defined there
+Failure laws(const ContactPair& pair, const ContactPosition& at, int row, bool at_limit = false) {
   if (!finite(at)) {
     return {"finite numbers", "", row};
   }
@@ -33,7 +34,7 @@ Failure laws(const ContactPair& pair, const ContactPosition& at, int row) {
     const std::size_t colon = broken.find(':');
     // Where the curves nearly conform, rates are as uncertain as κ1 + κ2: 1e-16 of κ over it.
     const bool rate = broken.starts_with("acceleration") || broken.starts_with("velocity");
-    if (!rate || std::abs(held.conforming_) > 1e-4L) {
+    if (!rate || (!at_limit && std::abs(held.conforming_) > 1e-4L)) {
       return {broken.substr(0, colon), broken, row};
     }
   }
@@ -127,14 +128,20 @@ Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
       continue;
     }
     ++counts.rows;
-    if (follow_to(track, one.u + k * one.step).status != TrackStatus::kOk) {
+    const TrackResult followed = follow_to(track, one.u + k * one.step);
+    if (followed.status != TrackStatus::kOk) {
       ++counts.flagged;
       ++lost;
       continue;
     }
     lost = 0;
-    if (auto f = laws(pair, track.at, k)) {
+    const bool at_limit = followed.limit && track.at.gap_q == 0;
+    if (auto f = laws(pair, track.at, k, at_limit)) {
       return f;
+    }
+    if (at_limit) {
+      ++counts.flagged;
+      continue;
     }
     if (track.branch * track.at.gap_q < 0) {
       return {"branch", fmt::format("gap_q = {}", track.at.gap_q), k};

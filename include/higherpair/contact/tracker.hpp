@@ -37,7 +37,9 @@ enum class TrackStatus {
 
 struct TrackResult {
   TrackStatus status = TrackStatus::kNotAssemblable;
-  std::optional<LimitPosition> limit;  ///< passed on the way, if any
+  /// Passed on the way, if any. Where u itself is one, the track stands there with ∂gap/∂q = 0, and its
+  /// rates, which are not defined, are 0.
+  std::optional<LimitPosition> limit;
 };
 
 /// Starts to follow a contact. \pre `at` solves the pair and branch = ±1.
