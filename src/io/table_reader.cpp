@@ -18,9 +18,6 @@ constexpr std::array<std::string_view, 12> kTopLevelKeys = {"format", "title",  
                                                             "units",  "bodies",  "joints",      "contacts",
                                                             "driver", "drivers", "loads",       "springs"};
 
-// In SI: what is multiplied of several such numbers stays in the range of a double.
-constexpr double kLargest = 1e50;
-
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
 bool is_top_level(std::string_view key) {
@@ -155,7 +152,7 @@ std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Ex
     report(reading, item, "is more than 1e9 turns: its place within the turn is rounding");
     return std::nullopt;
   }
-  if (quantity && expected.dimension != dimension::kNumber && std::abs(quantity->si) > kLargest) {
+  if (quantity && expected.dimension != dimension::kNumber && std::abs(quantity->si) > kLargestQuantity) {
     report(reading, item,
            fmt::format("must be at most 1e50 {}: products of larger numbers are out of range",
                        unit_text(expected.dimension, kSiUnits)));

@@ -119,8 +119,6 @@ TEST(AnalyzeSchedule, RefusesWhatHasNoMeaning) {
       lines(DriverSchedule::analyze(read(slider_profile("samples = 7\n")))),
       ElementsAre(
           "test.toml:11:1: driver.end is missing: 7 samples need one (the same as start to stay there)"));
-  EXPECT_THAT(lines(DriverSchedule::analyze(read(slider_profile("start = -1e308\nend = 1e308\n")))),
-              ElementsAre("test.toml:11:1: driver.end is too far from start for the range of a double"));
 }
 
 constexpr const char* kTwoDrivers = R"([bodies.ground]
@@ -258,8 +256,8 @@ TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {
       ElementsAre(
           "test.toml:10:1: driver.time_step is too small: the duration would have more than 2^53 rows"));
   EXPECT_THAT(lines(DriverSchedule::step(
-                  read(crank_profile("duration = 1e200\ntime_step = 1e199\nacceleration = 1\n")))),
-              ElementsAre("test.toml:10:1: driver.duration takes the driver out of the range of a double"));
+                  read(slider_profile("duration = 1e40\ntime_step = 1e39\nacceleration = 1e10\n")))),
+              ElementsAre("test.toml:11:1: driver.duration takes the driver beyond 1e50 m"));
   EXPECT_THAT(
       lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e8\nvelocity = 400\n")))),
       ElementsAre("test.toml:10:1: driver.duration takes the driver over more than 1e9 turns: its place "

@@ -140,6 +140,9 @@ struct Quantity {
   double profile = 0;  ///< in the units asked for, correctly rounded; `value` itself where they are the same
 };
 
+/// In SI units: products of several quantities that are no larger stay in the range of a double.
+inline constexpr double kLargestQuantity = 1e50;
+
 /// Reads "25.4 mm", "300 rpm", "9.81 m/s^2", "0.2 N m", "2.1e-4 kg m^2": a decimal number and a unit made of
 /// factors separated by spaces or `*`, at most one `/` (all factors after it divide) and integer powers `^n`.
 /// The units are those of `Unit`, rpm (rev/min) and 1. A force may be spelled in kg m/s^2; angles are never
