@@ -1,5 +1,6 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/extreme_gap.hpp"
+#include "higherpair/contact/gap_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAtLimit = 1e-7;   // of the follower's speed: a ∂gap/∂q that may be that of a limit
+constexpr double kAtLimit = 1e-7;   // of its scale: a ∂gap/∂q that may be that of a limit
 constexpr double kTouches = 1e-14;  // of the size: a gap that is 0 to rounding
 constexpr double kNearLimit = 0.3;  // of a unit: how far the follower may be guessed from its limit
 
@@ -27,7 +28,7 @@ ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_i
 // The group is singular where the follower's joint does not change the gap.
 void set_sine(const ContactPair& pair, const ContactPosition& at, GroupState& group) {
   group.sine = at.gap_q;
-  group.lever = std::max(velocity_per_q(pair.motion2, at.p2_W).norm(), 1e-300);
+  group.lever = std::sqrt(gap_q_scale2(pair, at));
   group.noise = 1e-12 * group.lever;
 }
 
@@ -100,8 +101,8 @@ namespace {
 ContactResult contact_near(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                            double size) {
   ContactResult solved = solve_contact(pair, u, q, n_W, branch);
-  const double speed = velocity_per_q(pair.motion2, solved.at.p2_W).norm();
-  if (solved.status == ContactStatus::kOk && std::abs(solved.at.gap_q) > kAtLimit * speed) {
+  const double scale = std::sqrt(gap_q_scale2(pair, solved.at));
+  if (solved.status == ContactStatus::kOk && std::abs(solved.at.gap_q) > kAtLimit * scale) {
     return solved;
   }
   ContactPosition near;

@@ -83,7 +83,7 @@ bool can_cross(const Group& group) {
 
 bool is_near_crossing(const Run& run, const State& state) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (can_cross(run.plan.groups[g]) && std::abs(state.groups[g].sine) < kNear * state.groups[g].lever) {
+    if (std::abs(state.groups[g].sine) < kNear * state.groups[g].lever && can_cross(run.plan.groups[g])) {
       return true;
     }
   }
@@ -94,7 +94,10 @@ bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   const double reach = std::copysign(kCrossingReach * unit_of(run, path), path.length);
   const State direct = run.trial;
   const State kept = run.state;
-  bool crosses = solve_at(run, path, s, rest - reach);
+  // Back from a place beyond the crossing leads over it.
+  const double h = rest - reach;
+  bool crosses =
+      h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h);
   if (crosses) {
     const State before = run.trial;
     run.state = before;

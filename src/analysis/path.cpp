@@ -21,17 +21,19 @@ constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
 constexpr double kShortOfLimit = 1e-6;  // of the driver's scale: as near as this a limit is reached
 constexpr double kShareToLimit = 0.9;   // of the way to it in one step
+constexpr double kAlmostThere = 1.001;  // of a step: no rest of rounding is left
 constexpr double kLongStep = 0.02;      // of the driver's scale: one that may as well end elsewhere
 constexpr double kMostSteps = 2e5;      // inner steps besides those that the way takes at least
 
-double largest_step(const Run& run, const Path& path) {
+// Of how many inner steps a path is at least.
+double parts_of(const Run& run, const Path& path) {
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
     const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[i].joint)];
     const double largest = joint.type == JointType::kRevolute ? kMaxTurn : kMaxSlide * driver_scale(run, i);
     parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);
   }
-  return std::abs(path.length) / parts;
+  return parts;
 }
 
 // The root of the group's slack between s and s + h, if its sign changes there.
@@ -50,14 +52,7 @@ void accept(Run& run) {
 // A way along a path, in steps that agree with their predictions.
 class Way {
 public:
-  Way(Run& run, const Path& path)
-      : run_(run),
-        path_(path),
-        largest_(largest_step(run, path)),
-        scale_(path.is_single() ? driver_scale(run, 0) : 1),
-        near_(kCrossingReach * unit_of(run, path)),
-        h_(largest_),
-        steps_left_(kMostSteps + 4 * std::abs(path.length) / largest_) {
+  Way(Run& run, const Path& path) : Way(run, path, parts_of(run, path)) {
     run.between = false;
     if (run.plan.couples) {
       run.way_start = run.state;
@@ -78,17 +73,27 @@ public:
 private:
   enum class Outcome { kGoesOn, kArrived, kLost };
 
+  Way(Run& run, const Path& path, double parts)
+      : run_(run),
+        path_(path),
+        largest_(std::abs(path.length) / parts),
+        scale_(path.is_single() ? driver_scale(run, 0) : 1),
+        near_(kCrossingReach * (path.is_single() ? scale_ : unit_of(run, path))),
+        h_(largest_),
+        steps_left_(kMostSteps + 4 * parts) {}
+
   Outcome next() {
     rest_ = path_.length - s_;
     if (--steps_left_ < 0) {
       add_limit(run_, run_.plan.groups.size() - 1, path_, s_);
       return lose(s_);
     }
-    last_ = std::abs(rest_) <= h_;
+    last_ = std::abs(rest_) <= kAlmostThere * h_;
     step_ = last_ ? rest_ : std::copysign(h_, rest_);
     const StepResult result = try_step(run_, path_, s_, step_);
     near_crossing_ = result.kind == StepResult::kOk && is_near_crossing(run_, run_.trial);
     if (const auto shorter = better_length(result)) {
+      longest_ = std::max(longest_, h_);
       h_ = *shorter;
       return Outcome::kGoesOn;
     }
@@ -132,7 +137,8 @@ private:
     watch_overlaps(run_, path_, s_, step_);
     accept(run_);
     s_ = last_ ? path_.length : s_ + step_;
-    h_ = std::min(2 * h_, largest_);
+    h_ = std::max(longest_, std::min(2 * h_, largest_));
+    longest_ = 0;
     return Outcome::kGoesOn;
   }
 
@@ -146,6 +152,7 @@ private:
       return Outcome::kArrived;
     }
     h_ = std::abs(step_) / 2;
+    longest_ = 0;
     if (++halvings_ >= kHalvingsToLimit) {
       if (const auto limit = locate_limit(run_, path_, result.group, s_, step_)) {
         add_limit(run_, result.group, path_, *limit);
@@ -181,6 +188,7 @@ private:
   bool last_ = false;           // it leads to the end
   bool near_crossing_ = false;  // it could be taken and leads next to where branches may cross
   double h_;                    // largest step that may be tried
+  double longest_ = 0;  // where a step was shortened though it need not have failed: what it was before
   int halvings_ = 0;
   double steps_left_;
 };

@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
 
+// Of the change of a group's sine in a step: how far it may be from what the rates at both ends say.
+constexpr double kSmoothSine = 0.25;
+
 // Groups that keep to their branch by themselves.
 bool is_safe(const Group& group) {
   return std::holds_alternative<DrivenBody>(group.kind) || std::holds_alternative<TrackedPair>(group.kind) ||
@@ -77,6 +80,23 @@ bool place_before(Run& run, const Path& path, std::size_t end, double s, double 
   return true;
 }
 
+// Next to where branches cross a step agrees with its prediction on either of them; but on the one that is
+// not its own the sine turns back. A group that does.
+std::optional<std::size_t> group_that_turns_back(const Run& run, double h) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const GroupState& a = run.state.groups[g];
+    const GroupState& b = run.trial.groups[g];
+    if (std::abs(b.sine) < 0.5 * std::abs(a.sine) && !is_safe(run.plan.groups[g]) &&
+        !std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind)) {
+      const double rise = b.sine - a.sine;
+      if (!(std::abs(rise - h * (a.sine_rate + b.sine_rate) / 2) <= kSmoothSine * std::abs(rise))) {
+        return g;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // Whether the slack only touches 0 within the step, so that branches really cross there; without it the links
 // would come near to being aligned and part again, or part of the way could not be assembled.
 bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
@@ -84,17 +104,16 @@ bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double 
   if (!std::isfinite(before)) {
     return true;
   }
-  // The gap of a contact may come to 0 from either side.
-  const double sense = before < 0 ? -1 : 1;
+  // The gap of a contact may come to 0 from either side, and be 0 to rounding at an end.
+  const double end = slack_after(run, path, g, s, h);
+  const double sense = (std::abs(end) > std::abs(before) ? end : before) < 0 ? -1 : 1;
   const auto slack = [&](double x) { return sense * slack_after(run, path, g, s, x); };
   std::uintmax_t calls = 100;
   const auto [x, smallest] =
       boost::math::tools::brent_find_minima(slack, std::min(0.0, h), std::max(0.0, h), 52, calls);
-  const double after = slack(h);
   const double size = run.plan.size;
   const bool is_length = std::holds_alternative<TouchingBody>(run.plan.groups[g].kind);
-  return std::abs(smallest) <=
-         1e-13 * (std::abs(before) + std::abs(after) + (is_length ? size : size * size));
+  return std::abs(smallest) <= 1e-13 * (std::abs(before) + std::abs(end) + (is_length ? size : size * size));
 }
 
 // Places a group in run.trial on the branch given by `mode`, where the present position leads to.
@@ -207,6 +226,10 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
   }
   path.motions(s + h, run.trial_motions);
   set_rates(run, run.trial_motions, run.trial);
+  if (const auto g = group_that_turns_back(run, h)) {
+    result.group = *g;
+    result.kind = StepResult::kDisagrees;
+  }
   return result;
 }
 

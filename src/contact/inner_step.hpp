@@ -15,11 +15,14 @@ inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may
 inline constexpr double kCosFarthestTurn = 0.866;
 // Of the driver's scale: steps that d²φ/du² and d³q/du³, and d³φ/du³, are taken from.
 inline constexpr double kShortestForSecond = 1e-14;
+inline constexpr double kFarthestReach = 1e3;  // of the step that they are from: what they serve to predict
 inline constexpr double kShortestForThird = 1e-4;
 inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short step
-// ∂gap/∂q that may be that of a crossing: of the follower's lever, and of its present value.
+// ∂gap/∂q that may be that of a crossing: of its scale, and of its present value.
 inline constexpr double kAtCrossing = 1e-3;
 inline constexpr double kFallsToCrossing = 1e-3;
+// Of the change of ∂gap/∂q in a step: how far it may be from what the rates at both ends say.
+inline constexpr double kSmoothGap = 0.25;
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
@@ -46,12 +49,18 @@ struct Step {
   bool solved = false;
 };
 
+// Over a very short step the higher derivatives are known with much rounding: not for long ones after it.
+[[nodiscard]] inline bool reaches(const ContactTrack& track, double h) {
+  return std::abs(h) <= kFarthestReach * track.last_step;
+}
+
 // The normal after a step h, to third order like the follower; not for long steps, which a jump of the normal
 // could then seem to agree with.
 [[nodiscard]] inline Vector2d predicted_normal(const ContactTrack& track, double h) {
   const double half_h2 = h * h / 2;
+  const double d2phi = reaches(track, h) ? track.d2phi : 0;
   const double d3phi = std::abs(h) <= kShortTurn * unit_of(track.pair.motion1, track) ? track.d3phi : 0;
-  const double turn = h * track.at.dphi + half_h2 * track.d2phi + half_h2 * h * (1 / 3.0) * d3phi;
+  const double turn = h * track.at.dphi + half_h2 * d2phi + half_h2 * h * (1 / 3.0) * d3phi;
   return predicted_turn(turn) * track.at.n_W;
 }
 
@@ -67,7 +76,8 @@ struct Step {
   const ContactPosition& from = track.at;
   // Summed so that what is known last is added last.
   const double half_h2 = h * h / 2;
-  const double q = from.q + h * from.dq + half_h2 * from.d2q + half_h2 * h * (1 / 3.0) * track.d3q;
+  const double d3q = reaches(track, h) ? track.d3q : 0;
+  const double q = from.q + h * from.dq + half_h2 * from.d2q + half_h2 * h * (1 / 3.0) * d3q;
   const Vector2d n = predicted_normal(track, h);
   const double u = from.u + h;
   Step step{solve_contact(track.pair, placed_near(track, u, q), u, q, n, branch)};
@@ -83,6 +93,16 @@ struct Step {
   step.solved = !turned_far && same_curvature(track.pair.curve1, track.pair.curve2, from.rho1 + from.rho2,
                                               to.rho1 + to.rho2);
   return step;
+}
+
+// Next to where branches cross a step agrees with its prediction on either of them; but on the one that is
+// not its own ∂gap/∂q turns back.
+[[nodiscard]] inline bool turns_back(const ContactPosition& from, const ContactPosition& to, double h) {
+  if (!(std::abs(to.gap_q) < std::abs(from.gap_q) / 2)) {
+    return false;
+  }
+  const double rise = to.gap_q - from.gap_q;
+  return !(std::abs(rise - h * (from.dgap_q + to.dgap_q) / 2) <= kSmoothGap * std::abs(rise));
 }
 
 [[nodiscard]] inline bool agrees(const Step& step, double share) {
@@ -108,6 +128,7 @@ inline void renew_derivatives(ContactTrack& track, const ContactPosition& at, in
   if (!(std::abs(h) > kShortestForSecond * unit)) {
     return;
   }
+  track.last_step = std::abs(h);
   const double per_h = 1 / h;
   track.d3q = per_h * (at.d2q - track.at.d2q);
   // What the rates at both ends say of the turn is too much by h³ φ‴/12.
@@ -127,13 +148,14 @@ inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   track.interpolated = false;
 }
 
-// Whether a ∂gap/∂q to come is small enough for a crossing: against the lever, or against what it is now.
+// Whether a ∂gap/∂q to come is small enough for a crossing: against its scale, or against what it is now.
 [[nodiscard]] inline bool vanishes(const ContactTrack& track, double gap_q) {
   if (std::abs(gap_q) <= kFallsToCrossing * std::abs(track.at.gap_q)) {
     return true;
   }
-  const double lever2 = velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm();
-  return gap_q * gap_q <= kAtCrossing * kAtCrossing * lever2;
+  const double scale2 =
+      velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm() + track.least_gap_q_scale2;
+  return gap_q * gap_q <= kAtCrossing * kAtCrossing * scale2;
 }
 
 }  // namespace higherpair

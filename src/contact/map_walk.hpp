@@ -30,7 +30,8 @@ namespace higherpair {
     const int branch = crosses ? -track.branch : track.branch;
     const double agreement = crosses ? kCrossingAgreement : kAgreement;
     const Step step = try_step(track, length, branch);
-    if (agrees(step, agreement) && normal_agrees(track, step, length, agreement)) {
+    const bool strays = may_cross && turns_back(track.at, step.result.at, length);
+    if (agrees(step, agreement) && normal_agrees(track, step, length, agreement) && !strays) {
       accept(track, step.result.at, branch);
       h = std::min(2 * h, largest);
       if (last) {

@@ -1,6 +1,7 @@
 #include "higherpair/contact/standing_contact.hpp"
 
 #include "higherpair/contact/common_normal.hpp"
+#include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "within_itself.hpp"
 
@@ -9,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNotHeld = 1e-7;  // of the follower's speed: a ∂gap/∂q that tells nothing
+constexpr double kNotHeld = 1e-7;  // of its scale: a ∂gap/∂q that tells nothing
 
 }  // namespace
 
@@ -41,9 +42,9 @@ std::optional<StandingContact> standing_contact(const ContactPair& pair, double 
   at.rho1 = touch->rho1;
   at.rho2 = touch->rho2;
   at.sliding = -velocity_per_q(motion1, at.p1_W).dot(perp(at.n_W));
-  const Vector2d per_q = velocity_per_q(motion2, at.p2_W);
-  at.gap_q = at.n_W.dot(per_q);
-  return std::abs(at.gap_q) <= kNotHeld * per_q.norm() ? std::optional(standing) : std::nullopt;
+  at.gap_q = at.n_W.dot(velocity_per_q(motion2, at.p2_W));
+  const bool held = at.gap_q * at.gap_q > kNotHeld * kNotHeld * gap_q_scale2(pair, at);
+  return held ? std::nullopt : std::optional(standing);
 }
 
 }  // namespace higherpair

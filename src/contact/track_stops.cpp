@@ -1,6 +1,7 @@
 #include "track_stops.hpp"
 
 #include "higherpair/contact/common_normal.hpp"
+#include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "inner_step.hpp"
 #include "last_step.hpp"
@@ -11,13 +12,13 @@
 namespace higherpair {
 namespace {
 
-constexpr double kIsCrossing = 1e-12;       // of the follower's speed: a ∂gap/∂q that is 0 to rounding
+constexpr double kIsCrossing = 1e-12;       // of its scale: a ∂gap/∂q that is 0 to rounding
 constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
 constexpr double kSmooth = 1e-7;            // of dq/du: what two ways to interpolate it may differ by
 constexpr double kRounding = 1e-14;         // of q
-constexpr double kNearLimit = 1e-7;  // of the follower's speed: a ∂gap/∂q that may be that of a limit
-constexpr double kAtLimit = 1e-14;   // of the driver's scale: a limit that is at the driver's position
-constexpr double kClosed = 1e-13;    // of the lengths: gap that an interpolated crossing may leave
+constexpr double kNearLimit = 1e-7;         // of its scale: a ∂gap/∂q that may be that of a limit
+constexpr double kAtLimit = 1e-14;          // of the driver's scale: a limit that is at the driver's position
+constexpr double kClosed = 1e-13;           // of the lengths: gap that an interpolated crossing may leave
 
 // Sets the points, the normal, nearly n_W, and ∂gap/∂q for bodies that stand next to where branches cross;
 // false where they do not touch.
@@ -34,9 +35,8 @@ bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& a
   at.rho2 = touch->rho2;
   at.sliding =
       (at.dq * velocity_per_q(motion2, at.p1_W) - velocity_per_q(motion1, at.p1_W)).dot(perp(at.n_W));
-  const Vector2d per_q = velocity_per_q(motion2, at.p2_W);
-  at.gap_q = at.n_W.dot(per_q);
-  at.gap_q = std::abs(at.gap_q) <= kIsCrossing * per_q.norm() ? 0 : at.gap_q;
+  at.gap_q = at.n_W.dot(velocity_per_q(motion2, at.p2_W));
+  at.gap_q = at.gap_q * at.gap_q <= kIsCrossing * kIsCrossing * gap_q_scale2(track.pair, at) ? 0 : at.gap_q;
   return true;
 }
 
@@ -141,8 +141,8 @@ bool stop_at_limit(ContactTrack& track, double u, const LimitPosition& limit) {
 }
 
 bool has_come_to_limit(ContactTrack& track, std::optional<LimitPosition>& limit) {
-  const Vector2d per_q = velocity_per_q(track.pair.motion2, track.at.p2_W);
-  const bool near = track.at.gap_q * track.at.gap_q <= kNearLimit * kNearLimit * per_q.squaredNorm();
+  const double gap_q = track.at.gap_q;
+  const bool near = gap_q * gap_q <= kNearLimit * kNearLimit * gap_q_scale2(track.pair, track.at);
   if (!near || track.interpolated) {
     return false;
   }

@@ -1,6 +1,7 @@
 #include "higherpair/contact/tracker.hpp"
 
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "inner_step.hpp"
 #include "limit.hpp"
@@ -14,6 +15,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
+constexpr double kAlmostThere = 1.001;    // of a step: no rest of rounding is left
 constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
 constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
 constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
@@ -35,7 +37,8 @@ Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_
   if (step.solved && !may_stop_at_crossing && vanishes(track, step.result.at.gap_q)) {
     return Outcome::kOntoCrossing;
   }
-  if (!agrees(step, crosses ? kCrossingAgreement : kStepAgreement)) {
+  if (!agrees(step, crosses ? kCrossingAgreement : kStepAgreement) ||
+      turns_back(track.at, step.result.at, h)) {
     return Outcome::kRefused;
   }
   accept(track, step.result.at, branch);
@@ -81,7 +84,7 @@ struct Aim {
 // not found at all.
 Aim aim_at(const ContactTrack& track, double u, double h, double near) {
   const double rest = u - track.at.u;
-  if (std::abs(rest) > h) {
+  if (std::abs(rest) > kAlmostThere * h) {
     return {std::copysign(h, rest), false};
   }
   const double ahead = track.at.gap_q + track.at.dgap_q * rest;
@@ -169,6 +172,11 @@ bool resume(ContactTrack& track, double u, std::optional<LimitPosition>& limit) 
       return false;
     }
   }
+  // Over the stretch without contact the angles go the short way.
+  next.phi += nearest_turn(back.phi, track.phi) - back.phi;
+  if (track.pair.motion2.turns) {
+    next.at.q += nearest_turn(back.at.q, track.at.q) - back.at.q;
+  }
   track = next;
   return true;
 }
@@ -188,6 +196,7 @@ ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int
                                                                     : radius1 * radius2 / (radius1 + radius2);
   track.size = (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() + radii +
                std::numeric_limits<double>::min();
+  track.least_gap_q_scale2 = least_gap_q_scale2(pair, at);
   return track;
 }
 

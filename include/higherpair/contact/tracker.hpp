@@ -10,15 +10,17 @@ namespace higherpair {
 /// A contact that is followed while the driver moves.
 struct ContactTrack {
   ContactPair pair;
-  int branch = 0;             ///< sign of ∂gap/∂q; changes only where branches cross
-  ContactPosition at;         ///< where it was held last
-  double phi = 0;             ///< angle of at.n_W, continuous [rad]
-  bool interpolated = false;  ///< `at` is next to a crossing of branches, and not solved for
-  bool assembled = true;      ///< false: lost at a limit; `at` is the last position before it
-  double size = 0;            ///< of the mechanism where the track began [m]: one unit of a displacement
+  int branch = 0;                 ///< sign of ∂gap/∂q; changes only where branches cross
+  ContactPosition at;             ///< where it was held last
+  double phi = 0;                 ///< angle of at.n_W, continuous [rad]
+  bool interpolated = false;      ///< `at` is next to a crossing of branches, and not solved for
+  bool assembled = true;          ///< false: lost at a limit; `at` is the last position before it
+  double size = 0;                ///< of the mechanism where the track began [m]: one unit of a displacement
+  double least_gap_q_scale2 = 0;  ///< see gap_scale.hpp; where the track began
   double d3q = 0;  ///< d³q/du³, d²φ/du² and d³φ/du³ from the last step: they only serve to predict the next
   double d2phi = 0;
   double d3phi = 0;
+  double last_step = 0;    ///< of u: the one that they are from
   KnownRotation driver;    ///< of body 1, if it turns: at a position near by, if steps are short
   KnownRotation follower;  ///< the same of body 2
 };
