@@ -7,6 +7,7 @@
 #include "limit_events.hpp"
 #include "overlap.hpp"
 #include "root_between.hpp"
+#include "short_way.hpp"
 #include "step.hpp"
 
 #include <algorithm>
@@ -283,6 +284,7 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
     add_limit(run, result.group, way, *result.limit);
     return true;
   }
+  const State lost = run.trial;
   // Where this stretch begins: the limit on the way back.
   Run back = run;
   back.events.clear();
@@ -295,6 +297,7 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
         report_limit(run, way, std::move(event));
       }
     }
+    take_short_way(run, lost, back.state);
   }
   return true;
 }

@@ -203,5 +203,33 @@ INSTANTIATE_TEST_SUITE_P(
                       Change{"DiscThatPushesADisc", disc_that_pushes_a_disc, off_cosine, kPi, kPi / 2}),
     [](const auto& change) { return std::string(change.param.name); });
 
+// Between rows that are far apart angles could as well have gone the other way round.
+TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
+  const auto expect_alike = [](const std::string& name, testing::Settings settings, const char* column) {
+    settings.emplace_back("driver.samples=5");
+    const testing::Motion few = testing::analyze(testing::shipped(name, settings));
+    settings.back() = "driver.samples=361";
+    const testing::Motion many = testing::analyze(testing::shipped(name, settings));
+    ASSERT_EQ(few.size(), 5U);
+    ASSERT_EQ(many.size(), 361U);
+    std::size_t lost = 0;
+    for (std::size_t k = 0; k < few.size(); ++k) {
+      SCOPED_TRACE(fmt::format("{} row {}", name, k));
+      ASSERT_EQ(few.status(k), many.status(90 * k));
+      if (few.status(k) == RowStatus::kOk) {
+        EXPECT_NEAR(few.value(k, column), many.value(90 * k, column), 1e-9);
+      }
+      lost += few.status(k) == RowStatus::kOk ? 0 : 1;
+    }
+    EXPECT_GT(lost, 0U);
+  };
+  expect_alike("four_bar", {"bodies.ground.points.O4=[2, 0]", "bodies.crank.points.A=[-2, 0]"},
+               "coupler.angle");
+  expect_alike("disc_in_ring",
+               {"bodies.ground.points.O2=[-5.855358163792044, -50]", "bodies.cam.points.O=[50, 0]",
+                "bodies.ring.pose.x=0"},
+               "touch.normal");
+}
+
 }  // namespace
 }  // namespace higherpair

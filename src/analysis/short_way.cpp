@@ -1,0 +1,104 @@
+#include "short_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+namespace {
+
+class ShortWay {
+public:
+  ShortWay(const State& lost, const State& begin)
+      : lost_(lost), begin_(begin), turns_(begin.bodies.size(), 0.0) {}
+
+  void add(const RrrDyad& dyad) {
+    add_own(dyad.link_a);
+    add_own(dyad.link_b);
+  }
+
+  void add(const RrpDyad& dyad) {
+    add_own(dyad.link);
+    add_rider(dyad.slider);
+  }
+
+  void add(const RprDyad& dyad) {
+    add_own(dyad.link);
+    add_rider(dyad.slider);
+  }
+
+  void add(const SlideDyad& dyad) {
+    for (const Rider& rider : dyad.riders) {
+      add_rider(rider);
+    }
+    add_rider(dyad.pinned);
+  }
+
+  void add(const TouchingBody& touching) {
+    if (touching.follower.freedom.turns) {
+      add_own(touching.follower.body);
+    } else {
+      turn_of(touching.follower.body) = turn_of(touching.follower.carrier);
+    }
+    const auto i = static_cast<std::size_t>(touching.contact);
+    normals_.push_back({i, short_way(begin_.contacts[i].phi, lost_.contacts[i].phi)});
+  }
+
+  // What a driver turns goes where the driver goes, and a track keeps its turns itself.
+  template <class Kind>
+  void add(const Kind&) {}
+
+  void take(State& state) const {
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      state.bodies[i].theta += turns_[i];
+    }
+    for (const auto& [contact, turn] : normals_) {
+      state.contacts[contact].phi += turn;
+    }
+  }
+
+private:
+  struct NormalTurn {
+    std::size_t contact;
+    double turn;
+  };
+
+  static double short_way(double angle, double reference) { return nearest_turn(angle, reference) - angle; }
+
+  double& turn_of(int body) { return turns_[static_cast<std::size_t>(body)]; }
+
+  void add_own(int body) {
+    const auto i = static_cast<std::size_t>(body);
+    turns_[i] = short_way(begin_.bodies[i].theta, lost_.bodies[i].theta);
+  }
+
+  void add_rider(const std::optional<Rider>& rider) {
+    if (rider) {
+      turn_of(rider->body) = turn_of(rider->carrier);
+    }
+  }
+
+  const State& lost_;
+  const State& begin_;
+  std::vector<double> turns_;  // of the bodies [rad]
+  std::vector<NormalTurn> normals_;
+};
+
+}  // namespace
+
+void take_short_way(Run& run, const State& lost, const State& begin) {
+  const bool geared = std::any_of(run.plan.groups.begin(), run.plan.groups.end(), [](const Group& group) {
+    return std::holds_alternative<GearedBody>(group.kind);
+  });
+  if (geared) {
+    return;
+  }
+  ShortWay way(lost, begin);
+  for (const Group& group : run.plan.groups) {
+    std::visit([&](const auto& kind) { way.add(kind); }, group.kind);
+  }
+  way.take(run.state);
+}
+
+}  // namespace higherpair
