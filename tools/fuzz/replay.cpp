@@ -83,18 +83,22 @@ int replay(const Options& options) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   Options options;
-  CLI::App app("Feeds files to a fuzz target, and inputs made from them.");
+  CLI::App app("Feeds files to a fuzz target, and inputs made from them.", "replay");
   app.add_option("paths", options.paths, "files, and folders of them")->required()->check(CLI::ExistingPath);
   app.add_option("--mutations", options.mutations, "how many inputs to make from the files");
   app.add_option("--seed", options.seed, "of the first of these; the same inputs for a seed everywhere");
   app.add_option("--last", options.last, "a file for the made input that is being tried: the one that fails");
   CLI11_PARSE(app, argc, argv);
+  return replay(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    return replay(options);
+    return start(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "replay: %s\n", error.what());
     return 1;
