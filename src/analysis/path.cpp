@@ -3,6 +3,7 @@
 #include "crossing.hpp"
 #include "events.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "limit_events.hpp"
 #include "overlap.hpp"
@@ -22,7 +23,6 @@ constexpr double kSmallestStep = 1e-14;  // of the driver's scale
 constexpr int kHalvingsToLimit = 4;
 constexpr double kShortOfLimit = 1e-6;  // of the driver's scale: as near as this a limit is reached
 constexpr double kShareToLimit = 0.9;   // of the way to it in one step
-constexpr double kAlmostThere = 1.001;  // of a step: no rest of rounding is left
 constexpr double kLongStep = 0.02;      // of the driver's scale: one that may as well end elsewhere
 constexpr double kMostSteps = 2e5;      // inner steps besides those that the way takes at least
 

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
 
-// Of the change of a group's sine in a step: how far it may be from what the rates at both ends say.
-constexpr double kSmoothSine = 0.25;
-
 // Groups that keep to their branch by themselves.
 bool is_safe(const Group& group) {
   return std::holds_alternative<DrivenBody>(group.kind) || std::holds_alternative<TrackedPair>(group.kind) ||
@@ -80,18 +77,14 @@ bool place_before(Run& run, const Path& path, std::size_t end, double s, double 
   return true;
 }
 
-// Next to where branches cross a step agrees with its prediction on either of them; but on the one that is
-// not its own the sine turns back. A group that does.
+// A group that came over to the other branch next to where they cross.
 std::optional<std::size_t> group_that_turns_back(const Run& run, double h) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
     const GroupState& a = run.state.groups[g];
     const GroupState& b = run.trial.groups[g];
-    if (std::abs(b.sine) < 0.5 * std::abs(a.sine) && !is_safe(run.plan.groups[g]) &&
+    if (turns_back(a.sine, a.sine_rate, b.sine, b.sine_rate, h) && !is_safe(run.plan.groups[g]) &&
         !std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind)) {
-      const double rise = b.sine - a.sine;
-      if (!(std::abs(rise - h * (a.sine_rate + b.sine_rate) / 2) <= kSmoothSine * std::abs(rise))) {
-        return g;
-      }
+      return g;
     }
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "contact_points.hpp"
 #include "higherpair/contact/common_normal.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/contact/tracker.hpp"
 
 #include <cmath>
@@ -21,8 +22,6 @@ inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short st
 // ∂gap/∂q that may be that of a crossing: of its scale, and of its present value.
 inline constexpr double kAtCrossing = 1e-3;
 inline constexpr double kFallsToCrossing = 1e-3;
-// Of the change of ∂gap/∂q in a step: how far it may be from what the rates at both ends say.
-inline constexpr double kSmoothGap = 0.25;
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
@@ -95,14 +94,8 @@ struct Step {
   return step;
 }
 
-// Next to where branches cross a step agrees with its prediction on either of them; but on the one that is
-// not its own ∂gap/∂q turns back.
 [[nodiscard]] inline bool turns_back(const ContactPosition& from, const ContactPosition& to, double h) {
-  if (!(std::abs(to.gap_q) < std::abs(from.gap_q) / 2)) {
-    return false;
-  }
-  const double rise = to.gap_q - from.gap_q;
-  return !(std::abs(rise - h * (from.dgap_q + to.dgap_q) / 2) <= kSmoothGap * std::abs(rise));
+  return turns_back(from.gap_q, from.dgap_q, to.gap_q, to.dgap_q, h);
 }
 
 [[nodiscard]] inline bool agrees(const Step& step, double share) {

@@ -15,7 +15,6 @@ namespace higherpair {
 namespace {
 
 constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
-constexpr double kAlmostThere = 1.001;    // of a step: no rest of rounding is left
 constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
 constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
 constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
