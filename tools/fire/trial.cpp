@@ -86,7 +86,7 @@ Doubt doubt_of(const ContactPair& pair, const ContactPosition& at) {
   return doubt;
 }
 
-Failure rates(const ContactTrack& track, double h, int row) {
+Failure rates_over(const ContactTrack& track, double h, int row) {
   const auto beside = [&](auto of) {
     return [&track, of](double offset) -> std::optional<double> {
       ContactTrack moved = track;
@@ -109,6 +109,13 @@ Failure rates(const ContactTrack& track, double h, int row) {
   }
   const double second = (1e-12 * std::abs(at.dq) + doubt.dq) / std::abs(h) + rounding / u_unit;
   return compare("d2q", at.d2q, testing::difference(h, beside(dq_of)), noise, second, row);
+}
+
+// The motion may change within less than h, of which a difference does not know: rates that are wrong also
+// differ from narrower ones.
+Failure rates(const ContactTrack& track, double h, int row) {
+  const Failure wide = rates_over(track, h, row);
+  return wide && rates_over(track, h / 8, row) ? rates_over(track, h / 64, row) : Failure{};
 }
 
 Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
