@@ -3,7 +3,6 @@
 #include "run_testing.hpp"
 
 #include <cmath>
-#include <functional>
 #include <random>
 
 #include <fmt/format.h>

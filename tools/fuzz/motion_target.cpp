@@ -2,6 +2,7 @@
 // count as ok close.
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "target.hpp"
 
@@ -16,7 +17,7 @@ using namespace higherpair;
 
 constexpr std::size_t kMostBodies = 20;
 constexpr int kRows = 6;
-constexpr double kStep = 0.1;  // of a driver from row to row [rad, or m in the unit of the file]
+constexpr double kStep = 0.1;  // of a driver from row to row [rad or m]
 
 void check(const Run& run, const Reactions& reactions) {
   if (run.row.status == RowStatus::kNotAssemblable) {
@@ -40,9 +41,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!profile || profile->mechanism.bodies.size() > kMostBodies) {
     return 0;
   }
+  const auto schedule = DriverSchedule::analyze(*profile);
+  if (!schedule) {
+    return 0;
+  }
   std::vector<double> starts;
-  for (const auto& program : profile->programs) {
-    starts.push_back(program.start);
+  for (std::size_t i = 0; i < schedule->driver_count(); ++i) {
+    starts.push_back(schedule->state(0, i).si.position);
   }
   auto run = start_run(profile->mechanism, starts);
   if (!run) {
