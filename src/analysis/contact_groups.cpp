@@ -83,7 +83,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
   return GroupStatus::kOk;
 }
 
-void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
+void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state) {
   const ContactPosition& at = position_of(state.tracks[g]);
   const DriverMotion& driver = drivers[static_cast<std::size_t>(tracked.driver)];
@@ -120,8 +120,8 @@ ContactResult contact_near(const ContactPair& pair, double u, double q, const Ve
 
 }  // namespace
 
-GroupStatus place_touching(const Model& model, const TouchingBody& touching, std::size_t g, const State& from,
-                           double h, State& to) {
+GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
+                           const State& from, double h, State& to) {
   const StandingPair placed = standing_pair(model, touching, to);
   const CarriedBody& follower = touching.follower;
   const ContactMotion& before = from.contacts[static_cast<std::size_t>(touching.contact)];
@@ -149,7 +149,7 @@ GroupStatus place_touching(const Model& model, const TouchingBody& touching, std
 }
 
 // The follower's coordinate rates from n·(v2 - v1) = 0 and the same for accelerations, its carrier moving.
-void move_touching(const Model& model, const TouchingBody& touching, std::size_t g, State& state) {
+void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state) {
   const CarriedBody& follower = touching.follower;
   const BodyMotion& carrier = body_in(state, follower.carrier);
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
@@ -187,7 +187,7 @@ void move_touching(const Model& model, const TouchingBody& touching, std::size_t
   }
 }
 
-std::optional<double> touching_slack(const Model& model, const TouchingBody& touching, const State& state) {
+std::optional<double> touching_slack(const Planned& model, const TouchingBody& touching, const State& state) {
   const StandingPair placed = standing_pair(model, touching, state);
   const ContactMotion& contact = state.contacts[static_cast<std::size_t>(touching.contact)];
   const BodyMotion& body = body_in(state, touching.follower.body);
@@ -202,7 +202,7 @@ std::optional<double> touching_slack(const Model& model, const TouchingBody& tou
   return extreme ? std::optional(extreme->gap) : std::nullopt;
 }
 
-double touching_sine(const Model& model, const TouchingBody& touching, const State& state) {
+double touching_sine(const Planned& model, const TouchingBody& touching, const State& state) {
   const StandingPair placed = standing_pair(model, touching, state);
   const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
   const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;

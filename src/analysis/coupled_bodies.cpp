@@ -99,7 +99,7 @@ void set_rank(const Solver& solver, GroupState& group) {
   group.noise = 1e-14;
 }
 
-bool place_contacts(const Model& model, const Group& group, State& to) {
+bool place_contacts(const Planned& model, const Group& group, State& to) {
   for (const int index : group.contacts) {
     const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
     ContactMotion& motion = to.contacts[static_cast<std::size_t>(index)];
@@ -134,13 +134,13 @@ void predict(const Group& group, const State& from, double h, State& to) {
   }
 }
 
-bool is_idle(const Model& model, int body) {
+bool is_idle(const Planned& model, int body) {
   const std::vector<int>& idle = model.plan.idle_bodies;
   return std::find(idle.begin(), idle.end(), body) != idle.end();
 }
 
 // A body whose turning nothing sets keeps its angle: size·(θ - predicted θ) = 0.
-void append_idle_rows(const Model& model, const Group& group, std::vector<ConstraintRow>& rows) {
+void append_idle_rows(const Planned& model, const Group& group, std::vector<ConstraintRow>& rows) {
   for (const int body : group.bodies) {
     if (is_idle(model, body)) {
       ConstraintRow row;
@@ -152,7 +152,7 @@ void append_idle_rows(const Model& model, const Group& group, std::vector<Constr
 }
 
 // Takes away what rounding leaves of an idle body's turning.
-void hold_idle(const Model& model, const Group& group, Eigen::VectorXd& change) {
+void hold_idle(const Planned& model, const Group& group, Eigen::VectorXd& change) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     if (is_idle(model, group.bodies[i])) {
       change(static_cast<Eigen::Index>(3 * i + 2)) = 0;
@@ -192,7 +192,7 @@ Eigen::VectorXd column_of(const std::vector<ConstraintRow>& rows, double Constra
 
 }  // namespace
 
-void group_rows(const Model& model, const Group& group, const std::vector<DriverMotion>& drivers,
+void group_rows(const Planned& model, const Group& group, const std::vector<DriverMotion>& drivers,
                 const State& state, std::vector<ConstraintRow>& rows) {
   const Mechanism& mechanism = model.mechanism;
   const double size = model.plan.size;
@@ -214,7 +214,7 @@ void group_rows(const Model& model, const Group& group, const std::vector<Driver
 
 namespace {
 
-Solver solver_at(const Model& model, std::size_t g, const State& state) {
+Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
   std::vector<ConstraintRow> rows;
   group_rows(model, group, std::vector<DriverMotion>(model.mechanism.drivers.size()), state, rows);
@@ -224,7 +224,7 @@ Solver solver_at(const Model& model, std::size_t g, const State& state) {
 
 }  // namespace
 
-GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
+GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from, double h,
                           const std::vector<double>& drivers, State& to,
                           const std::optional<std::vector<int>>& held) {
   const Group& group = model.plan.groups[g];
@@ -266,15 +266,16 @@ GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, 
   return GroupStatus::kNotConverged;
 }
 
-void judge_coupled(const Model& model, std::size_t g, State& state) {
+void judge_coupled(const Planned& model, std::size_t g, State& state) {
   set_rank(solver_at(model, g, state), state.groups[g]);
 }
 
-double coupled_sine(const Model& model, std::size_t g, const State& state) {
+double coupled_sine(const Planned& model, std::size_t g, const State& state) {
   return solver_at(model, g, state).determinant();
 }
 
-void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers, State& state) {
+void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
+                  State& state) {
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
   for (const int index : group.bodies) {

@@ -8,21 +8,22 @@ namespace higherpair {
 /// least squares where there are more conditions than coordinates.
 /// \param held  where rolling begins: bodies that keep their angle in `from`; the conditions may repeat each
 ///              other and leave some freedom then, and the nearest position is taken
-[[nodiscard]] GroupStatus place_coupled(const Model& model, std::size_t g, const State& from, double h,
+[[nodiscard]] GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from, double h,
                                         const std::vector<double>& drivers, State& to,
                                         const std::optional<std::vector<int>>& held = {});
 
 /// Sets whether the group's bodies stand where their conditions have lost their rank, and on which branch.
-void judge_coupled(const Model& model, std::size_t g, State& state);
+void judge_coupled(const Planned& model, std::size_t g, State& state);
 
 /// The determinant of the group's conditions where its bodies stand, scaled: GroupState::sine.
-[[nodiscard]] double coupled_sine(const Model& model, std::size_t g, const State& state);
+[[nodiscard]] double coupled_sine(const Planned& model, std::size_t g, const State& state);
 
 /// Velocities and accelerations from the same conditions.
-void move_coupled(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers, State& state);
+void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
+                  State& state);
 
 /// The conditions of a group where its bodies stand, with the drivers' rates.
-void group_rows(const Model& model, const Group& group, const std::vector<DriverMotion>& drivers,
+void group_rows(const Planned& model, const Group& group, const std::vector<DriverMotion>& drivers,
                 const State& state, std::vector<ConstraintRow>& rows);
 
 }  // namespace higherpair

@@ -39,7 +39,7 @@ private:
   void begin_arcs(const Group& group);
 
   const Run& run_;
-  Model model_;
+  Planned model_;
   State posed_;
   State state_;
   State touching_start_;

@@ -10,7 +10,7 @@ struct Drive {
   double own = 0;
 };
 
-Drive drive_of(const Model& model, const GearedBody& geared, const State& state) {
+Drive drive_of(const Planned& model, const GearedBody& geared, const State& state) {
   const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(geared.gears)];
   const ConstraintRow row = gear_row(joint, state.bodies, 1);
   Drive drive;
@@ -29,7 +29,7 @@ Drive drive_of(const Model& model, const GearedBody& geared, const State& state)
 
 }  // namespace
 
-void place_geared(const Model& model, const GearedBody& geared, State& to) {
+void place_geared(const Planned& model, const GearedBody& geared, State& to) {
   BodyMotion& body = body_in(to, geared.body);
   body = {};
   const Drive drive = drive_of(model, geared, to);
@@ -38,7 +38,7 @@ void place_geared(const Model& model, const GearedBody& geared, State& to) {
   body.X_WB.p_WB = place_of(to, geared.pin) - body.X_WB.R_WB * geared.p_B;
 }
 
-void move_geared(const Model& model, const GearedBody& geared, State& state) {
+void move_geared(const Planned& model, const GearedBody& geared, State& state) {
   const Drive drive = drive_of(model, geared, state);
   move_link(body_in(state, geared.body), -drive.speed / drive.own, -drive.acceleration / drive.own,
             motion_of(state, geared.pin), geared.p_B);

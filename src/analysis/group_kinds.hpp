@@ -75,20 +75,20 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
 [[nodiscard]] double dyad_sine(const RrrDyad& dyad, const State& state);
 [[nodiscard]] double dyad_sine(const RrpDyad& dyad, const State& state);
 [[nodiscard]] double dyad_sine(const RprDyad& dyad, const State& state);
-[[nodiscard]] double touching_sine(const Model& model, const TouchingBody& touching, const State& state);
+[[nodiscard]] double touching_sine(const Planned& model, const TouchingBody& touching, const State& state);
 
-void place_geared(const Model& model, const GearedBody& geared, State& to);
-void move_geared(const Model& model, const GearedBody& geared, State& state);
+void place_geared(const Planned& model, const GearedBody& geared, State& to);
+void move_geared(const Planned& model, const GearedBody& geared, State& state);
 
 [[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
                                         const std::vector<double>& drivers, State& to,
                                         std::optional<LimitPosition>& limit);
-void move_tracked(const Model& model, const TrackedPair& tracked, std::size_t g,
+void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state);
-[[nodiscard]] GroupStatus place_touching(const Model& model, const TouchingBody& touching, std::size_t g,
+[[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                                          const State& from, double h, State& to);
-void move_touching(const Model& model, const TouchingBody& touching, std::size_t g, State& state);
-[[nodiscard]] std::optional<double> touching_slack(const Model& model, const TouchingBody& touching,
+void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state);
+[[nodiscard]] std::optional<double> touching_slack(const Planned& model, const TouchingBody& touching,
                                                    const State& state);
 
 }  // namespace higherpair

@@ -47,7 +47,7 @@ void place_idle(const IdleBody& idle, const State& from, State& to) {
 
 }  // namespace
 
-void set_contact_rates(const Model& model, int index, State& state) {
+void set_contact_rates(const Planned& model, int index, State& state) {
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
   ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
   const EquivalentLink link = equivalent_link(curve_of(model.mechanism, contact.first), motion.at.rho1,
@@ -70,7 +70,7 @@ double carried_coordinate(const CarriedBody& carried, const BodyMotion& carrier,
   return (p_C - carried.freedom.p_WO).dot(carried.freedom.direction_W);
 }
 
-StandingPair standing_pair(const Model& model, const TouchingBody& touching, const State& state) {
+StandingPair standing_pair(const Planned& model, const TouchingBody& touching, const State& state) {
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
@@ -90,7 +90,7 @@ StandingPair standing_pair(const Model& model, const TouchingBody& touching, con
   return placed;
 }
 
-GroupStatus place_group(const Model& model, std::size_t g, const State& from, double h,
+GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
                         const std::vector<double>& drivers, State& to, std::optional<LimitPosition>& limit) {
   const Group& group = model.plan.groups[g];
   return std::visit(
@@ -117,7 +117,7 @@ GroupStatus place_group(const Model& model, std::size_t g, const State& from, do
       group.kind);
 }
 
-void set_group_rates(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers,
+void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state) {
   const Group& group = model.plan.groups[g];
   std::visit(Overload{[&](const DrivenBody& driven) { move_driven(driven, drivers, state); },
@@ -135,7 +135,7 @@ void set_group_rates(const Model& model, std::size_t g, const std::vector<Driver
              group.kind);
 }
 
-std::optional<double> slack_of(const Model& model, std::size_t g, const State& state) {
+std::optional<double> slack_of(const Planned& model, std::size_t g, const State& state) {
   using Slack = std::optional<double>;
   return std::visit(
       Overload{[&](const RrrDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
@@ -147,7 +147,7 @@ std::optional<double> slack_of(const Model& model, std::size_t g, const State& s
       model.plan.groups[g].kind);
 }
 
-double sine_of(const Model& model, std::size_t g, const State& state) {
+double sine_of(const Planned& model, std::size_t g, const State& state) {
   return std::visit(
       Overload{[&](const RrrDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const RrpDyad& dyad) { return dyad_sine(dyad, state); },

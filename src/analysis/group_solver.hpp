@@ -9,7 +9,7 @@
 namespace higherpair {
 
 /// A mechanism and its plan; both outlive it.
-struct Model {
+struct Planned {
   const Mechanism& mechanism;
   const Plan& plan;
 };
@@ -23,22 +23,22 @@ enum class GroupStatus {
 /// Places the bodies of group `g` of `to`, whose earlier groups stand: near where `from` and its rates lead
 /// after `h` of the path, in mode to.groups[g].mode.
 /// \param drivers  positions of Mechanism::drivers
-[[nodiscard]] GroupStatus place_group(const Model& model, std::size_t g, const State& from, double h,
+[[nodiscard]] GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
                                       const std::vector<double>& drivers, State& to,
                                       std::optional<LimitPosition>& limit);
 
 /// Velocities and accelerations of the bodies of group `g`, whose earlier groups have theirs. Where the group
 /// is singular they are 0 and groups[g].sine is within its noise.
-void set_group_rates(const Model& model, std::size_t g, const std::vector<DriverMotion>& drivers,
+void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state);
 
 /// GroupState::sine of a group that can cross over to another branch, from where its bodies stand.
-[[nodiscard]] double sine_of(const Model& model, std::size_t g, const State& state);
+[[nodiscard]] double sine_of(const Planned& model, std::size_t g, const State& state);
 
 /// A smooth function of the path whose sign changes where the group loses its assembly; the groups before
 /// must stand in `state`, the group itself somewhere near. None where the group has none of its own (drivers,
 /// tracked pairs, coupled bodies).
-[[nodiscard]] std::optional<double> slack_of(const Model& model, std::size_t g, const State& state);
+[[nodiscard]] std::optional<double> slack_of(const Planned& model, std::size_t g, const State& state);
 
 /// The motion of a carried body for its coordinate q and the rates of q.
 [[nodiscard]] BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier, double q,
@@ -49,7 +49,7 @@ void set_group_rates(const Model& model, std::size_t g, const std::vector<Driver
                                         const BodyMotion& body);
 
 /// Sliding, rolling and normal rates of a contact from the velocities of its bodies.
-void set_contact_rates(const Model& model, int contact, State& state);
+void set_contact_rates(const Planned& model, int contact, State& state);
 
 /// The contact of a touching body as a pair: body 1 the known one where it stands (coordinate u), body 2 the
 /// follower on its carrier where that stands.
@@ -57,7 +57,7 @@ struct StandingPair {
   ContactPair pair;
   double u = 0;
 };
-[[nodiscard]] StandingPair standing_pair(const Model& model, const TouchingBody& touching,
+[[nodiscard]] StandingPair standing_pair(const Planned& model, const TouchingBody& touching,
                                          const State& state);
 
 }  // namespace higherpair

@@ -62,6 +62,9 @@ public:
 
   bool follow() {
     while (s_ != path_.length) {
+      if (is_stopped(run_)) {
+        return lose(s_) == Outcome::kArrived;
+      }
       const Outcome outcome = next();
       if (outcome != Outcome::kGoesOn) {
         return outcome == Outcome::kArrived;

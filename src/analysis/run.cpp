@@ -203,6 +203,9 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
     RollingTrack track = *start;
     const double largest = run.tolerance * run.plan.size;
     for (const double position : positions) {
+      if (is_stopped(run)) {
+        return std::nullopt;
+      }
       const RollingResult result = roll_to(track, tracked->driver_sign * position);
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
         return Slip{position, track.at.sliding, tracked->contact};

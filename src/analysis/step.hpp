@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-[[nodiscard]] inline Model model_of(const Run& run) {
+[[nodiscard]] inline Planned model_of(const Run& run) {
   return {run.mechanism, run.plan};
 }
 

@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/state.hpp"
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,10 +96,12 @@ struct OverlapWatch {
 struct Run {
   Mechanism mechanism;
   Plan plan;
-  double tolerance = 1e-9;      ///< of plan.size: larger residuals are not `ok`
-  State state;                  ///< where it stood last; rates per unit of the path
-  std::vector<double> drivers;  ///< the drivers' coordinates there
-  bool held = true;             ///< false: lost at a limit; `state` is the last position before it
+  double tolerance = 1e-9;                  ///< of plan.size: larger residuals are not `ok`
+  const std::atomic<bool>* stop = nullptr;  ///< once true, move_to gives up within an inner step: its row
+                                            ///< and events mean nothing then; may be null
+  State state;                              ///< where it stood last; rates per unit of the path
+  std::vector<double> drivers;              ///< the drivers' coordinates there
+  bool held = true;      ///< false: lost at a limit; `state` is the last position before it
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
   /// Of coupled bodies, whose branches have no names to ask for again: where the last way began, and that way
   /// up to the limit where they were lost.
@@ -122,6 +125,11 @@ struct Run {
 [[nodiscard]] tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism,
                                                         const std::vector<double>& drivers,
                                                         double tolerance = 1e-9);
+
+/// Whether whoever asked for the run wants it no longer.
+[[nodiscard]] inline bool is_stopped(const Run& run) {
+  return run.stop != nullptr && run.stop->load(std::memory_order_relaxed);
+}
 
 /// Moves along the straight path of the drivers to their given positions, in as many inner steps as it takes
 /// to stay on the branch, and fills run.row and run.events. A step is accepted only where the solution agrees
