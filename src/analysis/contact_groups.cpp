@@ -1,5 +1,6 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/extreme_gap.hpp"
+#include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/gap_scale.hpp"
 
 #include <algorithm>
@@ -44,42 +45,71 @@ const ContactPosition& position_of(const PairTrack& track) {
 
 }  // namespace
 
+namespace {
+
+GroupStatus status_of(ContactStatus status) {
+  return status == ContactStatus::kNoContact ? GroupStatus::kOutOfReach : GroupStatus::kNotConverged;
+}
+
+// The follower and the contact from where the group's track now is.
+void place_follower(const TrackedPair& tracked, const ContactPosition& at, double phi, const State& from,
+                    State& to) {
+  place_at(tracked.follower.freedom, at.q, tracked.follower.body, from, to);
+  to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(at, phi, tracked.driver_is_first);
+}
+
+double coordinate_of(const TrackedPair& tracked, const std::vector<double>& drivers) {
+  return tracked.driver_sign * drivers[static_cast<std::size_t>(tracked.driver)];
+}
+
+}  // namespace
+
 GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
-                          const std::vector<double>& drivers, State& to,
-                          std::optional<LimitPosition>& limit) {
-  const double u = tracked.driver_sign * drivers[static_cast<std::size_t>(tracked.driver)];
+                          const std::vector<double>& drivers, State& to) {
+  const double u = coordinate_of(tracked, drivers);
   to.tracks[g] = from.tracks[g];
   GroupState& group = to.groups[g];
-  const ContactPosition* at = nullptr;
-  double phi = 0;
   if (auto* rolling = std::get_if<RollingTrack>(&to.tracks[g])) {
     if (!roll_to(*rolling, u).converged) {
       return GroupStatus::kNotConverged;
     }
-    at = &rolling->at;
-    phi = rolling->phi;
     group.sine = 1;
-  } else if (auto* standing = std::get_if<StandingContact>(&to.tracks[g])) {
-    at = &standing->at;
-    phi = angle_of(at->n_W);
-    set_sine(tracked.pair, *at, group);
-  } else {
-    auto& track = std::get<ContactTrack>(to.tracks[g]);
-    const TrackResult result = follow_to(track, u);
-    if (result.limit) {
-      limit = result.limit;
-      limit->u *= tracked.driver_sign;
-    }
-    if (result.status != TrackStatus::kOk) {
-      return GroupStatus::kOutOfReach;
-    }
-    at = &track.at;
-    phi = track.phi;
-    group.mode = track.branch;
-    set_sine(tracked.pair, *at, group);
+    place_follower(tracked, rolling->at, rolling->phi, from, to);
+    return GroupStatus::kOk;
   }
-  place_at(tracked.follower.freedom, at->q, tracked.follower.body, from, to);
-  to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(*at, phi, tracked.driver_is_first);
+  if (const auto* standing = std::get_if<StandingContact>(&to.tracks[g])) {
+    set_sine(tracked.pair, standing->at, group);
+    place_follower(tracked, standing->at, angle_of(standing->at.n_W), from, to);
+    return GroupStatus::kOk;
+  }
+  auto& track = std::get<ContactTrack>(to.tracks[g]);
+  if (u != track.at.u || group.mode != track.branch) {
+    const ContactStatus status = step_to(track, u, group.mode);
+    if (status != ContactStatus::kOk) {
+      return status_of(status);
+    }
+  }
+  set_sine(tracked.pair, track.at, group);
+  place_follower(tracked, track.at, track.phi, from, to);
+  return GroupStatus::kOk;
+}
+
+GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const State& from,
+                               const std::vector<double>& drivers, State& to) {
+  const auto* lost = std::get_if<ContactTrack>(&from.tracks[g]);
+  if (lost == nullptr) {
+    return place_tracked(tracked, g, from, drivers, to);
+  }
+  const FindResult found =
+      find_nearest_contact(tracked.pair, coordinate_of(tracked, drivers), lost->at.q, to.groups[g].mode);
+  if (found.status != FindStatus::kFound) {
+    return GroupStatus::kOutOfReach;
+  }
+  ContactTrack track = start_track(tracked.pair, found.at, to.groups[g].mode);
+  track.phi = nearest_turn(track.phi, lost->phi);
+  set_sine(tracked.pair, track.at, to.groups[g]);
+  place_follower(tracked, track.at, track.phi, from, to);
+  to.tracks[g] = track;
   return GroupStatus::kOk;
 }
 
@@ -90,6 +120,7 @@ void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t 
   const double u_dot = tracked.driver_sign * driver.velocity;
   const double u_ddot = tracked.driver_sign * driver.acceleration;
   const double q_ddot = at.d2q * u_dot * u_dot + at.dq * u_ddot;
+  state.groups[g].sine_rate = at.dgap_q * u_dot;
   set_rates_at(tracked.follower.freedom, at.dq * u_dot, q_ddot, body_in(state, tracked.follower.body));
   set_contact_rates(model, tracked.contact, state);
 }
@@ -136,7 +167,7 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
                      (Rotation<double>::from_angle(h * before.rates.phi_dot) * before.at.n_W);
   const ContactResult result = contact_near(placed.pair, placed.u, q, n, to.groups[g].mode, model.plan.size);
   if (result.status != ContactStatus::kOk) {
-    return result.status == ContactStatus::kNoContact ? GroupStatus::kOutOfReach : GroupStatus::kNotConverged;
+    return status_of(result.status);
   }
   const ContactPosition& at = result.at;
   const double phi_before = before.phi + (touching.follower_is_second ? 0 : -kPi);
@@ -187,19 +218,10 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   }
 }
 
-std::optional<double> touching_slack(const Planned& model, const TouchingBody& touching, const State& state) {
-  const StandingPair placed = standing_pair(model, touching, state);
-  const ContactMotion& contact = state.contacts[static_cast<std::size_t>(touching.contact)];
-  const BodyMotion& body = body_in(state, touching.follower.body);
-  ContactPosition near;
-  near.u = placed.u;
-  near.n_W = (touching.follower_is_second ? 1 : -1) * contact.at.n_W;
-  near.q = touching.follower.freedom.turns
-               ? body.theta
-               : (body.X_WB * touching.follower.freedom.p_BO - placed.pair.motion2.p_WO)
-                     .dot(placed.pair.motion2.direction_W);
-  const auto extreme = extreme_gap(placed.pair, near);
-  return extreme ? std::optional(extreme->gap) : std::nullopt;
+double tracked_sine(const TrackedPair& tracked, const State& state) {
+  const CommonNormal& at = state.contacts[static_cast<std::size_t>(tracked.contact)].at;
+  const Vector2d n = (tracked.driver_is_first ? 1 : -1) * at.n_W;
+  return n.dot(velocity_per_q(tracked.pair.motion2, (at.p1_W + at.p2_W) / 2));
 }
 
 double touching_sine(const Planned& model, const TouchingBody& touching, const State& state) {

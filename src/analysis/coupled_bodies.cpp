@@ -15,6 +15,9 @@ namespace {
 constexpr int kMaxSteps = 30;
 constexpr double kMaxStep = 0.3;  // of an angle [rad], or of the size
 constexpr double kRankTolerance = 1e-10;
+constexpr double kAllButSingular = 1e-6;  // determinant, scaled
+constexpr double kSingularStep = 1e-6;    // of the size
+constexpr double kClosed = 1e-14;         // of the size
 
 Eigen::Vector3d at_rest(int /*body*/) {
   return Eigen::Vector3d::Zero();
@@ -246,14 +249,18 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     }
     append_idle_rows(model, group, rows);
     const System system = make_system(group, rows, size, at_rest);
+    const Eigen::VectorXd values = column_of(rows, &ConstraintRow::value);
     const Solver solver(system.J, held.has_value());
-    Eigen::VectorXd step = solver.solve(-column_of(rows, &ConstraintRow::value));
+    Eigen::VectorXd step = solver.solve(-values);
     if (!step.allFinite()) {
-      return GroupStatus::kNotConverged;
+      step = Solver(system.J, true).solve(-values);
     }
     hold_idle(model, group, step);
     const double length = step.cwiseAbs().maxCoeff() / size;
-    if (newton_has_settled(length, last, 1e-9)) {
+    // Where the conditions have lost their rank the steps fall to the root of rounding only.
+    const bool singular = std::abs(solver.determinant()) <= kAllButSingular && length <= kSingularStep &&
+                          values.cwiseAbs().maxCoeff() <= kClosed * size;
+    if (singular || newton_has_settled(length, last, 1e-9)) {
       set_rank(solver, to.groups[g]);
       return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size
                  ? GroupStatus::kOk

@@ -34,6 +34,12 @@ Jet<V> middle(const Jet<V>& a, const Jet<V>& b, double h) {
           3 / (2 * h) * bend - (a.second + b.second) / 4};
 }
 
+// Of the lever: the rounding of an interpolated sine.
+double interpolated_noise(const Group& group) {
+  const bool coupled = std::holds_alternative<CoupledBodies>(group.kind);
+  return coupled ? 1e-11 : group.contacts.empty() ? 1e-14 : 1e-12;
+}
+
 void interpolate(const Run& run, const State& a, double h, State& b) {
   for (std::size_t i = 1; i < b.bodies.size(); ++i) {
     const BodyMotion& before = a.bodies[i];
@@ -66,9 +72,8 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
   }
   for (std::size_t g = 0; g < b.groups.size(); ++g) {
     if (can_cross(run.plan.groups[g])) {
-      const bool coupled = std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind);
       b.groups[g].sine = sine_of(model_of(run), g, b);
-      b.groups[g].noise = (coupled ? 1e-11 : 1e-14) * b.groups[g].lever;
+      b.groups[g].noise = interpolated_noise(run.plan.groups[g]) * b.groups[g].lever;
     }
   }
 }
@@ -78,7 +83,7 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
 bool can_cross(const Group& group) {
   return std::holds_alternative<RrrDyad>(group.kind) || std::holds_alternative<RrpDyad>(group.kind) ||
          std::holds_alternative<RprDyad>(group.kind) || std::holds_alternative<TouchingBody>(group.kind) ||
-         std::holds_alternative<CoupledBodies>(group.kind);
+         std::holds_alternative<TrackedPair>(group.kind) || std::holds_alternative<CoupledBodies>(group.kind);
 }
 
 bool is_near_crossing(const Run& run, const State& state) {

@@ -97,10 +97,6 @@ void move_dyad(const RrrDyad& dyad, std::size_t g, State& state) {
   group.sine_rate = cosine * (rates.omega_b - rates.omega_a);
 }
 
-double dyad_slack(const RrrDyad& dyad, const State& state) {
-  return rrr_ends(dyad, state).reach.slack();
-}
-
 namespace {
 
 RrpMotion solve(const RrpDyad& dyad, const GroupState& group, const State& state) {
@@ -157,10 +153,6 @@ void move_dyad(const RrpDyad& dyad, std::size_t g, State& state) {
   group.sine_rate = -(motion.u_link * u.inverse()).sin * (rates.omega - carrier.omega);
 }
 
-double dyad_slack(const RrpDyad& dyad, const State& state) {
-  return solve(dyad, GroupState{}, state).reach.slack();
-}
-
 GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, double h, State& to) {
   GroupState& group = to.groups[g];
   const RprMotion motion = solve(dyad, group, to);
@@ -184,10 +176,6 @@ void move_dyad(const RprDyad& dyad, std::size_t g, State& state) {
     move_rider(*dyad.slider, motion_of(state, dyad.B), state);
   }
   state.groups[g].sine_rate = rates.s_dot;
-}
-
-double dyad_slack(const RprDyad& dyad, const State& state) {
-  return solve(dyad, GroupState{}, state).reach.slack();
 }
 
 GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State&, double, State& to) {
@@ -215,10 +203,6 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state) {
     move_rider(*dyad.pinned, motion_of(state, *dyad.pin), state);
   }
   state.groups[g].sine_rate = motion.sine_rate;
-}
-
-double dyad_slack(const SlideDyad& dyad, const State& state) {
-  return solve(dyad, state).sine;
 }
 
 double dyad_sine(const RrrDyad& dyad, const State& state) {

@@ -1,6 +1,5 @@
 #include "events.hpp"
 
-#include "coupled_crossing.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "root_between.hpp"
 
@@ -14,6 +13,8 @@ namespace {
 
 // Velocities below this share of the step's largest are rounding, not a motion whose sense could change.
 constexpr double kAtRest = 1e-12;
+constexpr double kMayReverse = 0.3;  // of the speed at the ends of a step: a least one that may be 0 within
+constexpr double kSameCrossing = 1e-7;  // of the driver's scale: change points as near as this are one
 
 double output_velocity(const OutputJoint& output, const State& state) {
   const BodyMotion& body = state.bodies[static_cast<std::size_t>(output.body)];
@@ -29,48 +30,96 @@ double fastest_motion(const State& state, double size, bool turning) {
   return turning ? fastest : fastest * size;
 }
 
-void note_stroke_ends(Run& run, const Path& path, double s, double h) {
-  for (OutputJoint& output : run.outputs) {
-    const double before = output_velocity(output, run.state);
-    const double after = output_velocity(output, run.trial);
+double output_acceleration(const OutputJoint& output, const State& state) {
+  const BodyMotion& body = state.bodies[static_cast<std::size_t>(output.body)];
+  return output.turns ? body.alpha : body.a_WB.dot(output.direction_W);
+}
+
+// Where within a step the speed of an output falls and rises again, so that it may have reversed twice: the
+// least of the cubic with the rates and accelerations at both ends. 0 where it does not.
+double slowest_within(double v0, double a0, double v1, double a1, double h) {
+  if (v0 * v1 <= 0 || !(v0 * a0 * h < 0 && v1 * a1 * h > 0)) {
+    return 0;
+  }
+  const auto speed = [&](double t) {
+    const double u = 1 - t;
+    return std::abs(v0) * u * u * (1 + 2 * t) + std::abs(v1) * t * t * (3 - 2 * t) +
+           (v0 > 0 ? 1 : -1) * h * t * u * (a0 * u - a1 * t);
+  };
+  const auto [t, least] = boost::math::tools::brent_find_minima(speed, 0.0, 1.0, 26);
+  return least <= kMayReverse * std::min(std::abs(v0), std::abs(v1)) ? t * h : 0;
+}
+
+class StrokeEnds {
+public:
+  StrokeEnds(Run& run, const Path& path, double s, double h) : run_(run), path_(path), s_(s), h_(h) {}
+
+  void note(OutputJoint& output) {
+    const double v0 = output_velocity(output, run_.state);
+    const double v1 = output_velocity(output, run_.trial);
+    const double middle = slowest_within(v0, output_acceleration(output, run_.state), v1,
+                                         output_acceleration(output, run_.trial), h_);
+    if (middle != 0) {
+      const double between = velocity_at(output, middle);
+      if (between * v0 < 0) {
+        note_between(output, 0, v0, middle, between);
+        note_between(output, middle, between, h_, v1);
+        return;
+      }
+    }
+    note_between(output, 0, v0, h_, v1);
+  }
+
+private:
+  double velocity_at(const OutputJoint& output, double x) {
+    const State kept = run_.trial;
+    const double v = solve_at(run_, path_, s_, x) ? output_velocity(output, run_.trial) : NAN;
+    run_.trial = kept;
+    return v;
+  }
+
+  // Between two places x0 and x1 of the step.
+  void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
     const double fast = std::max({std::abs(before), std::abs(after), output.fastest});
     output.fastest = fast;
     if (std::abs(after) <= kAtRest * fast) {
-      continue;
+      return;
     }
     const int sense = after > 0 ? 1 : -1;
     if (output.sense == 0 && std::abs(before) > kAtRest * fast) {
       output.sense = before > 0 ? 1 : -1;
     }
     if (sense == output.sense) {
-      continue;
+      return;
     }
     // An output at rest has a sense by rounding alone.
-    const double rest = kAtRest * std::max(fast, fastest_motion(run.trial, run.plan.size, output.turns));
-    if (std::abs(after) <= rest) {
-      continue;
+    const double slow = kAtRest * std::max(fast, fastest_motion(run_.trial, run_.plan.size, output.turns));
+    if (std::abs(after) <= slow) {
+      return;
     }
     const bool reverses = output.sense != 0;
     output.sense = sense;
     if (!reverses) {
-      continue;
+      return;
     }
-    const State kept = run.trial;
-    const auto velocity = [&](double x) {
-      return solve_at(run, path, s, x) ? output_velocity(output, run.trial) : NAN;
-    };
-    const auto x = std::abs(before) <= rest ? std::optional(0.0) : root_between(velocity, before, h, after);
-    run.trial = kept;
+    const auto velocity = [&](double x) { return velocity_at(output, x0 + x); };
+    const auto x =
+        std::abs(before) <= slow ? std::optional(0.0) : root_between(velocity, before, x1 - x0, after);
     if (x) {
       RunEvent event;
       event.type = EventType::kStrokeEnd;
-      set_place(event, path, s + *x);
+      set_place(event, path_, s_ + x0 + *x);
       event.joint = output.joint;
       event.cause = "the motion of this joint reverses";
-      run.events.push_back(std::move(event));
+      run_.events.push_back(std::move(event));
     }
   }
-}
+
+  Run& run_;
+  const Path& path_;
+  double s_;
+  double h_;
+};
 
 // κ1 + κ2 up to a positive factor; empty where one of the curves is a line or a point, which cannot conform.
 std::optional<double> conformity(const Run& run, std::size_t contact, const State& state) {
@@ -106,86 +155,6 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
   }
 }
 
-// Where a group's sine passes through 0 with its sign changed: between `reach` before and after the place of
-// the least slack it is interpolated with its rates (cubic Hermite).
-// \param after  the groups at the end of the step
-double crossing_between(Run& run, const Path& path, std::size_t g, double s, double h,
-                        std::vector<GroupState> after) {
-  const auto sine = [&](double x) {
-    return solve_at(run, path, s, x) ? std::abs(run.trial.groups[g].sine) : INFINITY;
-  };
-  std::uintmax_t calls = 100;
-  const double middle =
-      boost::math::tools::brent_find_minima(sine, std::min(0.0, h), std::max(0.0, h), 52, calls).first;
-  const double reach = std::copysign(std::min({1e-3, std::abs(middle), std::abs(h - middle)}), h);
-  if (!(std::abs(reach) > 1e-9) || !solve_at(run, path, s, middle - reach)) {
-    return middle;
-  }
-  const GroupState a = run.trial.groups[g];
-  // Beyond the crossing the motion has the modes of the end of the step.
-  run.state.groups.swap(after);
-  const bool solved = solve_at(run, path, s, middle + reach);
-  run.state.groups.swap(after);
-  if (!solved) {
-    return middle;
-  }
-  const GroupState b = run.trial.groups[g];
-  const double f0 = a.sine, f1 = b.sine, d0 = a.sine_rate * 2 * reach, d1 = b.sine_rate * 2 * reach;
-  double t = 0.5;
-  for (int i = 0; i < 20; ++i) {
-    const double u = 1 - t;
-    const double value =
-        f0 * (1 + 2 * t) * u * u + d0 * t * u * u + f1 * t * t * (3 - 2 * t) - d1 * t * t * u;
-    const double slope = 6 * t * u * (f1 - f0) + d0 * u * (1 - 3 * t) - d1 * t * (2 - 3 * t);
-    t -= slope == 0 ? 0 : value / slope;
-  }
-  return t >= 0 && t <= 1 ? middle - reach + 2 * reach * t : middle;
-}
-
-// Where ∂gap/∂q of a tracked contact passes through 0: the root of the cubic through four places about it. At
-// the crossing itself, and next to it, the tracker gives 0.
-double crossing_of_track(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const double before = run.state.groups[g].sine;
-  const double after = run.trial.groups[g].sine;
-  const auto sine = [&](double x) { return solve_at(run, path, s, x) ? run.trial.groups[g].sine : NAN; };
-  const double middle = root_between(sine, before, h, after).value_or(h * before / (before - after));
-  const double d = std::copysign(
-      std::min({1e-3 * driver_scale(run, 0), std::abs(middle) / 3, std::abs(h - middle) / 3}), h);
-  const auto t =
-      root_of_cubic(sine(middle - 3 * d), sine(middle - d), sine(middle + d), sine(middle + 3 * d));
-  return middle + t.value_or(0) * d;
-}
-
-// Where in a step that changes a group's mode its branches cross, from the start of the path.
-double crossing_in_step(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const GroupKind& kind = run.plan.groups[g].kind;
-  if (std::holds_alternative<TrackedPair>(kind)) {
-    return s + crossing_of_track(run, path, g, s, h);
-  }
-  if (std::holds_alternative<CoupledBodies>(kind)) {
-    return place_of_crossing(run, path, g, s, h).value_or(s + h / 2);
-  }
-  return s + crossing_between(run, path, g, s, h, run.trial.groups);
-}
-
-void note_dead_points(Run& run, const Path& path, double s, double h) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (run.state.groups[g].mode == run.trial.groups[g].mode) {
-      continue;
-    }
-    const State kept = run.trial;
-    const double place = crossing_in_step(run, path, g, s, h);
-    run.trial = kept;
-    RunEvent event;
-    event.type = EventType::kDeadPoint;
-    set_place(event, path, place);
-    name_item(run, g, event);
-    event.cause =
-        "branches cross here: the input cannot tell which way the mechanism goes on; it is taken straight on";
-    run.events.push_back(std::move(event));
-  }
-}
-
 }  // namespace
 
 std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
@@ -209,10 +178,36 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
   return outputs;
 }
 
+void note_crossings(Run& run, const Path& path, double s, double end) {
+  for (const Crossing& crossing : run.crossings) {
+    const double driver = driver_at(path, crossing.s);
+    const double near = kSameCrossing * (driver_scale(run, 0) + std::abs(driver));
+    const bool known = std::any_of(run.reported.begin(), run.reported.end(), [&](const Crossing& other) {
+      return other.group == crossing.group && std::abs(other.s - driver) <= near;
+    });
+    const bool on_the_way = (crossing.s - s) * (end - s) >= 0 && (end - crossing.s) * (end - s) >= 0;
+    if (known || !on_the_way) {
+      continue;
+    }
+    run.reported.push_back({crossing.group, driver});
+    RunEvent event;
+    event.type = EventType::kDeadPoint;
+    set_place(event, path, crossing.s);
+    name_item(run, crossing.group, event);
+    event.cause =
+        "branches cross here: the input cannot tell which way the mechanism goes on; it is taken straight on";
+    run.events.push_back(std::move(event));
+  }
+}
+
 void note_events(Run& run, const Path& path, double s, double h) {
-  note_stroke_ends(run, path, s, h);
+  StrokeEnds ends(run, path, s, h);
+  for (OutputJoint& output : run.outputs) {
+    ends.note(output);
+  }
   note_conforming(run, path, s, h);
-  note_dead_points(run, path, s, h);
+  note_crossings(run, path, s, s + h);
+  run.reported.clear();
 }
 
 }  // namespace higherpair

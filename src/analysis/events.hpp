@@ -9,6 +9,10 @@ namespace higherpair {
 /// strokes, dead points, conforming contacts, each located by a root on the way. Leaves run.trial as it was.
 void note_events(Run& run, const Path& path, double s, double h);
 
+/// Reports the change points of the present step that lie between s and `end` on the path, unless it has been
+/// done: where rows fall next to one, run.state is short of it for several of them.
+void note_crossings(Run& run, const Path& path, double s, double end);
+
 /// The joints to ground whose reversal ends a stroke: all that are not driven.
 [[nodiscard]] std::vector<OutputJoint> output_joints(const Mechanism& mechanism);
 

@@ -102,11 +102,10 @@ bool FirstPosition::place(std::size_t g, int mode) {
   if (std::holds_alternative<CoupledBodies>(group.kind)) {
     start_coupled(group);
   }
-  std::optional<LimitPosition> limit;
   const State& from = std::holds_alternative<TouchingBody>(group.kind) ? touching_start_ : posed_;
   const GroupStatus status = starts_rolling(run_.mechanism, group)
                                  ? start_rolling_bodies(g)
-                                 : place_group(model_, g, from, 0, run_.drivers, state_, limit);
+                                 : place_group(model_, g, from, 0, run_.drivers, state_);
   if (status != GroupStatus::kOk) {
     fail(g, unreachable(run_, state_, group));
     return false;
@@ -170,11 +169,11 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
     fail(g, explain(found.status, contact));
     return false;
   } else {
-    state_.tracks[g] = start_track(tracked.pair, found.at, found.branch == 0 ? 1 : found.branch);
+    state_.groups[g].mode = found.branch == 0 ? 1 : found.branch;
+    state_.tracks[g] = start_track(tracked.pair, found.at, state_.groups[g].mode);
   }
-  std::optional<LimitPosition> limit;
   const State from = state_;
-  if (place_group(model_, g, from, 0, run_.drivers, state_, limit) != GroupStatus::kOk) {
+  if (place_group(model_, g, from, 0, run_.drivers, state_) != GroupStatus::kOk) {
     fail(g, unreachable(run_, state_, run_.plan.groups[g]));
     return false;
   }

@@ -67,28 +67,23 @@ void move_dyad(const RrrDyad& dyad, std::size_t g, State& state);
 void move_dyad(const RrpDyad& dyad, std::size_t g, State& state);
 void move_dyad(const RprDyad& dyad, std::size_t g, State& state);
 void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
-[[nodiscard]] double dyad_slack(const RrrDyad& dyad, const State& state);
-[[nodiscard]] double dyad_slack(const RrpDyad& dyad, const State& state);
-[[nodiscard]] double dyad_slack(const RprDyad& dyad, const State& state);
-[[nodiscard]] double dyad_slack(const SlideDyad& dyad, const State& state);
-
 [[nodiscard]] double dyad_sine(const RrrDyad& dyad, const State& state);
 [[nodiscard]] double dyad_sine(const RrpDyad& dyad, const State& state);
 [[nodiscard]] double dyad_sine(const RprDyad& dyad, const State& state);
+[[nodiscard]] double tracked_sine(const TrackedPair& tracked, const State& state);
 [[nodiscard]] double touching_sine(const Planned& model, const TouchingBody& touching, const State& state);
 
 void place_geared(const Planned& model, const GearedBody& geared, State& to);
 void move_geared(const Planned& model, const GearedBody& geared, State& state);
 
 [[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
-                                        const std::vector<double>& drivers, State& to,
-                                        std::optional<LimitPosition>& limit);
+                                        const std::vector<double>& drivers, State& to);
+/// The contact of the track's branch nearest to where it was last, however far the drivers have moved.
+[[nodiscard]] GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const State& from,
+                                             const std::vector<double>& drivers, State& to);
 void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state);
 [[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                                          const State& from, double h, State& to);
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state);
-[[nodiscard]] std::optional<double> touching_slack(const Planned& model, const TouchingBody& touching,
-                                                   const State& state);
-
 }  // namespace higherpair

@@ -91,29 +91,28 @@ StandingPair standing_pair(const Planned& model, const TouchingBody& touching, c
 }
 
 GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
-                        const std::vector<double>& drivers, State& to, std::optional<LimitPosition>& limit) {
+                        const std::vector<double>& drivers, State& to) {
   const Group& group = model.plan.groups[g];
   return std::visit(
-      Overload{
-          [&](const DrivenBody& driven) {
-            place_driven(driven, drivers, from, to);
-            return GroupStatus::kOk;
-          },
-          [&](const RrrDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-          [&](const RrpDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-          [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-          [&](const SlideDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-          [&](const TrackedPair& tracked) { return place_tracked(tracked, g, from, drivers, to, limit); },
-          [&](const TouchingBody& touching) { return place_touching(model, touching, g, from, h, to); },
-          [&](const IdleBody& idle) {
-            place_idle(idle, from, to);
-            return GroupStatus::kOk;
-          },
-          [&](const GearedBody& geared) {
-            place_geared(model, geared, to);
-            return GroupStatus::kOk;
-          },
-          [&](const CoupledBodies&) { return place_coupled(model, g, from, h, drivers, to); }},
+      Overload{[&](const DrivenBody& driven) {
+                 place_driven(driven, drivers, from, to);
+                 return GroupStatus::kOk;
+               },
+               [&](const RrrDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+               [&](const RrpDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+               [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+               [&](const SlideDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+               [&](const TrackedPair& tracked) { return place_tracked(tracked, g, from, drivers, to); },
+               [&](const TouchingBody& touching) { return place_touching(model, touching, g, from, h, to); },
+               [&](const IdleBody& idle) {
+                 place_idle(idle, from, to);
+                 return GroupStatus::kOk;
+               },
+               [&](const GearedBody& geared) {
+                 place_geared(model, geared, to);
+                 return GroupStatus::kOk;
+               },
+               [&](const CoupledBodies&) { return place_coupled(model, g, from, h, drivers, to); }},
       group.kind);
 }
 
@@ -135,16 +134,11 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
              group.kind);
 }
 
-std::optional<double> slack_of(const Planned& model, std::size_t g, const State& state) {
-  using Slack = std::optional<double>;
-  return std::visit(
-      Overload{[&](const RrrDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
-               [&](const RrpDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
-               [&](const RprDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
-               [&](const SlideDyad& dyad) -> Slack { return dyad_slack(dyad, state); },
-               [&](const TouchingBody& touching) -> Slack { return touching_slack(model, touching, state); },
-               [](const auto&) -> Slack { return std::nullopt; }},
-      model.plan.groups[g].kind);
+GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
+                             const std::vector<double>& drivers, State& to) {
+  const auto* tracked = std::get_if<TrackedPair>(&model.plan.groups[g].kind);
+  return tracked != nullptr ? place_tracked_anew(*tracked, g, from, drivers, to)
+                            : place_group(model, g, from, 0, drivers, to);
 }
 
 double sine_of(const Planned& model, std::size_t g, const State& state) {
@@ -152,6 +146,10 @@ double sine_of(const Planned& model, std::size_t g, const State& state) {
       Overload{[&](const RrrDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const RrpDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const RprDyad& dyad) { return dyad_sine(dyad, state); },
+               [&](const TrackedPair& tracked) {
+                 const bool follows = std::holds_alternative<ContactTrack>(state.tracks[g]);
+                 return follows ? tracked_sine(tracked, state) : state.groups[g].sine;
+               },
                [&](const TouchingBody& touching) { return touching_sine(model, touching, state); },
                [&](const CoupledBodies&) { return coupled_sine(model, g, state); },
                [&](const auto&) { return state.groups[g].sine; }},

@@ -24,8 +24,11 @@ enum class GroupStatus {
 /// after `h` of the path, in mode to.groups[g].mode.
 /// \param drivers  positions of Mechanism::drivers
 [[nodiscard]] GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
-                                      const std::vector<double>& drivers, State& to,
-                                      std::optional<LimitPosition>& limit);
+                                      const std::vector<double>& drivers, State& to);
+
+/// The same however far the drivers have moved from where `from` is: on the branch held last.
+[[nodiscard]] GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
+                                           const std::vector<double>& drivers, State& to);
 
 /// Velocities and accelerations of the bodies of group `g`, whose earlier groups have theirs. Where the group
 /// is singular they are 0 and groups[g].sine is within its noise.
@@ -34,11 +37,6 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 
 /// GroupState::sine of a group that can cross over to another branch, from where its bodies stand.
 [[nodiscard]] double sine_of(const Planned& model, std::size_t g, const State& state);
-
-/// A smooth function of the path whose sign changes where the group loses its assembly; the groups before
-/// must stand in `state`, the group itself somewhere near. None where the group has none of its own (drivers,
-/// tracked pairs, coupled bodies).
-[[nodiscard]] std::optional<double> slack_of(const Planned& model, std::size_t g, const State& state);
 
 /// The motion of a carried body for its coordinate q and the rates of q.
 [[nodiscard]] BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier, double q,

@@ -39,46 +39,30 @@ bool is_same_item(const RunEvent& a, const RunEvent& b) {
 
 }  // namespace
 
-void add_limit(Run& run, std::size_t g, const Path& path, double s) {
+RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) {
   RunEvent event;
   event.type = EventType::kLimitPosition;
   set_place(event, path, s);
   name_item(run, g, event);
   event.cause = cause_of(run.plan.groups[g]);
-  report_limit(run, path, std::move(event));
-}
-
-double place_of(const Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
-  const auto driver = static_cast<std::size_t>(std::get<TrackedPair>(run.plan.groups[g].kind).driver);
-  const double way = limit.u - path.from[driver];
-  return path.is_single() ? way : way / (path.to[driver] - path.from[driver]);
-}
-
-void add_limit(Run& run, std::size_t g, const Path& path, const LimitPosition& limit) {
-  RunEvent event;
-  event.type = EventType::kLimitPosition;
-  set_place(event, path, place_of(run, g, path, limit));
-  if (std::get<TrackedPair>(run.plan.groups[g].kind).driver == 0) {
-    event.driver = limit.u;
-  }
-  name_item(run, g, event);
-  event.cause = cause_of(run.plan.groups[g]);
-  report_limit(run, path, std::move(event));
+  return event;
 }
 
 void report_limit(Run& run, const Path& path, RunEvent event) {
-  const double scale = path.is_single() ? driver_scale(run, 0) + std::abs(event.driver) : 1;
-  const double near = kSamePlace * scale;
-  const auto distance = [&](double share) { return std::abs(share * path.length); };
+  const bool single = path.is_single();
+  const double near = kSamePlace * (single ? driver_scale(run, 0) + std::abs(event.driver) : 1);
+  const auto is_at = [&](double driver, double share) {
+    return std::abs(single ? event.driver - driver : event.share - share) <= near;
+  };
   const bool known = std::any_of(run.events.begin(), run.events.end(), [&](const RunEvent& other) {
-    return is_same_item(event, other) && distance(event.share - other.share) <= near;
+    return is_same_item(event, other) && is_at(other.driver, other.share);
   });
   const bool at_row_before =
-      run.limit_before && is_same_item(event, *run.limit_before) && distance(event.share) <= near;
+      run.limit_before && is_same_item(event, *run.limit_before) && is_at(run.limit_before->driver, 0);
   if (known || at_row_before) {
     return;
   }
-  if (distance(1 - event.share) <= near) {
+  if (is_at(path.to[0], 1)) {
     run.limit_here = event;
   }
   run.events.push_back(std::move(event));

@@ -2,12 +2,11 @@
 
 #include "crossing.hpp"
 #include "events.hpp"
-#include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "limit_events.hpp"
 #include "overlap.hpp"
-#include "root_between.hpp"
+#include "reduction.hpp"
 #include "short_way.hpp"
 #include "step.hpp"
 
@@ -20,11 +19,15 @@ namespace {
 constexpr double kMaxTurn = kPi / 18;    // of a driver in one inner step [rad]
 constexpr double kMaxSlide = 1.0 / 6;    // of a driver in one inner step, of the size
 constexpr double kSmallestStep = 1e-14;  // of the driver's scale
-constexpr int kHalvingsToLimit = 4;
-constexpr double kShortOfLimit = 1e-6;  // of the driver's scale: as near as this a limit is reached
-constexpr double kShareToLimit = 0.9;   // of the way to it in one step
-constexpr double kLongStep = 0.02;      // of the driver's scale: one that may as well end elsewhere
-constexpr double kMostSteps = 2e5;      // inner steps besides those that the way takes at least
+constexpr int kHalvingsToLimit = 3;      // refused steps, one after the other, before a limit is looked for
+constexpr double kShareToLimit = 0.5;    // of what is left to a limit: the next step
+constexpr double kAtLimit = 1e-9;        // of the driver's scale: as near as this a limit is reached
+constexpr double kNearLimit = 1e-6;      // of the driver's scale: nearer, rates may be too inexact to go on
+constexpr double kOnLimit = 1e-14;       // of the driver's scale: a row that is at the limit itself
+constexpr double kLongStep = 0.02;       // of the driver's scale: one that may as well end elsewhere
+constexpr double kProbe = kPi / 144;     // of the driver's scale: where a branch that was lost is looked for
+constexpr double kMostProbes = 1e4;
+constexpr double kMostSteps = 2e5;  // inner steps besides those that the path takes at least
 
 // Of how many inner steps a path is at least.
 double parts_of(const Run& run, const Path& path) {
@@ -37,33 +40,34 @@ double parts_of(const Run& run, const Path& path) {
   return parts;
 }
 
-// The root of the group's slack between s and s + h, if its sign changes there.
-std::optional<double> locate_limit(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const double here = slack_after(run, path, g, s, 0);
-  const double there = slack_after(run, path, g, s, h);
-  const auto slack = [&](double x) { return slack_after(run, path, g, s, x); };
-  const auto x = root_between(slack, here, h, there);
-  return x ? std::optional(s + *x) : std::nullopt;
-}
-
 void accept(Run& run) {
   std::swap(run.state, run.trial);
 }
 
-// A way along a path, in steps that agree with their predictions.
-class Way {
-public:
-  Way(Run& run, const Path& path) : Way(run, path, parts_of(run, path)) {
-    run.between = false;
-    if (run.plan.couples) {
-      run.way_start = run.state;
-    }
+// A row at a limit: in run.trial, with positions only; run.state remains short of it.
+void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
+                   const Reduction::Point& limit, double s) {
+  reduction.place(limit);
+  run.trial.groups[g].sine = 0;
+  run.trial.groups[g].sine_rate = 0;
+  for (std::size_t later = g + 1; later < run.plan.groups.size(); ++later) {
+    run.trial.groups[later].mode = run.state.groups[later].mode;
+    (void)place_group(model_of(run), later, run.state, limit.ahead, path.to, run.trial);
   }
+  run.between = true;
+  path.positions(s, run.drivers);
+}
+
+// Follows a path in steps that continue the motion smoothly. Before a limit the steps end at a share of what
+// is left, so that a limit of another group that comes first is not passed over.
+class Follower {
+public:
+  Follower(Run& run, const Path& path) : Follower(run, path, parts_of(run, path)) { run.between = false; }
 
   bool follow() {
     while (s_ != path_.length) {
       if (is_stopped(run_)) {
-        return lose(s_) == Outcome::kArrived;
+        return false;
       }
       const Outcome outcome = next();
       if (outcome != Outcome::kGoesOn) {
@@ -77,7 +81,12 @@ public:
 private:
   enum class Outcome { kGoesOn, kArrived, kLost };
 
-  Way(Run& run, const Path& path, double parts)
+  struct Limit {
+    std::size_t group = 0;
+    double s = 0;
+  };
+
+  Follower(Run& run, const Path& path, double parts)
       : run_(run),
         path_(path),
         largest_(std::abs(path.length) / parts),
@@ -87,55 +96,48 @@ private:
         steps_left_(kMostSteps + 4 * parts) {}
 
   Outcome next() {
-    rest_ = path_.length - s_;
     if (--steps_left_ < 0) {
-      add_limit(run_, run_.plan.groups.size() - 1, path_, s_);
-      return lose(s_);
+      return lose({run_.plan.groups.size() - 1, s_});
     }
-    last_ = std::abs(rest_) <= kAlmostThere * h_;
-    step_ = last_ ? rest_ : std::copysign(h_, rest_);
+    aim();
     const StepResult result = try_step(run_, path_, s_, step_);
-    near_crossing_ = result.kind == StepResult::kOk && is_near_crossing(run_, run_.trial);
-    if (const auto shorter = better_length(result)) {
+    const bool ok = result.kind == StepResult::kOk;
+    near_crossing_ = ok && is_near_crossing(run_, run_.trial);
+    if (const auto shorter = better_length(ok)) {
       longest_ = std::max(longest_, h_);
       h_ = *shorter;
       return Outcome::kGoesOn;
     }
-    if (result.limit && is_tracked(result.group)) {
-      add_limit(run_, result.group, path_, *result.limit);
-    }
-    return result.kind == StepResult::kOk ? take() : refuse(result);
+    return ok ? take() : refuse(result.group);
   }
 
-  [[nodiscard]] bool is_tracked(std::size_t g) const {
-    return std::holds_alternative<TrackedPair>(run_.plan.groups[g].kind);
+  void aim() {
+    const double rest = path_.length - s_;
+    double h = h_;
+    if (limit_) {
+      h = std::min(h, kShareToLimit * std::abs(limit_->s - s_));
+    }
+    last_ = std::abs(rest) <= kAlmostThere * h;
+    step_ = last_ ? rest : std::copysign(h, rest);
   }
+
+  [[nodiscard]] double rest() const { return path_.length - s_; }
 
   // Of a step that should end elsewhere, though it need not have failed.
-  [[nodiscard]] std::optional<double> better_length(const StepResult& result) const {
-    const bool lost = result.kind != StepResult::kOk;
-    const bool tracked = is_tracked(result.group);
-    if (lost && tracked && result.limit && result.group + 1 < run_.plan.groups.size()) {
-      // What hangs on this contact may come to a limit before: go on to just short of it.
-      const double ahead = std::abs(place_of(run_, result.group, path_, *result.limit) - s_);
-      if (ahead > kShortOfLimit * scale_) {
-        return std::min(kShareToLimit * ahead, std::abs(step_) / 2);
-      }
-    }
-    if (near_crossing_ && !last_ && std::abs(step_) > kLongStep * scale_) {
-      // No place to rest at: come down elsewhere.
+  [[nodiscard]] std::optional<double> better_length(bool ok) const {
+    if (near_crossing_ && !last_ && !limit_ && std::abs(step_) > kLongStep * scale_) {
       return 0.618 * std::abs(step_);
     }
-    if (last_ && std::abs(rest_) > 2 * near_ && (near_crossing_ || (lost && !tracked))) {
+    if (last_ && std::abs(rest()) > 2 * near_ && (near_crossing_ || !ok)) {
       // A place to interpolate from, near enough to be on the same branch surely.
-      return std::abs(rest_) - 1.5 * near_;
+      return std::abs(rest()) - 1.5 * near_;
     }
     return std::nullopt;
   }
 
   Outcome take() {
-    if (last_ && near_crossing_ && stop_near_crossing(run_, path_, s_, rest_)) {
-      return Outcome::kArrived;
+    if (last_ && near_crossing_ && stop_near_crossing(run_, path_, s_, rest())) {
+      return rest_beside_crossing();
     }
     note_events(run_, path_, s_, step_);
     watch_overlaps(run_, path_, s_, step_);
@@ -143,39 +145,82 @@ private:
     s_ = last_ ? path_.length : s_ + step_;
     h_ = std::max(longest_, std::min(2 * h_, largest_));
     longest_ = 0;
-    return Outcome::kGoesOn;
+    if (std::abs(step_) > first_refused_ / 2) {
+      refused_ = 0;
+      first_refused_ = 0;
+    }
+    return arrives_at_limit();
   }
 
-  Outcome refuse(const StepResult& result) {
-    if (is_tracked(result.group)) {
-      // The track remembers by itself where it was lost.
-      run_.state.tracks[result.group] = run_.trial.tracks[result.group];
-      return lose(result.limit ? place_of(run_, result.group, path_, *result.limit) : s_);
+  // The row is next to a change point, maybe beyond it; run.state remains before it.
+  Outcome rest_beside_crossing() {
+    note_crossings(run_, path_, s_, path_.length);
+    return Outcome::kArrived;
+  }
+
+  // A limit is reached when nothing is left but a rounding of the driver's coordinate.
+  Outcome arrives_at_limit() {
+    const bool at_limit = limit_ && s_ != path_.length && std::abs(limit_->s - s_) <= kAtLimit * scale_ &&
+                          (path_.length - limit_->s) * path_.length >= 0;
+    return at_limit ? lose(*limit_) : Outcome::kGoesOn;
+  }
+
+  Outcome refuse(std::size_t g) {
+    if (last_ && stop_near_crossing(run_, path_, s_, rest())) {
+      return rest_beside_crossing();
     }
-    if (last_ && stop_near_crossing(run_, path_, s_, rest_)) {
-      return Outcome::kArrived;
+    const bool exhausted = limit_ && std::abs(limit_->s - s_) <= kNearLimit * scale_;
+    if (exhausted && (path_.length - limit_->s) * path_.length >= 0) {
+      return lose(*limit_);
     }
     h_ = std::abs(step_) / 2;
     longest_ = 0;
-    if (++halvings_ >= kHalvingsToLimit) {
-      if (const auto limit = locate_limit(run_, path_, result.group, s_, step_)) {
-        add_limit(run_, result.group, path_, *limit);
-        return lose(*limit);
+    first_refused_ = refused_ == 0 ? std::abs(step_) : first_refused_;
+    if (++refused_ % kHalvingsToLimit == 0) {
+      if (const auto outcome = look_for_limit(g)) {
+        return *outcome;
       }
     }
     if (h_ < kSmallestStep * scale_ * (1 + std::abs(driver_at(path_, s_)) / scale_)) {
-      add_limit(run_, result.group, path_, s_);
-      return lose(s_);
+      return lose(exhausted ? *limit_ : Limit{g, s_ + left_by(g)});
     }
     return Outcome::kGoesOn;
   }
 
-  Outcome lose(double limit) {
-    if (run_.plan.couples) {
-      run_.lost_way.from = path_.from;
-      path_.positions(limit, run_.lost_way.to);
-      run_.state = run_.way_start;
+  // Where the group's own limit lies, and whether it comes before the one known.
+  std::optional<Outcome> look_for_limit(std::size_t g) {
+    if (limit_ && limit_->group == g) {
+      return std::nullopt;
     }
+    Reduction reduction(run_, path_, g, s_);
+    const auto found = reduction.limit_ahead(step_);
+    if (!found) {
+      return std::nullopt;
+    }
+    const double s = s_ + found->ahead;
+    if (std::abs(path_.length - s) <= kOnLimit * (scale_ + std::abs(driver_at(path_, s)))) {
+      report_limit(run_, path_, limit_event(run_, g, path_, path_.length));
+      stop_at_limit(run_, path_, g, reduction, *found, s_);
+      return Outcome::kArrived;
+    }
+    if (!limit_ || std::abs(s - s_) < std::abs(limit_->s - s_)) {
+      limit_ = Limit{g, s};
+    }
+    return std::nullopt;
+  }
+
+  // Where bodies run off to infinity there is no last position; what goes to 0 there says how far it is.
+  [[nodiscard]] double left_by(std::size_t g) const {
+    const GroupState& group = run_.state.groups[g];
+    const double left = group.sine_rate == 0 ? 0 : -group.sine / group.sine_rate;
+    return std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0 ? left : 0;
+  }
+
+  Outcome lose(const Limit& limit) {
+    run_.lost.event = limit_event(run_, limit.group, path_, limit.s);
+    path_.positions(s_, run_.lost.from);
+    path_.positions(limit.s, run_.lost.at);
+    report_limit(run_, path_, run_.lost.event);
     run_.held = false;
     run_.drivers = path_.to;
     return Outcome::kLost;
@@ -186,37 +231,44 @@ private:
   double largest_;              // step
   double scale_;                // of the driver
   double near_;                 // how far from a crossing places are interpolated from
-  double s_ = 0;                // where run.state stands
-  double rest_ = 0;             // from there
+  double s_ = 0;                // of run.state
   double step_ = 0;             // that is tried
   bool last_ = false;           // it leads to the end
   bool near_crossing_ = false;  // it could be taken and leads next to where branches may cross
   double h_;                    // largest step that may be tried
   double longest_ = 0;  // where a step was shortened though it need not have failed: what it was before
-  int halvings_ = 0;
+  int refused_ = 0;     // steps, until one as long as the first of them is taken
+  double first_refused_ = 0;
+  std::optional<Limit> limit_;  // the first known
   double steps_left_;
 };
 
-// Coupled bodies come back where the drivers come back: what can be assembled beyond a limit need not be
-// their branch.
-bool come_back(Run& run, const std::vector<double>& drivers) {
+bool has_track(const Run& run) {
+  return std::any_of(run.state.tracks.begin(), run.state.tracks.end(),
+                     [](const PairTrack& track) { return std::holds_alternative<ContactTrack>(track); });
+}
+
+// Whether the drivers are at the limit or back from it, as seen from where the motion came.
+bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   double beyond = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    const double limit = run.lost_way.to[i];
-    beyond += (drivers[i] - limit) * (limit - run.lost_way.from[i]);
+    beyond += (drivers[i] - run.lost.at[i]) * (run.lost.at[i] - run.lost.from[i]);
   }
-  if (!(beyond < 0)) {
-    return false;
-  }
-  Path way;
-  set_path(way, run.lost_way.from, drivers);
-  if (!way.is_single()) {
-    way.motions(0, run.trial_motions);
+  return beyond <= 0;
+}
+
+// Back from the limit the motion goes on from where it was lost.
+bool come_back(Run& run, const std::vector<double>& drivers) {
+  Path path;
+  set_path(path, run.lost.from, drivers);
+  if (!path.is_single()) {
+    path.motions(0, run.trial_motions);
     set_rates(run, run.trial_motions, run.state);
   }
   renew_overlaps(run);
   run.held = true;
-  return follow(run, way);
+  report_limit(run, path, run.lost.event);
+  return follow(run, path);
 }
 
 }  // namespace
@@ -265,44 +317,85 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 }
 
 bool follow(Run& run, const Path& path) {
-  return Way(run, path).follow();
+  return Follower(run, path).follow();
 }
 
-bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
-  if (run.plan.couples) {
-    return come_back(run, drivers);
-  }
-  const StepResult result = place_anew(run, drivers);
-  if (result.kind != StepResult::kOk) {
+namespace {
+
+// Takes the branch up again at the drivers' positions, if it is there; an event says where the stretch
+// begins: at the limit on the way back to `from`.
+bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  if (!place_anew(run, drivers)) {
     return false;
   }
-  Path way;
-  set_path(way, from, drivers);
+  const State lost = run.state;
+  Run back = run;
+  accept(back);
+  back.events.clear();
+  back.held = true;
+  back.between = false;
+  back.drivers = drivers;
+  Path path_back;
+  set_path(path_back, drivers, from);
+  if (follow(back, path_back) && has_track(run)) {
+    return false;  // without a limit on the way back it is a contact that the follower cannot have come to
+  }
   accept(run);
   renew_overlaps(run);
   run.held = true;
   run.between = false;
   run.drivers = drivers;
-  if (result.limit) {
-    add_limit(run, result.group, way, *result.limit);
-    return true;
-  }
-  const State lost = run.trial;
-  // Where this stretch begins: the limit on the way back.
-  Run back = run;
-  back.events.clear();
-  Path way_back;
-  set_path(way_back, drivers, way.from);
-  if (!follow(back, way_back)) {
-    for (RunEvent& event : back.events) {
-      if (event.type == EventType::kLimitPosition) {
-        event.share = 1 - event.share;
-        report_limit(run, way, std::move(event));
-      }
+  Path path;
+  set_path(path, from, drivers);
+  for (RunEvent& event : back.events) {
+    if (event.type == EventType::kLimitPosition) {
+      event.share = 1 - event.share;
+      report_limit(run, path, std::move(event));
     }
+  }
+  if (!back.held) {
     take_short_way(run, lost, back.state);
   }
   return true;
+}
+
+// Where a branch that was lost is looked for between `from` and `to`: every kProbe of the driver from the
+// limit, so that it is found again at the same place whatever the rows.
+std::vector<double> probes(const Run& run, double from, double to) {
+  const double step = std::copysign(kProbe * driver_scale(run, 0), to - from);
+  const double first = std::max(1.0, std::ceil((from - run.lost.at[0]) / step));
+  const double last = std::min((to - run.lost.at[0]) / step, first + kMostProbes);
+  std::vector<double> found;
+  for (double k = first; k < last; ++k) {
+    found.push_back(run.lost.at[0] + k * step);
+  }
+  return found;
+}
+
+}  // namespace
+
+bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  if (has_come_back(run, drivers)) {
+    return come_back(run, drivers);
+  }
+  if (run.plan.couples) {
+    return false;  // their branch beyond the limit has no label to ask for
+  }
+  if (drivers.size() > 1) {
+    return take_up(run, drivers, from);
+  }
+  for (const double probe : probes(run, from[0], drivers[0])) {
+    if (is_stopped(run)) {
+      return false;
+    }
+    const std::vector<double> at{probe};
+    if (take_up(run, at, run.lost.at)) {
+      Path path;
+      set_path(path, at, drivers);
+      return follow(run, path) || resume(run, drivers, run.lost.at);
+    }
+  }
+  return take_up(run, drivers, run.lost.at);
 }
 
 }  // namespace higherpair

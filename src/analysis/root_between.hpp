@@ -36,16 +36,4 @@ template <class F>
   return known ? std::optional((bracket.first + bracket.second) / 2) : std::nullopt;
 }
 
-/// The root near 0 of the cubic with the values a, b, c, e at -3, -1, 1, 3; none where it is not within ±1.
-[[nodiscard]] inline std::optional<double> root_of_cubic(double a, double b, double c, double e) {
-  const double slope = (a - 27 * b + 27 * c - e) / 48;
-  double t = 0;
-  for (int i = 0; i < 20; ++i) {
-    const double rest =
-        (9 * (b + c) - (a + e)) / 16 + t * t * (((a + e) - (b + c)) / 16 + t * ((e - a) - 3 * (c - b)) / 48);
-    t = -rest / slope;
-  }
-  return std::abs(t) < 1 ? std::optional(t) : std::nullopt;
-}
-
 }  // namespace higherpair

@@ -117,6 +117,17 @@ bool may_be_free(const Run& run) {
   return false;
 }
 
+// Of a single driver events say by its coordinate where they are, on whatever path they have been found.
+void set_shares(Run& run, double from) {
+  const double length = run.targets[0] - from;
+  if (run.targets.size() > 1 || length == 0) {
+    return;
+  }
+  for (RunEvent& event : run.events) {
+    event.share = std::clamp((event.driver - from) / length, 0.0, 1.0);
+  }
+}
+
 }  // namespace
 
 tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
@@ -163,6 +174,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (run.limit_here || run.limit_before) {
     run.limit_before = std::exchange(run.limit_here, std::nullopt);
   }
+  const double from = run.targets[0];
   // The row before once more, where run.state is short of it.
   bool held = run.held && run.between;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -183,8 +195,10 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       set_rates(run, run.trial_motions, run.state);
     }
     // The branch may be there again at the end of a path on which it is lost.
-    held = follow(run, run.path) || resume(run, run.targets, run.path.from);
+    held =
+        follow(run, run.path) || resume(run, run.targets, run.path.is_single() ? run.lost.at : run.path.from);
   }
+  set_shares(run, from);
   if (held) {
     fill_row(run, drivers);
   } else {

@@ -10,8 +10,8 @@ namespace {
 
 class ShortWay {
 public:
-  ShortWay(const State& lost, const State& begin)
-      : lost_(lost), begin_(begin), turns_(begin.bodies.size(), 0.0) {}
+  ShortWay(const std::vector<Group>& groups, const State& lost, const State& begin)
+      : groups_(groups), lost_(lost), begin_(begin), turns_(begin.bodies.size(), 0.0) {}
 
   void add(const RrrDyad& dyad) {
     add_own(dyad.link_a);
@@ -45,7 +45,15 @@ public:
     normals_.push_back({i, short_way(begin_.contacts[i].phi, lost_.contacts[i].phi)});
   }
 
-  // What a driver turns goes where the driver goes, and a track keeps its turns itself.
+  void add(const TrackedPair& tracked) {
+    if (tracked.follower.freedom.turns) {
+      add_own(tracked.follower.body);
+    }
+    const auto i = static_cast<std::size_t>(tracked.contact);
+    normals_.push_back({i, short_way(begin_.contacts[i].phi, lost_.contacts[i].phi)});
+  }
+
+  // What a driver turns goes where the driver goes.
   template <class Kind>
   void add(const Kind&) {}
 
@@ -56,6 +64,11 @@ public:
     for (const auto& [contact, turn] : normals_) {
       state.contacts[contact].phi += turn;
     }
+    for (std::size_t g = 0; g < state.tracks.size(); ++g) {
+      if (auto* track = std::get_if<ContactTrack>(&state.tracks[g])) {
+        turn_track(std::get<TrackedPair>(groups_[g].kind), *track);
+      }
+    }
   }
 
 private:
@@ -63,6 +76,16 @@ private:
     std::size_t contact;
     double turn;
   };
+
+  void turn_track(const TrackedPair& tracked, ContactTrack& track) const {
+    if (tracked.follower.freedom.turns) {
+      track.at.q += turns_[static_cast<std::size_t>(tracked.follower.body)];
+      track.follower = {};
+    }
+    for (const auto& [contact, turn] : normals_) {
+      track.phi += contact == static_cast<std::size_t>(tracked.contact) ? turn : 0;
+    }
+  }
 
   static double short_way(double angle, double reference) { return nearest_turn(angle, reference) - angle; }
 
@@ -79,6 +102,7 @@ private:
     }
   }
 
+  const std::vector<Group>& groups_;
   const State& lost_;
   const State& begin_;
   std::vector<double> turns_;  // of the bodies [rad]
@@ -94,7 +118,7 @@ void take_short_way(Run& run, const State& lost, const State& begin) {
   if (geared) {
     return;
   }
-  ShortWay way(lost, begin);
+  ShortWay way(run.plan.groups, lost, begin);
   for (const Group& group : run.plan.groups) {
     std::visit([&](const auto& kind) { way.add(kind); }, group.kind);
   }

@@ -1,8 +1,10 @@
 #include "singular_start.hpp"
 
 #include "crossing.hpp"
+#include "group_system.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "reduction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +27,9 @@ std::vector<std::size_t> singular_groups(const Run& run) {
   std::vector<std::size_t> found;
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
     const Group& group = run.plan.groups[g];
-    const bool tracked = std::holds_alternative<TrackedPair>(group.kind) &&
+    const bool follows = !std::holds_alternative<TrackedPair>(group.kind) ||
                          std::holds_alternative<ContactTrack>(run.state.tracks[g]);
-    if ((tracked || can_cross(group)) && is_singular(run.state.groups[g])) {
+    if (follows && can_cross(group) && is_singular(run.state.groups[g])) {
       found.push_back(g);
     }
   }
@@ -51,6 +53,61 @@ bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& the
     return false;
   }
   run.state.tracks[g] = start_track(tracked->pair, found.at, mode);
+  return true;
+}
+
+bool is_coupled(const Run& run, std::size_t g) {
+  return std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind);
+}
+
+// Newton's method comes near a singular start only to half the digits.
+void settle_coupled(Run& run, std::size_t g) {
+  constexpr double kNear = 1e-5;  // of the unit of the path
+  Path path;
+  std::vector<double> ahead = run.drivers;
+  ahead[0] += driver_scale(run, 0);
+  set_path(path, run.drivers, ahead);
+  run.trial = run.state;
+  Reduction reduction(run, path, g, 0);
+  const auto singular = reduction.singular_point(kNear * unit_of(run, path));
+  if (singular && std::abs(singular->ahead) <= kNear * unit_of(run, path)) {
+    reduction.place(*singular);
+    for (const int body : run.plan.groups[g].bodies) {
+      run.state.bodies[static_cast<std::size_t>(body)] = run.trial.bodies[static_cast<std::size_t>(body)];
+    }
+    for (const int contact : run.plan.groups[g].contacts) {
+      run.state.contacts[static_cast<std::size_t>(contact)] =
+          run.trial.contacts[static_cast<std::size_t>(contact)];
+    }
+    run.state.groups[g].sine = 0;
+  }
+}
+
+// Coupled bodies have no modes to choose from: the rates of run.state are set so that a step along the path
+// is predicted to lead to one of the two positions there.
+bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
+  const Group& group = run.plan.groups[g];
+  const State kept = run.state;
+  run.trial = run.state;
+  const std::vector<Reduction::Point> positions = Reduction(run, path, g, 0).positions_at(path.length);
+  run.state = kept;
+  if (positions.size() < 2) {
+    return false;
+  }
+  const Eigen::VectorXd& x = positions[second ? 1 : 0].x;
+  const Eigen::VectorXd rate = (x - coordinates_of(model_of(run), group, run.state)) / path.length;
+  Eigen::Index i = 0;
+  for (const int index : group.bodies) {
+    BodyMotion& body = run.state.bodies[static_cast<std::size_t>(index)];
+    body.v_WB = rate.segment<2>(i);
+    body.omega = rate(i + 2) / run.plan.size;
+    body.a_WB.setZero();
+    body.alpha = 0;
+    i += 3;
+  }
+  for (const int index : group.contacts) {
+    run.state.contacts[static_cast<std::size_t>(index)].rates.phi_dot = rate(i++) / run.plan.size;
+  }
   return true;
 }
 
@@ -119,8 +176,10 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
     run.state = start;
     bool taken = true;
     for (std::size_t i = 0; i < chosen && taken; ++i) {
-      const int mode = start.groups[groups[i]].mode * ((combination >> i & 1U) != 0 ? -1 : 1);
-      taken = take_mode(run, groups[i], mode, there);
+      const bool other = (combination >> i & 1U) != 0;
+      taken = is_coupled(run, groups[i])
+                  ? aim_coupled(run, groups[i], path, other)
+                  : take_mode(run, groups[i], start.groups[groups[i]].mode * (other ? -1 : 1), there);
     }
     if (!taken || !solve_at(run, path, 0, path.length)) {
       continue;
@@ -156,6 +215,11 @@ std::optional<int> leave_singular_start(Run& run) {
   const std::vector<std::size_t> groups = singular_groups(run);
   if (groups.empty()) {
     return std::nullopt;
+  }
+  for (const std::size_t g : groups) {
+    if (is_coupled(run, g)) {
+      settle_coupled(run, g);
+    }
   }
   std::optional<Departure> chosen;
   for (std::size_t driver = 0; driver < run.drivers.size() && !chosen; ++driver) {

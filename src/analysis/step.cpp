@@ -1,41 +1,57 @@
 #include "step.hpp"
 
-#include "coupled_crossing.hpp"
-#include "higherpair/contact/step_agreement.hpp"
+#include "crossing.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "reduction.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include <boost/math/tools/minima.hpp>
 
 namespace higherpair {
 namespace {
 
 constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
 
-// Groups that keep to their branch by themselves.
-bool is_safe(const Group& group) {
-  return std::holds_alternative<DrivenBody>(group.kind) || std::holds_alternative<TrackedPair>(group.kind) ||
-         std::holds_alternative<IdleBody>(group.kind) || std::holds_alternative<GearedBody>(group.kind);
+constexpr double kSmooth = 0.04;    // of the change: how far a step may be from a smooth one
+constexpr double kNoChange = 1e-9;  // a mismatch that is nothing but rounding [rad, or of the size]
+
+// Groups that have one branch only, or keep it by themselves.
+bool keeps_branch(const Run& run, std::size_t g) {
+  const GroupKind& kind = run.plan.groups[g].kind;
+  return std::holds_alternative<DrivenBody>(kind) || std::holds_alternative<IdleBody>(kind) ||
+         std::holds_alternative<GearedBody>(kind) ||
+         (std::holds_alternative<TrackedPair>(kind) &&
+          !std::holds_alternative<ContactTrack>(run.state.tracks[g]));
 }
 
-// How far the bodies of a group have moved, and how far from where their rates said; angles, and lengths by
-// the size.
-struct Agreement {
+// How far a group has moved in a step, and how far that is from what the rates and accelerations at both ends
+// say. Over a step h of a smooth coordinate x
+//     x1 - x0 = h/2 (v0 + v1) - h²/12 (a1 - a0) + O(h⁵),     v1 - v0 = h/2 (a0 + a1) + O(h³):
+// a step onto another branch, or over a limit into a part of the branch beyond it, would have to agree in all
+// of these at once. Angles, and lengths relative to the size.
+struct Smoothness {
   double change = 0;
   double mismatch = 0;
   double farthest_turn = 0;  // of one body
 
-  // Next to a limit a prediction may lead to any angle, and there is a solution within a turn of any.
-  [[nodiscard]] bool within(double share) const {
-    return mismatch <= share * change + 1e-9 && farthest_turn <= kFarthestTurn;
+  [[nodiscard]] bool holds() const {
+    return mismatch <= kSmooth * change + kNoChange && farthest_turn <= kFarthestTurn;
   }
 };
 
-Agreement agreement(const Group& group, const State& from, const State& to, double h, double size) {
-  Agreement result;
+double mismatch_of(double rise, double v0, double v1, double a0, double a1, double h) {
+  const double bend = h * h / 12 * (a1 - a0);
+  return std::abs(rise - h / 2 * (v0 + v1) + bend) + std::abs(h * (v1 - v0) - h * h / 2 * (a0 + a1));
+}
+
+double mismatch_of(const Vector2d& rise, const Vector2d& v0, const Vector2d& v1, const Vector2d& a0,
+                   const Vector2d& a1, double h) {
+  return mismatch_of(rise.x(), v0.x(), v1.x(), a0.x(), a1.x(), h) +
+         mismatch_of(rise.y(), v0.y(), v1.y(), a0.y(), a1.y(), h);
+}
+
+Smoothness smoothness(const Group& group, const State& from, const State& to, double h, double size) {
+  Smoothness result;
   const double per_size = 1 / size;
   for (const int index : group.bodies) {
     const BodyMotion& a = from.bodies[static_cast<std::size_t>(index)];
@@ -44,8 +60,18 @@ Agreement agreement(const Group& group, const State& from, const State& to, doub
     const Vector2d shift = b.X_WB.p_WB - a.X_WB.p_WB;
     result.change += std::abs(turn) + per_size * shift.lpNorm<1>();
     result.farthest_turn = std::max(result.farthest_turn, std::abs(turn));
-    result.mismatch += std::abs(turn - h * (a.omega + h / 2 * a.alpha)) +
-                       per_size * (shift - h * (a.v_WB + h / 2 * a.a_WB)).lpNorm<1>();
+    result.mismatch += mismatch_of(turn, a.omega, b.omega, a.alpha, b.alpha, h) +
+                       per_size * mismatch_of(shift, a.v_WB, b.v_WB, a.a_WB, b.a_WB, h);
+    // Where the motion turns back within the step, what it covers is more than the change.
+    result.change +=
+        std::abs(h) * (std::abs(b.omega - a.omega) + per_size * (b.v_WB - a.v_WB).lpNorm<1>()) / 8;
+  }
+  for (const int index : group.contacts) {
+    const ContactMotion& a = from.contacts[static_cast<std::size_t>(index)];
+    const ContactMotion& b = to.contacts[static_cast<std::size_t>(index)];
+    const double turn = b.phi - a.phi;
+    result.change += std::abs(turn);
+    result.mismatch += std::abs(turn - h / 2 * (a.rates.phi_dot + b.rates.phi_dot));
   }
   return result;
 }
@@ -62,103 +88,81 @@ bool keeps_contacts(const Run& run, const Group& group) {
   });
 }
 
-// Places the groups before `end` in run.trial, `x` beyond run.state, which stands at s; in the modes of
-// run.state and without asking whether they agree with a prediction.
+// The mode of a group at s: that of run.state, but beyond a change point of the present step the other one.
+int mode_at(const Run& run, std::size_t g, double s, double step) {
+  int mode = run.state.groups[g].mode;
+  for (const Crossing& crossing : run.crossings) {
+    if (crossing.group == g && (s - crossing.s) * step > 0) {
+      mode = -mode;
+    }
+  }
+  return mode;
+}
+
+// Places the groups before `end` in run.trial, `x` beyond run.state, which is at s on the path; whether the
+// motion leads there is not asked.
 bool place_before(Run& run, const Path& path, std::size_t end, double s, double x) {
-  std::vector<double> drivers;
-  path.positions(s + x, drivers);
-  std::optional<LimitPosition> limit;
+  path.positions(s + x, run.trial_drivers);
   for (std::size_t g = 0; g < end; ++g) {
-    run.trial.groups[g].mode = run.state.groups[g].mode;
-    if (place_group(model_of(run), g, run.state, x, drivers, run.trial, limit) != GroupStatus::kOk) {
+    run.trial.groups[g].mode = mode_at(run, g, s + x, path.length);
+    if (place_group(model_of(run), g, run.state, x, run.trial_drivers, run.trial) != GroupStatus::kOk) {
       return false;
     }
   }
   return true;
 }
 
-// A group that came over to the other branch next to where they cross.
-std::optional<std::size_t> group_that_turns_back(const Run& run, double h) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const GroupState& a = run.state.groups[g];
-    const GroupState& b = run.trial.groups[g];
-    if (turns_back(a.sine, a.sine_rate, b.sine, b.sine_rate, h) && !is_safe(run.plan.groups[g]) &&
-        !std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind)) {
-      return g;
-    }
-  }
-  return std::nullopt;
-}
-
-// Whether the slack only touches 0 within the step, so that branches really cross there; without it the links
-// would come near to being aligned and part again, or part of the way could not be assembled.
-bool really_crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const double before = slack_after(run, path, g, s, 0);
-  if (!std::isfinite(before)) {
-    return true;
-  }
-  // The gap of a contact may come to 0 from either side, and be 0 to rounding at an end.
-  const double end = slack_after(run, path, g, s, h);
-  const double sense = (std::abs(end) > std::abs(before) ? end : before) < 0 ? -1 : 1;
-  const auto slack = [&](double x) { return sense * slack_after(run, path, g, s, x); };
-  std::uintmax_t calls = 100;
-  const auto [x, smallest] =
-      boost::math::tools::brent_find_minima(slack, std::min(0.0, h), std::max(0.0, h), 52, calls);
-  const double size = run.plan.size;
-  const bool is_length = std::holds_alternative<TouchingBody>(run.plan.groups[g].kind);
-  return std::abs(smallest) <= 1e-13 * (std::abs(before) + std::abs(end) + (is_length ? size : size * size));
-}
-
-// Places a group in run.trial on the branch given by `mode`, where the present position leads to.
-GroupStatus place_on(Run& run, std::size_t g, int mode, double h, double share,
-                     const std::vector<double>& drivers, StepResult& result) {
+// Places a group in run.trial on the branch given by `mode`, and its rates; kOk only where that continues
+// run.state smoothly.
+GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
   run.trial.groups[g].mode = mode;
-  const GroupStatus status = place_group(model_of(run), g, run.state, h, drivers, run.trial, result.limit);
-  const Group& group = run.plan.groups[g];
-  return status != GroupStatus::kOk || is_safe(group) || agrees(run, group, h, share)
-             ? status
-             : GroupStatus::kNotConverged;
-}
-
-// Newton's method may come out on any branch: the sign of the determinant tells which.
-GroupStatus place_coupled_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
-                                   const std::vector<double>& drivers, StepResult& result) {
-  const int mode = run.state.groups[g].mode;
-  const GroupStatus status = place_on(run, g, mode, h, kStepAgreement, drivers, result);
-  if (status != GroupStatus::kOk || run.trial.groups[g].mode == mode) {
+  const GroupStatus status = place_group(model_of(run), g, run.state, h, run.trial_drivers, run.trial);
+  if (status != GroupStatus::kOk) {
     return status;
   }
-  const State kept = run.trial;
-  const bool crosses =
-      agrees(run, run.plan.groups[g], h, kCrossingAgreement) && passes_crossing(run, path, g, s, h);
-  run.trial = kept;
-  return crosses ? GroupStatus::kOk : GroupStatus::kNotConverged;
+  set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+  const Group& group = run.plan.groups[g];
+  if (keeps_branch(run, g)) {
+    return GroupStatus::kOk;
+  }
+  const bool smooth = smoothness(group, run.state, run.trial, h, run.plan.size).holds();
+  return smooth && keeps_contacts(run, group) ? GroupStatus::kOk : GroupStatus::kNotConverged;
 }
 
-GroupStatus place_agreeing(Run& run, const Path& path, std::size_t g, double s, double h,
-                           const std::vector<double>& drivers, StepResult& result) {
-  const Group& group = run.plan.groups[g];
-  if (std::holds_alternative<CoupledBodies>(group.kind)) {
-    return place_coupled_agreeing(run, path, g, s, h, drivers, result);
+// Whether the group, which run.trial has on the other side of a change point, gets there straight through it:
+// where the branches only come near each other the step has jumped.
+bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
+  const State kept = run.trial;
+  const auto at = Reduction(run, path, g, s).crossing_within(h);
+  run.trial = kept;
+  path.positions(s + h, run.trial_drivers);
+  path.motions(s + h, run.trial_motions);
+  if (at) {
+    run.crossings.push_back({g, s + at->ahead});
   }
+  return at.has_value();
+}
+
+GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, double h) {
   const GroupState& before = run.state.groups[g];
-  const bool crosses = !is_safe(group) && (before.sine + h * before.sine_rate) * before.sine < 0;
-  if (crosses && place_on(run, g, -before.mode, h, kCrossingAgreement, drivers, result) == GroupStatus::kOk) {
-    const State kept = run.trial;
-    const bool crossing = really_crosses(run, path, g, s, h);
-    run.trial = kept;
-    if (crossing) {
-      return GroupStatus::kOk;
-    }
+  if (!can_cross(run.plan.groups[g])) {
+    return step_group(run, g, before.mode, h);
   }
-  return place_on(run, g, before.mode, h, kStepAgreement, drivers, result);
+  if (std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind)) {
+    // Newton's method may arrive on either side of a change point: the sign of the determinant says where.
+    const GroupStatus status = step_group(run, g, before.mode, h);
+    const bool same = run.trial.groups[g].mode == before.mode;
+    return status != GroupStatus::kOk || same || crosses(run, path, g, s, h) ? status
+                                                                             : GroupStatus::kNotConverged;
+  }
+  const bool may_cross = (before.sine + h * before.sine_rate) * before.sine < 0;
+  if (may_cross && step_group(run, g, -before.mode, h) == GroupStatus::kOk && crosses(run, path, g, s, h)) {
+    return GroupStatus::kOk;
+  }
+  return step_group(run, g, before.mode, h);
 }
 
 }  // namespace
-
-bool agrees(const Run& run, const Group& group, double h, double share) {
-  return agreement(group, run.state, run.trial, h, run.plan.size).within(share) && keeps_contacts(run, group);
-}
 
 double unit_of(const Run& run, const Path& path) {
   if (path.is_single()) {
@@ -189,41 +193,17 @@ double driver_scale(const Run& run, std::size_t driver) {
   return joint.type == JointType::kRevolute ? 1 : run.plan.size;
 }
 
-double slack_after(Run& run, const Path& path, std::size_t g, double s, double h) {
-  if (!place_before(run, path, g, s, h)) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  for (const int body : run.plan.groups[g].bodies) {
-    run.trial.bodies[static_cast<std::size_t>(body)] = run.state.bodies[static_cast<std::size_t>(body)];
-  }
-  for (const int contact : run.plan.groups[g].contacts) {
-    run.trial.contacts[static_cast<std::size_t>(contact)] =
-        run.state.contacts[static_cast<std::size_t>(contact)];
-  }
-  return slack_of(model_of(run), g, run.trial).value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
 StepResult try_step(Run& run, const Path& path, double s, double h) {
-  StepResult result;
-  std::vector<double>& drivers = run.trial_drivers;
-  path.positions(s + h, drivers);
+  run.crossings.clear();
+  path.positions(s + h, run.trial_drivers);
+  path.motions(s + h, run.trial_motions);
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const bool known = result.limit.has_value();
-    const GroupStatus status = place_agreeing(run, path, g, s, h, drivers, result);
-    result.group = result.limit && !known ? g : result.group;
+    const GroupStatus status = step_on_branch(run, path, g, s, h);
     if (status != GroupStatus::kOk) {
-      result.group = g;
-      result.kind = status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees;
-      return result;
+      return {status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees, g};
     }
   }
-  path.motions(s + h, run.trial_motions);
-  set_rates(run, run.trial_motions, run.trial);
-  if (const auto g = group_that_turns_back(run, h)) {
-    result.group = *g;
-    result.kind = StepResult::kDisagrees;
-  }
-  return result;
+  return {};
 }
 
 bool solve_at(Run& run, const Path& path, double s, double x) {
@@ -241,19 +221,16 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
   return true;
 }
 
-StepResult place_anew(Run& run, const std::vector<double>& drivers) {
-  StepResult result;
+bool place_anew(Run& run, const std::vector<double>& drivers) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const bool known = result.limit.has_value();
     run.trial.groups[g].mode = run.state.groups[g].mode;
-    if (place_group(model_of(run), g, run.state, 0, drivers, run.trial, result.limit) != GroupStatus::kOk) {
-      return {StepResult::kLost, g, std::nullopt};
+    if (place_group_anew(model_of(run), g, run.state, drivers, run.trial) != GroupStatus::kOk) {
+      return false;
     }
-    result.group = result.limit && !known ? g : result.group;
   }
   set_unit_motions(drivers, run.trial_motions);
   set_rates(run, run.trial_motions, run.trial);
-  return result;
+  return true;
 }
 
 }  // namespace higherpair

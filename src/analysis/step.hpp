@@ -3,7 +3,6 @@
 #include "group_solver.hpp"
 #include "higherpair/analysis/run.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace higherpair {
@@ -20,19 +19,15 @@ void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMo
 
 struct StepResult {
   enum Kind { kOk, kLost, kDisagrees } kind = kOk;
-  std::size_t group = 0;               ///< which failed
-  std::optional<LimitPosition> limit;  ///< of a tracked pair, its u the driver's coordinate
+  std::size_t group = 0;  ///< which failed
 };
 
-/// Tries a step of `h` from run.state, which stands at s, into run.trial; kOk only where every group agrees
-/// with its prediction, or crosses over to its other branch where branches cross.
+/// Tries a step of `h` from run.state, which is at s, into run.trial; kOk only where every group continues
+/// its motion smoothly, straight on through change points (run.crossings).
 [[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
 
 /// What counts as one unit of a driver's coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
-
-/// Whether a group in run.trial is where run.state and its rates lead after `h`, to `share` of its change.
-[[nodiscard]] bool agrees(const Run& run, const Group& group, double h, double share);
 
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);
@@ -44,12 +39,8 @@ struct StepResult {
 /// The same for the groups before `end` only.
 [[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
-/// The slack of a group `h` beyond run.state; NaN where the groups before cannot be placed, or it has none.
-[[nodiscard]] double slack_after(Run& run, const Path& path, std::size_t g, double s, double h);
-
 /// Places all groups at the drivers' positions in run.trial in the modes of run.state, however far that is;
-/// rates are per unit of a single driver. result.limit is that of a tracked pair which has come back to its
-/// branch.
-[[nodiscard]] StepResult place_anew(Run& run, const std::vector<double>& drivers);
+/// rates are per unit of a single driver.
+[[nodiscard]] bool place_anew(Run& run, const std::vector<double>& drivers);
 
 }  // namespace higherpair

@@ -199,6 +199,16 @@ ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int
   return track;
 }
 
+ContactStatus step_to(ContactTrack& track, double u, int branch) {
+  const Step step = try_step(track, u - track.at.u, branch);
+  if (!step.solved) {
+    return step.result.status == ContactStatus::kOk ? ContactStatus::kOtherBranch : step.result.status;
+  }
+  accept(track, step.result.at, branch);
+  track.at.u = u;
+  return ContactStatus::kOk;
+}
+
 TrackResult follow_to(ContactTrack& track, double u) {
   TrackResult result;
   if (!std::isfinite(u)) {

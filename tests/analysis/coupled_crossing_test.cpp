@@ -77,6 +77,29 @@ TEST(CoupledCrossings, ArePassedStraightOnWhateverTheRows) {
   }
 }
 
+// At a dead point the poses need not be exact; it is left on the branch along which the crank turns more
+// slowly.
+TEST(CoupledCrossings, AreStartedAt) {
+  for (const int samples : {3, 5, 361}) {
+    for (const int pose : {180, 175}) {
+      SCOPED_TRACE(fmt::format("{} rows, crank posed at {}", samples, pose));
+      const Motion motion = testing::analyze(testing::profile_of(
+          kDrivenAtTheMovingPin,
+          {"driver.start=180", "driver.end=540", fmt::format("driver.samples={}", samples),
+           fmt::format("bodies.crank.pose.angle={}", pose), "bodies.rod.pose={x=-30,y=0,angle=360}",
+           "bodies.rocker.pose.angle=180"}));
+      ASSERT_EQ(motion.failure(), "");
+      EXPECT_EQ(motion.status(0), RowStatus::kSingular);
+      EXPECT_NEAR(motion.value(0, "crank.angle"), 180, 1e-10);
+      for (std::size_t k = 1; k + 1 < motion.size(); ++k) {
+        EXPECT_EQ(motion.status(k), RowStatus::kOk);
+        const double expected = crank_angle(motion.radians(k, "driver"), 50, 1);
+        EXPECT_NEAR(std::remainder(motion.radians(k, "crank.angle") - expected, 2 * kPi), 0, 1e-10) << k;
+      }
+    }
+  }
+}
+
 // A rocker longer by 1e-10 never lets the links come in line: B stays on its side.
 TEST(CoupledCrossings, BranchesThatNearlyCrossAreKeptApart) {
   for (const char* rocker : {"50.00001", "50.0000001", "50.0000000001"}) {

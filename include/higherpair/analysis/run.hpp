@@ -92,6 +92,19 @@ struct OverlapWatch {
   bool jumped = false;    ///< the motion has gone over to a second contact: arcs are interrupted
 };
 
+/// A change point that the present step leads through.
+struct Crossing {
+  std::size_t group = 0;
+  double s = 0;  ///< on the path
+};
+
+/// A limit at which the motion was lost.
+struct Loss {
+  std::vector<double> from;  ///< the drivers at Run::state, the last position before it
+  std::vector<double> at;    ///< the drivers at the limit
+  RunEvent event;
+};
+
 /// A running analysis: a mechanism, its plan and where it stands.
 struct Run {
   Mechanism mechanism;
@@ -103,10 +116,7 @@ struct Run {
   std::vector<double> drivers;              ///< the drivers' coordinates there
   bool held = true;      ///< false: lost at a limit; `state` is the last position before it
   bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
-  /// Of coupled bodies, whose branches have no names to ask for again: where the last way began, and that way
-  /// up to the limit where they were lost.
-  State way_start;
-  Path lost_way;
+  Loss lost;             ///< where, while not held
   std::vector<OutputJoint> outputs;
   std::vector<OverlapWatch> watches;     ///< of Mechanism::contacts
   MotionRow row;                         ///< of the last move_to
@@ -116,8 +126,10 @@ struct Run {
   State trial;                           ///< where steps are tried, and the drivers there
   std::vector<double> trial_drivers;
   std::vector<DriverMotion> trial_motions;
-  std::vector<double> targets;  ///< of the last move_to
-  Path path;                    ///< to them
+  std::vector<Crossing> crossings;  ///< of the present step
+  std::vector<Crossing> reported;   ///< change points ahead of `state` that events have named; s: the driver
+  std::vector<double> targets;      ///< of the last move_to
+  Path path;                        ///< to them
 };
 
 /// Assembles a mechanism at the first positions of its drivers: of all assemblies the one whose joint points

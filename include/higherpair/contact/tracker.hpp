@@ -47,6 +47,10 @@ struct TrackResult {
 /// Starts to follow a contact. \pre `at` solves the pair and branch = ±1.
 [[nodiscard]] ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int branch);
 
+/// One step to u, predicted to third order, on the given branch. The caller has to judge whether it is the
+/// same motion: a long step may arrive at another contact. The track changes with kOk only.
+[[nodiscard]] ContactStatus step_to(ContactTrack& track, double u, int branch);
+
 /// Moves the track along the straight path of the driver to u, in as many inner steps as it takes: each is
 /// predicted to third order and accepted only if the solution agrees with the prediction. At a limit
 /// position the driver position is located by Newton's method on the extended system; beyond it later calls

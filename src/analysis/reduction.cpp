@@ -1,0 +1,231 @@
+#include "reduction.hpp"
+
+#include "group_system.hpp"
+#include "step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SVD>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMaxNewton = 12;
+constexpr int kMaxOuter = 25;
+constexpr double kSettled = 1e-13;    // of the size: last change of a solution
+constexpr double kDifference = 1e-5;  // of the size and of the unit of s: for second derivatives
+constexpr double kFarthest = 2;       // of the size: how far λ may lead
+constexpr double kNearRoot = 1e-7;    // steps of Newton's method below this fall fast
+constexpr double kNoStep = 1e-15;
+constexpr double kAtEnd = 1e-9;     // of the unit of s: a change point at the end of a step
+constexpr double kCrosses = 1e-13;  // of the size: an ε that is rounding
+constexpr double kParabola = 0.04;  // of the way: how far the branch may be from a parabola
+constexpr double kFarAhead = 64;    // of the step: how far a limit may lie ahead
+
+}  // namespace
+
+Reduction::Reduction(Run& run, const Path& path, std::size_t g, double s)
+    : run_(run), path_(path), g_(g), s_(s), unit_(unit_of(run, path)) {
+  start_ = coordinates_of(model_of(run), run.plan.groups[g], run.state);
+  usable_ = make_border();
+}
+
+bool Reduction::make_border() {
+  if (start_.size() == 0 || !system_at(0, start_) || J_.rows() != J_.cols()) {
+    return false;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J_, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  b_ = svd.matrixU().col(J_.cols() - 1);
+  c_ = svd.matrixV().col(J_.cols() - 1);
+  return b_.allFinite() && c_.allFinite();
+}
+
+bool Reduction::system_at(double ahead, const Eigen::VectorXd& x) {
+  if (!solve_before(run_, path_, g_, s_, ahead)) {
+    return false;
+  }
+  path_.motions(s_ + ahead, run_.trial_motions);
+  const Group& group = run_.plan.groups[g_];
+  set_coordinates(model_of(run_), group, run_.state, x, run_.trial);
+  return group_system(model_of(run_), group, run_.trial_motions, run_.trial, F_, J_, F_s_);
+}
+
+void Reduction::place(const Point& point) {
+  (void)system_at(point.ahead, point.x);
+}
+
+std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lambda, double ahead) {
+  const Eigen::Index n = start_.size();
+  const double size = run_.plan.size;
+  Point point = guess;
+  point.x += (lambda - guess.lambda) * guess.x_lambda + (ahead - guess.ahead) * guess.x_s;
+  point.lambda = lambda;
+  point.ahead = ahead;
+  Eigen::MatrixXd M(n + 1, n + 1);
+  Eigen::VectorXd r(n + 1);
+  double last = INFINITY;
+  for (int i = 0; i < kMaxNewton; ++i) {
+    if (!system_at(ahead, point.x)) {
+      return std::nullopt;
+    }
+    M << J_, b_, c_.transpose(), 0;
+    r << F_ + point.value * b_, c_.dot(point.x - start_) - lambda;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M);
+    const Eigen::VectorXd step = lu.solve(-r);
+    const double length = step.cwiseAbs().maxCoeff();
+    if (!(length <= kFarthest * size)) {
+      return std::nullopt;
+    }
+    point.x += step.head(n);
+    point.value += step(n);
+    if (length <= kSettled * size || (length <= 1e-9 * size && length >= last / 2)) {
+      Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(n + 1, 2);
+      wanted(n, 0) = 1;
+      wanted.col(1).head(n) = -F_s_;
+      const Eigen::MatrixXd rates = lu.solve(wanted);
+      point.x_lambda = rates.col(0).head(n);
+      point.per_lambda = rates(n, 0);
+      point.x_s = rates.col(1).head(n);
+      point.per_s = rates(n, 1);
+      return point;
+    }
+    last = length;
+  }
+  return std::nullopt;
+}
+
+std::optional<Reduction::Second> Reduction::second_derivatives(const Point& at) {
+  const double d_lambda = kDifference * run_.plan.size;
+  const double d_s = kDifference * unit_;
+  const auto a = solve(at, at.lambda - d_lambda, at.ahead);
+  const auto b = solve(at, at.lambda + d_lambda, at.ahead);
+  const auto c = solve(at, at.lambda, at.ahead - d_s);
+  const auto d = solve(at, at.lambda, at.ahead + d_s);
+  if (!a || !b || !c || !d) {
+    return std::nullopt;
+  }
+  return Second{(b->per_lambda - a->per_lambda) / (2 * d_lambda), (d->per_lambda - c->per_lambda) / (2 * d_s),
+                (d->per_s - c->per_s) / (2 * d_s)};
+}
+
+std::optional<Reduction::Point> Reduction::here() {
+  if (!usable_) {
+    return std::nullopt;
+  }
+  Point start;
+  start.x = start_;
+  start.x_lambda = start.x_s = Eigen::VectorXd::Zero(start_.size());
+  return solve(start, 0, 0);
+}
+
+// Newton's method on ε = ε_λ = 0, or on ε_λ = ε_s = 0. The second derivatives are differences: what these
+// lack makes the method linear, with a factor of kDifference².
+std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from, double farthest) {
+  const double size = run_.plan.size;
+  Point at = from;
+  double last = INFINITY;
+  for (int i = 0; i < kMaxOuter; ++i) {
+    const auto second = second_derivatives(at);
+    if (!second) {
+      return std::nullopt;
+    }
+    Eigen::Matrix2d A;
+    Eigen::Vector2d r;
+    if (kind == Kind::kLimit) {
+      A << at.per_lambda, at.per_s, second->lambda_lambda, second->lambda_s;
+      r << at.value, at.per_lambda;
+    } else {
+      A << second->lambda_lambda, second->lambda_s, second->lambda_s, second->s_s;
+      r << at.per_lambda, at.per_s;
+    }
+    const Eigen::Vector2d step = -A.inverse() * r;
+    const double length = std::abs(step(0)) / size + std::abs(step(1)) / unit_;
+    const double lambda = at.lambda + step(0);
+    const double ahead = at.ahead + step(1);
+    if (!(length < kFarthest) || !(std::abs(lambda) < kFarthest * size) || !(std::abs(ahead) <= farthest)) {
+      return std::nullopt;
+    }
+    const auto next = solve(at, lambda, ahead);
+    if (!next) {
+      return std::nullopt;
+    }
+    at = *next;
+    if (length <= kNoStep || (length <= kNearRoot && length >= last / 2)) {
+      at.is_saddle = second->lambda_lambda * second->s_s < second->lambda_s * second->lambda_s;
+      return at;
+    }
+    last = length;
+  }
+  return std::nullopt;
+}
+
+std::optional<Reduction::Point> Reduction::limit_ahead(double h) {
+  const auto first = here();
+  const auto limit = first ? root_of(Kind::kLimit, *first, kFarAhead * std::abs(h)) : std::nullopt;
+  if (!limit || !(limit->ahead * h > 0)) {
+    return std::nullopt;
+  }
+  // It is on the own branch if that is a parabola between, whose slope dλ/ds falls evenly to 0.
+  const double slope = -first->per_lambda / first->per_s;
+  const Eigen::VectorXd tangent = first->x_lambda + slope * first->x_s;
+  const Eigen::VectorXd moved = limit->x - first->x;
+  const Eigen::VectorXd missed = moved - limit->lambda / 2 * (tangent + limit->x_lambda);
+  const bool parabola =
+      std::abs(limit->ahead - limit->lambda * slope / 2) <= kParabola * std::abs(limit->ahead) &&
+      missed.lpNorm<1>() <= kParabola * moved.lpNorm<1>();
+  return parabola ? limit : std::nullopt;
+}
+
+std::optional<Reduction::Point> Reduction::crossing_within(double h) {
+  const auto first = here();
+  const auto crossing = first ? root_of(Kind::kCrossing, *first, 2 * std::abs(h)) : std::nullopt;
+  if (!crossing || !crossing->is_saddle || !(std::abs(crossing->value) <= kCrosses * run_.plan.size)) {
+    return std::nullopt;
+  }
+  const double margin = kAtEnd * unit_;
+  const double along = crossing->ahead * (h > 0 ? 1 : -1);
+  return along >= -margin && along <= std::abs(h) + margin ? crossing : std::nullopt;
+}
+
+std::optional<Reduction::Point> Reduction::singular_point(double distance) {
+  const auto first = here();
+  if (!first) {
+    return std::nullopt;
+  }
+  const auto crossing = root_of(Kind::kCrossing, *first, distance);
+  if (crossing && std::abs(crossing->value) <= kCrosses * run_.plan.size) {
+    return crossing;
+  }
+  return root_of(Kind::kLimit, *first, distance);
+}
+
+// By the Taylor polynomial of second order, then by Newton's method in λ.
+std::vector<Reduction::Point> Reduction::positions_at(double ahead) {
+  std::vector<Point> found;
+  const auto first = here();
+  const auto second = first ? second_derivatives(*first) : std::nullopt;
+  if (!second) {
+    return found;
+  }
+  const double a = second->lambda_lambda / 2;
+  const double b = first->per_lambda + second->lambda_s * ahead;
+  const double c = first->value + ahead * (first->per_s + second->s_s * ahead / 2);
+  const double discriminant = b * b - 4 * a * c;
+  if (!(discriminant > 0)) {
+    return found;
+  }
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
+  for (const double guess : {q / a, c / q}) {
+    auto at = std::isfinite(guess) ? solve(*first, guess, ahead) : std::nullopt;
+    for (int i = 0; i < kMaxNewton && at; ++i) {
+      at = solve(*at, at->lambda - at->value / at->per_lambda, ahead);
+    }
+    if (at && std::abs(at->value) <= kCrosses * run_.plan.size) {
+      found.push_back(*at);
+    }
+  }
+  return found;
+}
+
+}  // namespace higherpair
