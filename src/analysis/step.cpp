@@ -29,51 +29,63 @@ bool keeps_branch(const Run& run, std::size_t g) {
 //     x1 - x0 = h/2 (v0 + v1) - h²/12 (a1 - a0) + O(h⁵),     v1 - v0 = h/2 (a0 + a1) + O(h³):
 // a step onto another branch, or over a limit into a part of the branch beyond it, would have to agree in all
 // of these at once. Angles, and lengths relative to the size.
-struct Smoothness {
-  double change = 0;
-  double mismatch = 0;
-  double farthest_turn = 0;  // of one body
+class Smoothness {
+public:
+  Smoothness(double h, double size)
+      : per_size_(1 / size), half_(h / 2), twelfth_(h * h / 12), step_(std::abs(h)) {}
+
+  void add(const BodyMotion& a, const BodyMotion& b) {
+    const double turn = b.theta - a.theta;
+    const double dx = b.X_WB.p_WB.x() - a.X_WB.p_WB.x();
+    const double dy = b.X_WB.p_WB.y() - a.X_WB.p_WB.y();
+    change_ += std::abs(turn) + per_size_ * (std::abs(dx) + std::abs(dy));
+    farthest_turn_ = std::max(farthest_turn_, std::abs(turn));
+    mismatch_ += mismatch(turn, a.omega, b.omega, a.alpha, b.alpha) +
+                 per_size_ * (mismatch(dx, a.v_WB.x(), b.v_WB.x(), a.a_WB.x(), b.a_WB.x()) +
+                              mismatch(dy, a.v_WB.y(), b.v_WB.y(), a.a_WB.y(), b.a_WB.y()));
+    // Where the motion turns back within the step, it covers more than the change.
+    bend_ += std::abs(b.omega - a.omega) +
+             per_size_ * (std::abs(b.v_WB.x() - a.v_WB.x()) + std::abs(b.v_WB.y() - a.v_WB.y()));
+  }
+
+  void add(const ContactMotion& a, const ContactMotion& b) {
+    const double turn = b.phi - a.phi;
+    change_ += std::abs(turn);
+    mismatch_ += std::abs(turn - half_ * (a.rates.phi_dot + b.rates.phi_dot));
+  }
 
   [[nodiscard]] bool holds() const {
-    return mismatch <= kSmooth * change + kNoChange && farthest_turn <= kFarthestTurn;
+    return mismatch_ <= kSmooth * (change_ + step_ / 8 * bend_) + kNoChange &&
+           farthest_turn_ <= kFarthestTurn;
   }
+
+private:
+  [[nodiscard]] double mismatch(double rise, double v0, double v1, double a0, double a1) const {
+    return std::abs(rise - half_ * (v0 + v1) + twelfth_ * (a1 - a0)) +
+           step_ * std::abs((v1 - v0) - half_ * (a0 + a1));
+  }
+
+  double per_size_;
+  double half_;     // h/2
+  double twelfth_;  // h²/12
+  double step_;     // |h|
+  double change_ = 0;
+  double mismatch_ = 0;
+  double bend_ = 0;           // change of velocities
+  double farthest_turn_ = 0;  // of one body
 };
 
-double mismatch_of(double rise, double v0, double v1, double a0, double a1, double h) {
-  const double bend = h * h / 12 * (a1 - a0);
-  return std::abs(rise - h / 2 * (v0 + v1) + bend) + std::abs(h * (v1 - v0) - h * h / 2 * (a0 + a1));
-}
-
-double mismatch_of(const Vector2d& rise, const Vector2d& v0, const Vector2d& v1, const Vector2d& a0,
-                   const Vector2d& a1, double h) {
-  return mismatch_of(rise.x(), v0.x(), v1.x(), a0.x(), a1.x(), h) +
-         mismatch_of(rise.y(), v0.y(), v1.y(), a0.y(), a1.y(), h);
-}
-
-Smoothness smoothness(const Group& group, const State& from, const State& to, double h, double size) {
-  Smoothness result;
-  const double per_size = 1 / size;
-  for (const int index : group.bodies) {
-    const BodyMotion& a = from.bodies[static_cast<std::size_t>(index)];
-    const BodyMotion& b = to.bodies[static_cast<std::size_t>(index)];
-    const double turn = b.theta - a.theta;
-    const Vector2d shift = b.X_WB.p_WB - a.X_WB.p_WB;
-    result.change += std::abs(turn) + per_size * shift.lpNorm<1>();
-    result.farthest_turn = std::max(result.farthest_turn, std::abs(turn));
-    result.mismatch += mismatch_of(turn, a.omega, b.omega, a.alpha, b.alpha, h) +
-                       per_size * mismatch_of(shift, a.v_WB, b.v_WB, a.a_WB, b.a_WB, h);
-    // Where the motion turns back within the step, what it covers is more than the change.
-    result.change +=
-        std::abs(h) * (std::abs(b.omega - a.omega) + per_size * (b.v_WB - a.v_WB).lpNorm<1>()) / 8;
+bool is_smooth(const Group& group, const State& from, const State& to, double h, double size) {
+  Smoothness smoothness(h, size);
+  for (const int body : group.bodies) {
+    const auto i = static_cast<std::size_t>(body);
+    smoothness.add(from.bodies[i], to.bodies[i]);
   }
-  for (const int index : group.contacts) {
-    const ContactMotion& a = from.contacts[static_cast<std::size_t>(index)];
-    const ContactMotion& b = to.contacts[static_cast<std::size_t>(index)];
-    const double turn = b.phi - a.phi;
-    result.change += std::abs(turn);
-    result.mismatch += std::abs(turn - h / 2 * (a.rates.phi_dot + b.rates.phi_dot));
+  for (const int contact : group.contacts) {
+    const auto i = static_cast<std::size_t>(contact);
+    smoothness.add(from.contacts[i], to.contacts[i]);
   }
-  return result;
+  return smoothness.holds();
 }
 
 // A body that went over to a neighbouring contact would hardly move.
@@ -125,7 +137,7 @@ GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
   if (keeps_branch(run, g)) {
     return GroupStatus::kOk;
   }
-  const bool smooth = smoothness(group, run.state, run.trial, h, run.plan.size).holds();
+  const bool smooth = is_smooth(group, run.state, run.trial, h, run.plan.size);
   return smooth && keeps_contacts(run, group) ? GroupStatus::kOk : GroupStatus::kNotConverged;
 }
 
