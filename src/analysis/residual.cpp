@@ -115,6 +115,10 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
 
 double residual_of(const Run& run) {
   Errors errors;
+  // The pins of a crank alone are at rest: its turning is what its speeds are compared with.
+  for (const BodyMotion& body : run.row.bodies) {
+    errors.compare(square(run.plan.size * body.omega));
+  }
   for (const Joint& joint : run.mechanism.joints) {
     add_joint(run, joint, errors);
   }

@@ -14,6 +14,10 @@
 namespace higherpair {
 namespace {
 
+// Of the largest coordinate: points as near as this to each other coincide. Their distance is the rounding of
+// their coordinates, and no length to measure the mechanism by.
+constexpr double kCoincident = 1e-9;
+
 using HullPoint = boost::geometry::model::d2::point_xy<double>;
 
 // Only points of the hull can be farthest apart.
@@ -71,9 +75,11 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
 
 double size_of(const Mechanism& mechanism) {
   std::vector<Vector2d> points;
+  double largest = 0;  // coordinate, in a body or in ground: what the points are rounded by
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
   const auto add = [&](int body, const Vector2d& p_B) {
     points.push_back(bodies[static_cast<std::size_t>(body)].X_WB * p_B);
+    largest = std::max({largest, p_B.norm(), points.back().norm()});
   };
   for (const Joint& joint : mechanism.joints) {
     add(joint.first.body, point_of(mechanism, joint.first));
@@ -89,7 +95,7 @@ double size_of(const Mechanism& mechanism) {
     }
   }
   const double size = largest_distance(points);
-  return size > 0 ? size : 1;
+  return size > kCoincident * largest ? size : 1;
 }
 
 namespace {
