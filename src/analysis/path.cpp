@@ -375,6 +375,9 @@ std::vector<double> probes(const Run& run, double from, double to) {
 }  // namespace
 
 bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  if (is_stopped(run)) {
+    return false;
+  }
   if (has_come_back(run, drivers)) {
     return come_back(run, drivers);
   }

@@ -62,6 +62,25 @@ TEST_F(Program, RunsEveryShippedProfile) {
   }
 }
 
+TEST_F(Program, IsNotContentWithRowsWhereTheirPathIsNot) {
+  // Both rows can be assembled; the follower locks up between them.
+  const Outcome outcome = run("analyze " + profile("lock_up.toml") + " --set 'driver.positions=[0,359]'");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
+  EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("not_assemblable")));
+}
+
+TEST_F(Program, StopsWithinALongRow) {
+  const std::string table = (folder_ / "long.csv").string();
+  const Outcome outcome =
+      run("analyze " + profile("four_bar.toml") + " --set driver.end=1e9 --samples 2 --csv " + table +
+          " & program=$!; sleep 0.5; kill -TERM $program; wait $program");
+  EXPECT_EQ(outcome.code, 130);
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    EXPECT_EQ(entry.path().string().find(table), std::string::npos) << entry.path();
+  }
+}
+
 TEST_F(Program, ReportsTheLimitPositionsToTheLastDigits) {
   const Outcome outcome = run("analyze " + profile("lock_up.toml") + " --json -");
   EXPECT_EQ(outcome.code, 4);

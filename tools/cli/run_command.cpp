@@ -10,6 +10,7 @@
 #include "summary.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 
@@ -19,9 +20,10 @@ namespace higherpair::cli {
 namespace {
 
 // A signal handler can reach nothing but a flag of this kind.
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 void on_interrupt(int) {
-  interrupted = 1;
+  interrupted = true;
 }
 
 std::vector<RowWriter> open_outputs(const RunOptions& options) {
@@ -201,13 +203,23 @@ void print_events(const std::vector<Event>& events) {
   }
 }
 
+// A limit or an overlap within the path, not at its very ends, even where the rows on both sides are `ok`.
+bool spoils_path(const RunEvent& event, bool first, bool last) {
+  constexpr double kAtEnd = 1e-9;
+  const bool at_end = first || (last && event.share >= 1 - kAtEnd);
+  return event.type == EventType::kOverlap || (event.type == EventType::kLimitPosition && !at_end);
+}
+
 // Moves to row k, by way of the place where the driver turns back if that lies between the rows: it may pass
 // something there and pass it back.
-void move_to_row(Run& run, const std::vector<DriverMotion>& motions, const Profile& profile,
+// Whether the path there is good.
+bool move_to_row(Run& run, const std::vector<DriverMotion>& motions, const Profile& profile,
                  const DriverSchedule& schedule, std::int64_t k, std::vector<Event>& events) {
+  bool good = true;
   const auto note = [&](double from, double to) {
     for (RunEvent event : run.events) {
       event.share = std::lerp(from, to, event.share);
+      good = good && !spoils_path(event, k == 0, k + 1 == schedule.size());
       events.push_back(printed(event, profile, schedule, k));
     }
   };
@@ -218,6 +230,7 @@ void move_to_row(Run& run, const std::vector<DriverMotion>& motions, const Profi
   }
   move_to(run, motions);
   note(turning ? turning->share : 0, 1);
+  return good;
 }
 
 // Runs through the schedule and writes; returns the exit code.
@@ -234,15 +247,18 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
   bool all_ok = true;
   Progress progress(!options.quiet);
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    if (interrupted != 0) {
+    if (interrupted) {
       return kExitInterrupted;
     }
     if (k % 256 == 0 && failed(writers)) {
       return kExitMachine;
     }
     read_row(schedule, k, states, motions);
-    move_to_row(run, motions, profile, schedule, k, events);
-    all_ok = all_ok && run.row.status == RowStatus::kOk;
+    const bool good = move_to_row(run, motions, profile, schedule, k, events);
+    if (interrupted) {
+      return kExitInterrupted;
+    }
+    all_ok = all_ok && good && run.row.status == RowStatus::kOk;
     const auto& cells = tables.cells(run, states, motions, schedule.time(k), events);
     for (RowWriter& writer : writers) {
       writer.row(cells);
@@ -257,7 +273,7 @@ int write_rows(const RunOptions& options, const Profile& profile, const DriverSc
     all_ok = all_ok && !tables.forces->opened();
   }
   if (!finish(writers, events)) {
-    return interrupted != 0 ? kExitInterrupted : kExitMachine;
+    return interrupted ? kExitInterrupted : kExitMachine;
   }
   if (options.summary) {
     summary.print(profile.mechanism.title, tables.columns);
@@ -309,6 +325,7 @@ int run_command(const RunOptions& options) {
     return report_input(tables.error());
   }
   listen_to_signals();
+  run->stop = &interrupted;
   return write_rows(options, *profile, *schedule, *run, *tables);
 }
 
