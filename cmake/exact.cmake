@@ -11,6 +11,8 @@ function(higherpair_add_exact_sources)
   # of signs there, which is right, but its own checks do not allow it.
   target_compile_definitions(higherpair_exact PRIVATE CGAL_LICENSE_ERROR=1 CGAL_NDEBUG)
   target_link_libraries(higherpair_exact PRIVATE CGAL::CGAL Eigen3::Eigen tl::expected fmt::fmt)
+  # It goes into the shared library where there is one; a static library stays free of the cost.
+  set_target_properties(higherpair_exact PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
   higherpair_set_warnings(higherpair_exact)
   # GCC 12 takes CGAL's reference counting for a use after free.
   target_compile_options(higherpair_exact PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-use-after-free>)

@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include "first_position.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -94,10 +95,7 @@ private:
   }
 
   [[nodiscard]] std::vector<int> modes_of(std::size_t g) const {
-    const GroupKind& kind = run_.plan.groups[g].kind;
-    const bool two = std::holds_alternative<RrrDyad>(kind) || std::holds_alternative<RrpDyad>(kind) ||
-                     std::holds_alternative<RprDyad>(kind);
-    return two ? std::vector<int>{1, -1} : std::vector<int>{1};
+    return traits_of(run_.plan.groups[g]).two_modes ? std::vector<int>{1, -1} : std::vector<int>{1};
   }
 
   Run& run_;
@@ -123,9 +121,13 @@ tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism, const st
   if (!plan) {
     return tl::unexpected(StartFailure{plan.error(), std::nullopt});
   }
+  return planned_run(mechanism, *std::move(plan), drivers);
+}
+
+Run planned_run(const Mechanism& mechanism, Plan plan, const std::vector<double>& drivers) {
   Run run;
   run.mechanism = mechanism;
-  run.plan = *std::move(plan);
+  run.plan = std::move(plan);
   run.drivers = drivers;
   return run;
 }

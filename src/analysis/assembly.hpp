@@ -7,6 +7,7 @@ namespace higherpair {
 /// A mechanism with its plan, at these positions of its drivers; not assembled yet.
 [[nodiscard]] tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism,
                                                           const std::vector<double>& drivers);
+[[nodiscard]] Run planned_run(const Mechanism& mechanism, Plan plan, const std::vector<double>& drivers);
 
 /// Sets run.state to the assembly nearest to the poses at run.drivers, without rates; says why there is none.
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);

@@ -2,15 +2,15 @@
 
 #include "assembly.hpp"
 #include "group_solver.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kSamePlace = 1e-12;  // of the size, and in radians: assemblies as near as this are one
 
 double posed_coordinate(const std::vector<BodyMotion>& posed, const CarriedBody& carried) {
   return carried_coordinate(carried, posed[static_cast<std::size_t>(carried.carrier)],
@@ -83,7 +83,7 @@ bool is_same(const State& a, const State& b, double size) {
     const Pose<double>& at = a.bodies[i].X_WB;
     const Pose<double>& other = b.bodies[i].X_WB;
     const double turned = std::abs(at.R_WB.cos - other.R_WB.cos) + std::abs(at.R_WB.sin - other.R_WB.sin);
-    if (!(turned <= kSamePlace && (at.p_WB - other.p_WB).norm() <= kSamePlace * size)) {
+    if (!(turned <= kSameAssembly && (at.p_WB - other.p_WB).norm() <= kSameAssembly * size)) {
       return false;
     }
   }
@@ -123,8 +123,7 @@ tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
                touching != nullptr && assembled) {
       branches.contacts.push_back(place_of_touching(run, *touching));
     }
-    const bool one_of_many =
-        std::holds_alternative<CoupledBodies>(group.kind) && !is_gear_train(mechanism, group);
+    const bool one_of_many = traits_of(group).coupled && !is_gear_train(mechanism, group);
     branches.complete = branches.complete && !one_of_many;
   }
   for (ContactPlace& place : branches.contacts) {

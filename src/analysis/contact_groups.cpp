@@ -2,6 +2,7 @@
 #include "higherpair/contact/extreme_gap.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/gap_scale.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,18 +10,14 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAtLimit = 1e-7;   // of its scale: a ∂gap/∂q that may be that of a limit
-constexpr double kTouches = 1e-14;  // of the size: a gap that is 0 to rounding
-constexpr double kNearLimit = 0.3;  // of a unit: how far the follower may be guessed from its limit
-
 // Seen from the first body of the file.
 ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_is_first) {
   ContactMotion motion;
   if (first_is_first) {
-    motion.at = {at.n_W, at.p1_W, at.p2_W, at.rho1, at.rho2};
+    motion.at = at;
     motion.phi = phi;
   } else {
-    motion.at = {-at.n_W, at.p2_W, at.p1_W, at.rho2, at.rho1};
+    motion.at = at.exchanged();
     motion.phi = phi + kPi;
   }
   return motion;
@@ -30,7 +27,7 @@ ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_i
 void set_sine(const ContactPair& pair, const ContactPosition& at, GroupState& group) {
   group.sine = at.gap_q;
   group.lever = std::sqrt(gap_q_scale2(pair, at));
-  group.noise = 1e-12 * group.lever;
+  group.noise = kGapQIsZero * group.lever;
 }
 
 const ContactPosition& position_of(const PairTrack& track) {
@@ -132,8 +129,7 @@ namespace {
 ContactResult contact_near(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                            double size) {
   ContactResult solved = solve_contact(pair, u, q, n_W, branch);
-  const double scale = std::sqrt(gap_q_scale2(pair, solved.at));
-  if (solved.status == ContactStatus::kOk && std::abs(solved.at.gap_q) > kAtLimit * scale) {
+  if (solved.status == ContactStatus::kOk && !gap_q_may_vanish(pair, solved.at)) {
     return solved;
   }
   ContactPosition near;
@@ -142,8 +138,8 @@ ContactResult contact_near(const ContactPair& pair, double u, double q, const Ve
   near.n_W = n_W;
   const auto extreme = extreme_gap(pair, near);
   const double unit = pair.motion2.turns ? 1 : size;
-  if (!extreme || !(std::abs(extreme->gap) <= kTouches * size) ||
-      !(std::abs(extreme->at.q - q) <= kNearLimit * unit)) {
+  if (!extreme || !(std::abs(extreme->gap) <= kClosedGap * size) ||
+      !(std::abs(extreme->at.q - q) <= kNearFollowerLimit * unit)) {
     return solved;
   }
   return {ContactStatus::kOk, extreme->at, 0};
@@ -188,7 +184,7 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const double sense = touching.follower_is_second ? 1 : -1;
   const Vector2d n = sense * motion.at.n_W;
   const int other = touching.follower_is_second ? contact.first.body : contact.second.body;
-  const Vector2d p = (motion.at.p1_W + motion.at.p2_W) / 2;
+  const Vector2d p = motion.at.p_W();
   const auto material = [&](const BodyMotion& body) {
     return point_motion(body, body.X_WB.inverse_times(p));
   };
@@ -221,14 +217,14 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
 double tracked_sine(const TrackedPair& tracked, const State& state) {
   const CommonNormal& at = state.contacts[static_cast<std::size_t>(tracked.contact)].at;
   const Vector2d n = (tracked.driver_is_first ? 1 : -1) * at.n_W;
-  return n.dot(velocity_per_q(tracked.pair.motion2, (at.p1_W + at.p2_W) / 2));
+  return n.dot(velocity_per_q(tracked.pair.motion2, at.p_W()));
 }
 
 double touching_sine(const Planned& model, const TouchingBody& touching, const State& state) {
   const StandingPair placed = standing_pair(model, touching, state);
   const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
   const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;
-  return n.dot(velocity_per_q(placed.pair.motion2, (at.p1_W + at.p2_W) / 2));
+  return n.dot(velocity_per_q(placed.pair.motion2, at.p_W()));
 }
 
 }  // namespace higherpair

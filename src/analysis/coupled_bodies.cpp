@@ -2,12 +2,13 @@
 
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "numeric/least_norm.hpp"
+#include "series_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 namespace higherpair {
 namespace {
@@ -19,42 +20,18 @@ constexpr double kAllButSingular = 1e-6;  // determinant, scaled
 constexpr double kSingularStep = 1e-6;    // of the size
 constexpr double kClosed = 1e-14;         // of the size
 
-Eigen::Vector3d at_rest(int /*body*/) {
-  return Eigen::Vector3d::Zero();
-}
-
-// The conditions of a group as a linear system in the rates of its bodies; angles count as lengths by the
-// size.
-struct System {
-  Eigen::MatrixXd J;      // rows by (x, y, size·θ) of the group's bodies
-  Eigen::VectorXd known;  // what known bodies contribute to each row
-};
-
-std::ptrdiff_t column_of(const Group& group, int body) {
-  const auto found = std::find(group.bodies.begin(), group.bodies.end(), body);
-  return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());
-}
-
-// \param rate_of  (x, y, θ) rates of a known body
-template <class F>
-System make_system(const Group& group, const std::vector<ConstraintRow>& rows, double size, F rate_of) {
-  const auto n = static_cast<std::ptrdiff_t>(rows.size());
-  System system{Eigen::MatrixXd::Zero(n, 3 * static_cast<std::ptrdiff_t>(group.bodies.size())),
-                Eigen::VectorXd::Zero(n)};
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const ConstraintRow& row = rows[static_cast<std::size_t>(i)];
-    for (std::size_t k = 0; k < row.body.size(); ++k) {
-      const std::ptrdiff_t column = column_of(group, row.body[k]);
-      if (column < 0) {
-        system.known(i) += row.coefficient[k].dot(rate_of(row.body[k]));
-        continue;
-      }
-      system.J(i, column) += row.coefficient[k].x();
-      system.J(i, column + 1) += row.coefficient[k].y();
-      system.J(i, column + 2) += row.coefficient[k].z() / size;
-    }
+// The derivatives of conditions by (x, y, size·θ) of the group's bodies.
+Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows, double size) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
+                                            3 * static_cast<Eigen::Index>(group.bodies.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto column_of = [&](std::size_t k) -> Eigen::Index {
+      const auto found = std::find(group.bodies.begin(), group.bodies.end(), rows[i].body[k]);
+      return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());
+    };
+    add_coefficients(rows[i], size, column_of, J.row(static_cast<Eigen::Index>(i)));
   }
-  return system;
+  return J;
 }
 
 // Solves J x = b: exactly where J is square, by least squares where conditions are in surplus, or where
@@ -66,13 +43,12 @@ public:
     if (square_) {
       lu_.compute(J);
     } else {
-      orthogonal_.setThreshold(kRankTolerance);
-      orthogonal_.compute(J);
+      least_norm_.compute(J);
     }
   }
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    return square_ ? Eigen::VectorXd(lu_.solve(b)) : Eigen::VectorXd(orthogonal_.solve(b));
+    return square_ ? Eigen::VectorXd(lu_.solve(b)) : Eigen::VectorXd(least_norm_.solve(b));
   }
 
   // The determinant, scaled; its sign is that of the branch. 1 where there is a surplus of conditions.
@@ -93,7 +69,7 @@ public:
 private:
   bool square_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
+  LeastNormSolver least_norm_{kRankTolerance};
 };
 
 void set_rank(const Solver& solver, GroupState& group) {
@@ -142,18 +118,6 @@ bool is_idle(const Planned& model, int body) {
   return std::find(idle.begin(), idle.end(), body) != idle.end();
 }
 
-// A body whose turning nothing sets keeps its angle: size·(θ - predicted θ) = 0.
-void append_idle_rows(const Planned& model, const Group& group, std::vector<ConstraintRow>& rows) {
-  for (const int body : group.bodies) {
-    if (is_idle(model, body)) {
-      ConstraintRow row;
-      row.body = {0, body};
-      row.coefficient[1].z() = model.plan.size;
-      rows.push_back(row);
-    }
-  }
-}
-
 // Takes away what rounding leaves of an idle body's turning.
 void hold_idle(const Planned& model, const Group& group, Eigen::VectorXd& change) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
@@ -173,33 +137,28 @@ void add_step(const Group& group, const Eigen::VectorXd& step, double size, Stat
   }
 }
 
-void hold_angles(const std::vector<int>& held, const State& from, const State& to, double size,
+// Bodies keep the angles that they have in a state.
+void hold_angles(const std::vector<int>& held, const State& in, const State& to, double size,
                  std::vector<ConstraintRow>& rows) {
   for (const int body : held) {
-    const auto index = static_cast<std::size_t>(body);
-    ConstraintRow row;
-    row.body[1] = body;
-    row.coefficient[1].z() = size;
-    row.value = size * (to.bodies[index].theta - from.bodies[index].theta);
-    rows.push_back(row);
+    rows.push_back(angle_row(to.bodies, body, in.bodies[static_cast<std::size_t>(body)].theta, size));
   }
 }
 
-Eigen::VectorXd column_of(const std::vector<ConstraintRow>& rows, double ConstraintRow::*member) {
+Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    values(static_cast<Eigen::Index>(i)) = rows[i].*member;
+    values(static_cast<Eigen::Index>(i)) = rows[i].value;
   }
   return values;
 }
 
-}  // namespace
-
-void group_rows(const Planned& model, const Group& group, const std::vector<DriverMotion>& drivers,
-                const State& state, std::vector<ConstraintRow>& rows) {
+// The rows of a group where its contacts have a common normal; idle bodies keep their angles.
+std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
+                                      const std::vector<double>& drivers, const State& state) {
   const Mechanism& mechanism = model.mechanism;
   const double size = model.plan.size;
-  rows.clear();
+  std::vector<ConstraintRow> rows;
   for (const int index : group.joints) {
     append_rows(mechanism, mechanism.joints[static_cast<std::size_t>(index)], state.bodies, size, rows);
   }
@@ -209,20 +168,17 @@ void group_rows(const Planned& model, const Group& group, const std::vector<Driv
   }
   for (const int index : group.drivers) {
     const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
-    const DriverMotion& motion = drivers[static_cast<std::size_t>(index)];
-    append_driver_row(mechanism, mechanism.joints[static_cast<std::size_t>(driver.joint)], motion.position,
-                      motion.velocity, motion.acceleration, state.bodies, size, rows);
+    append_driver_row(mechanism, mechanism.joints[static_cast<std::size_t>(driver.joint)],
+                      drivers[static_cast<std::size_t>(index)], state.bodies, size, rows);
   }
+  hold_angles(condition_set(model.plan, group).idle_bodies, state, state, size, rows);
+  return rows;
 }
-
-namespace {
 
 Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
-  std::vector<ConstraintRow> rows;
-  group_rows(model, group, std::vector<DriverMotion>(model.mechanism.drivers.size()), state, rows);
-  append_idle_rows(model, group, rows);
-  return Solver(make_system(group, rows, model.plan.size, at_rest).J);
+  const std::vector<double> drivers(model.mechanism.drivers.size());
+  return Solver(jacobian_of(group, group_rows(model, group, drivers, state), model.plan.size));
 }
 
 }  // namespace
@@ -232,28 +188,22 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
                           const std::optional<std::vector<int>>& held) {
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
-  std::vector<DriverMotion> targets(drivers.size());
-  for (std::size_t i = 0; i < drivers.size(); ++i) {
-    targets[i].position = drivers[i];
-  }
   predict(group, from, h, to);
-  std::vector<ConstraintRow> rows;
   double last = INFINITY;
   for (int i = 0; i < kMaxSteps; ++i) {
     if (!place_contacts(model, group, to)) {
       return GroupStatus::kNotConverged;
     }
-    group_rows(model, group, targets, to, rows);
+    std::vector<ConstraintRow> rows = group_rows(model, group, drivers, to);
     if (held) {
       hold_angles(*held, from, to, size, rows);
     }
-    append_idle_rows(model, group, rows);
-    const System system = make_system(group, rows, size, at_rest);
-    const Eigen::VectorXd values = column_of(rows, &ConstraintRow::value);
-    const Solver solver(system.J, held.has_value());
+    const Eigen::MatrixXd J = jacobian_of(group, rows, size);
+    const Eigen::VectorXd values = values_of(rows);
+    const Solver solver(J, held.has_value());
     Eigen::VectorXd step = solver.solve(-values);
     if (!step.allFinite()) {
-      step = Solver(system.J, true).solve(-values);
+      step = Solver(J, true).solve(-values);
     }
     hold_idle(model, group, step);
     const double length = step.cwiseAbs().maxCoeff() / size;
@@ -262,9 +212,7 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
                           values.cwiseAbs().maxCoeff() <= kClosed * size;
     if (singular || newton_has_settled(length, last, 1e-9)) {
       set_rank(solver, to.groups[g]);
-      return column_of(rows, &ConstraintRow::value).cwiseAbs().maxCoeff() <= 1e-9 * size
-                 ? GroupStatus::kOk
-                 : GroupStatus::kOutOfReach;
+      return values.cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk : GroupStatus::kOutOfReach;
     }
     last = length;
     step *= std::min(1.0, kMaxStep / length);
@@ -281,54 +229,55 @@ double coupled_sine(const Planned& model, std::size_t g, const State& state) {
   return solver_at(model, g, state).determinant();
 }
 
+// With the known bodies' motions, the group's bodies at rest and the normals turning as their contacts' rates
+// say, what the conditions leave at an order of time is what the group's bodies must make up for.
 void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                   State& state) {
+  using Series = PowerSeries<double, 2>;
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
+  const Solver solver = solver_at(model, g, state);
+  const Dimensions<double> dimensions = dimensions_of(model.mechanism);
+  const ConditionSet set = condition_set(model.plan, group);
   for (const int index : group.bodies) {
     BodyMotion& body = state.bodies[static_cast<std::size_t>(index)];
-    body.v_WB.setZero();
-    body.omega = 0;
-    body.a_WB.setZero();
-    body.alpha = 0;
+    body = {body.X_WB, body.theta};
   }
-  const auto body_at = [&](int index) -> BodyMotion& {
-    return state.bodies[static_cast<std::size_t>(index)];
-  };
-  std::vector<ConstraintRow> rows;
-  group_rows(model, group, drivers, state, rows);
-  append_idle_rows(model, group, rows);
-  const System velocity = make_system(group, rows, size, [&](int body) {
-    return Eigen::Vector3d(body_at(body).v_WB.x(), body_at(body).v_WB.y(), body_at(body).omega);
-  });
-  const Solver solver(velocity.J);
-  // The rates of the group's bodies, from what the conditions want of them.
-  const auto solve = [&](const Eigen::VectorXd& wanted, const auto& set) {
-    Eigen::VectorXd rates = solver.solve(wanted);
+  Coordinates<Series> at = constant<Series>(coordinates_of(model.mechanism, state.bodies, state.contacts));
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    at.drivers[i] =
+        series_of<2>(std::array{drivers[i].position, drivers[i].velocity, drivers[i].acceleration});
+  }
+  const auto solve = [&](std::size_t order) {
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+      at.bodies[i] = series_of_body<2>(state.bodies[i]);
+    }
+    std::vector<Series> conditions;
+    append_conditions(dimensions, set, at, size, conditions, false);
+    Eigen::VectorXd left(static_cast<Eigen::Index>(conditions.size()));
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      left(static_cast<Eigen::Index>(i)) = conditions[i].c[order];
+    }
+    Eigen::VectorXd rates = kFactorials[order] * solver.solve(-left);
     hold_idle(model, group, rates);
+    return rates;
+  };
+  const auto set_rates = [&](const Eigen::VectorXd& rates, Vector2d BodyMotion::*linear,
+                             double BodyMotion::*angular) {
     for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+      BodyMotion& body = state.bodies[static_cast<std::size_t>(group.bodies[i])];
       const auto column = static_cast<Eigen::Index>(3 * i);
-      set(body_at(group.bodies[i]), rates.segment<2>(column), rates(column + 2) / size);
+      body.*linear = rates.segment<2>(column);
+      body.*angular = rates(column + 2) / size;
     }
   };
-  solve(column_of(rows, &ConstraintRow::rate) - velocity.known,
-        [](BodyMotion& body, const Vector2d& v_W, double omega) {
-          body.v_WB = v_W;
-          body.omega = omega;
-        });
+  set_rates(solve(1), &BodyMotion::v_WB, &BodyMotion::omega);
   for (const int index : group.contacts) {
     set_contact_rates(model, index, state);
+    const auto i = static_cast<std::size_t>(index);
+    at.phi[i].c[1] = state.contacts[i].rates.phi_dot;
   }
-  group_rows(model, group, drivers, state, rows);
-  append_idle_rows(model, group, rows);
-  const System acceleration = make_system(group, rows, size, [&](int body) {
-    return Eigen::Vector3d(body_at(body).a_WB.x(), body_at(body).a_WB.y(), body_at(body).alpha);
-  });
-  solve(-column_of(rows, &ConstraintRow::gamma) - acceleration.known,
-        [](BodyMotion& body, const Vector2d& a_W, double alpha) {
-          body.a_WB = a_W;
-          body.alpha = alpha;
-        });
+  set_rates(solve(2), &BodyMotion::a_WB, &BodyMotion::alpha);
 }
 
 }  // namespace higherpair

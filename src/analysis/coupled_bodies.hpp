@@ -22,8 +22,4 @@ void judge_coupled(const Planned& model, std::size_t g, State& state);
 void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                   State& state);
 
-/// The conditions of a group where its bodies stand, with the drivers' rates.
-void group_rows(const Planned& model, const Group& group, const std::vector<DriverMotion>& drivers,
-                const State& state, std::vector<ConstraintRow>& rows);
-
 }  // namespace higherpair

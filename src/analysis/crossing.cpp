@@ -1,5 +1,6 @@
 #include "crossing.hpp"
 
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <cmath>
@@ -34,12 +35,6 @@ Jet<V> middle(const Jet<V>& a, const Jet<V>& b, double h) {
           3 / (2 * h) * bend - (a.second + b.second) / 4};
 }
 
-// Of the lever: the rounding of an interpolated sine.
-double interpolated_noise(const Group& group) {
-  const bool coupled = std::holds_alternative<CoupledBodies>(group.kind);
-  return coupled ? 1e-11 : group.contacts.empty() ? 1e-14 : 1e-12;
-}
-
 void interpolate(const Run& run, const State& a, double h, State& b) {
   for (std::size_t i = 1; i < b.bodies.size(); ++i) {
     const BodyMotion& before = a.bodies[i];
@@ -71,24 +66,19 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
     set_contact_rates(model_of(run), static_cast<int>(i), b);
   }
   for (std::size_t g = 0; g < b.groups.size(); ++g) {
-    if (can_cross(run.plan.groups[g])) {
+    if (traits_of(run.plan.groups[g]).can_cross) {
       b.groups[g].sine = sine_of(model_of(run), g, b);
-      b.groups[g].noise = interpolated_noise(run.plan.groups[g]) * b.groups[g].lever;
+      b.groups[g].noise = traits_of(run.plan.groups[g]).sine_noise * b.groups[g].lever;
     }
   }
 }
 
 }  // namespace
 
-bool can_cross(const Group& group) {
-  return std::holds_alternative<RrrDyad>(group.kind) || std::holds_alternative<RrpDyad>(group.kind) ||
-         std::holds_alternative<RprDyad>(group.kind) || std::holds_alternative<TouchingBody>(group.kind) ||
-         std::holds_alternative<TrackedPair>(group.kind) || std::holds_alternative<CoupledBodies>(group.kind);
-}
-
 bool is_near_crossing(const Run& run, const State& state) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (std::abs(state.groups[g].sine) < kNear * state.groups[g].lever && can_cross(run.plan.groups[g])) {
+    if (std::abs(state.groups[g].sine) < kNear * state.groups[g].lever &&
+        traits_of(run.plan.groups[g]).can_cross) {
       return true;
     }
   }

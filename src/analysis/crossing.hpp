@@ -9,9 +9,6 @@ namespace higherpair {
 /// from.
 inline constexpr double kCrossingReach = 4e-3;
 
-/// Whether the branches of a group can cross, being told apart by the sign of its sine.
-[[nodiscard]] bool can_cross(const Group& group);
-
 /// Whether a group stands so near to where its branches may cross that its closed form loses digits.
 [[nodiscard]] bool is_near_crossing(const Run& run, const State& state);
 

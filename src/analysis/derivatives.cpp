@@ -1,50 +1,13 @@
 #include "higherpair/analysis/derivatives.hpp"
 
-#include "series_conditions.hpp"
+#include "series_motion.hpp"
 
 #include <algorithm>
 #include <cassert>
 
-#include <Eigen/QR>
-
 namespace higherpair {
-namespace {
 
-constexpr double kRankTolerance = 1e-10;
-
-// The coefficients of order k of the conditions.
-Eigen::VectorXd order_of(const std::vector<Series>& values, std::size_t k) {
-  Eigen::VectorXd order(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    order(static_cast<Eigen::Index>(i)) = coefficient(values[i], k);
-  }
-  return order;
-}
-
-// Column by column what the conditions change with a coordinate.
-Eigen::MatrixXd jacobian_of(const SeriesConditions& conditions, const Eigen::VectorXd& start) {
-  Eigen::MatrixXd J;
-  for (Eigen::Index column = 0; column < conditions.columns(); ++column) {
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(conditions.columns(), column);
-    const Eigen::VectorXd change = order_of(conditions.along({start, unit}, false), 1);
-    J.conservativeResize(change.size(), conditions.columns());
-    J.col(column) = change;
-  }
-  return J;
-}
-
-BodyDerivatives derivatives_at(const std::vector<Eigen::VectorXd>& x, Eigen::Index column, double size) {
-  BodyDerivatives body;
-  body.p_WB.fill(Vector2d::Zero());
-  body.theta.fill(0);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    body.p_WB[k] = kFactorials[k] * x[k].segment<2>(column);
-    body.theta[k] = kFactorials[k] * x[k](column + 2) / size;
-  }
-  return body;
-}
-
-}  // namespace
+using Series = PowerSeries<double, kHighestDerivative>;
 
 std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
                                                            const std::vector<DriverMotion>& drivers,
@@ -54,42 +17,43 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
   if (row.status == RowStatus::kNotAssemblable || !row.all_rates) {
     return std::nullopt;
   }
-  const SeriesConditions conditions(run, drivers);
-  std::vector<Eigen::VectorXd> x{conditions.start()};
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kRankTolerance);
-  solver.compute(jacobian_of(conditions, x.front()));
-  if (solver.rank() < conditions.columns()) {
+  Coordinates<Series> at = constant<Series>(row_coordinates(run));
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    at.drivers[i] = series_of<kHighestDerivative>(
+        std::array{drivers[i].position, drivers[i].velocity, drivers[i].acceleration});
+  }
+  const Dimensions<double> dimensions = dimensions_of(run.mechanism);
+  const auto motion = solve_series(run.plan, dimensions, dimensions, std::move(at));
+  if (!std::all_of(motion.known.begin(), motion.known.end(), [](bool known) { return known; })) {
     return std::nullopt;
   }
-  for (int k = 1; k <= order; ++k) {
-    const Eigen::VectorXd left = order_of(conditions.along(x, true), static_cast<std::size_t>(k));
-    x.push_back(solver.solve(-left));
-    if (!x.back().allFinite()) {
-      return std::nullopt;
+  std::vector<BodyDerivatives> bodies(motion.at.bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyAt<Series>& body = motion.at.bodies[i];
+    bodies[i].p_WB.fill(Vector2d::Zero());
+    bodies[i].theta.fill(0);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
+      const Vector2d p_k(body.X_WB.p_WB.x().c[k], body.X_WB.p_WB.y().c[k]);
+      bodies[i].p_WB[k] = kFactorials[k] * p_k;
+      bodies[i].theta[k] = kFactorials[k] * body.theta.c[k];
     }
-  }
-  std::vector<BodyDerivatives> bodies(1);
-  bodies[0].p_WB.fill(Vector2d::Zero());
-  bodies[0].theta.fill(0);
-  for (std::size_t i = 1; i < row.bodies.size(); ++i) {
-    bodies.push_back(derivatives_at(x, 3 * (static_cast<Eigen::Index>(i) - 1), run.plan.size));
   }
   return bodies;
 }
 
 Vector2d point_derivative(const BodyDerivatives& body, const Vector2d& p_B, int k) {
-  Coefficients x{}, y{}, angle{};
+  std::array<double, kHighestDerivative + 1> x{}, y{};
   for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = body.p_WB[i].x() / kFactorials[i];
-    y[i] = body.p_WB[i].y() / kFactorials[i];
-    angle[i] = body.theta[i] / kFactorials[i];
+    x[i] = body.p_WB[i].x();
+    y[i] = body.p_WB[i].y();
   }
-  const Series c = cos(series_of(angle));
-  const Series s = sin(series_of(angle));
+  const auto theta = series_of<kHighestDerivative>(body.theta);
+  const BodyAt<Series> frame{{Rotation<Series>::from_angle(theta),
+                              {series_of<kHighestDerivative>(x), series_of<kHighestDerivative>(y)}},
+                             theta};
+  const Vector2<Series> p_W = frame.point(p_B);
   const auto order = static_cast<std::size_t>(k);
-  return {(series_of(x) + p_B.x() * c - p_B.y() * s).derivative(order),
-          (series_of(y) + p_B.x() * s + p_B.y() * c).derivative(order)};
+  return kFactorials[order] * Vector2d(p_W.x().c[order], p_W.y().c[order]);
 }
 
 }  // namespace higherpair

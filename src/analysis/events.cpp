@@ -1,7 +1,8 @@
 #include "events.hpp"
 
+#include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "root_between.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 namespace higherpair {
 namespace {
 
-// Velocities below this share of the step's largest are rounding, not a motion whose sense could change.
-constexpr double kAtRest = 1e-12;
 constexpr double kMayReverse = 0.3;  // of the speed at the ends of a step: a least one that may be 0 within
 constexpr double kSameCrossing = 1e-7;  // of the driver's scale: change points as near as this are one
 
@@ -82,18 +81,19 @@ private:
   void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
     const double fast = std::max({std::abs(before), std::abs(after), output.fastest});
     output.fastest = fast;
-    if (std::abs(after) <= kAtRest * fast) {
+    if (std::abs(after) <= kSlowestOutput * fast) {
       return;
     }
     const int sense = after > 0 ? 1 : -1;
-    if (output.sense == 0 && std::abs(before) > kAtRest * fast) {
+    if (output.sense == 0 && std::abs(before) > kSlowestOutput * fast) {
       output.sense = before > 0 ? 1 : -1;
     }
     if (sense == output.sense) {
       return;
     }
     // An output at rest has a sense by rounding alone.
-    const double slow = kAtRest * std::max(fast, fastest_motion(run_.trial, run_.plan.size, output.turns));
+    const double slow =
+        kSlowestOutput * std::max(fast, fastest_motion(run_.trial, run_.plan.size, output.turns));
     if (std::abs(after) <= slow) {
       return;
     }
@@ -106,11 +106,9 @@ private:
     const auto x =
         std::abs(before) <= slow ? std::optional(0.0) : root_between(velocity, before, x1 - x0, after);
     if (x) {
-      RunEvent event;
-      event.type = EventType::kStrokeEnd;
-      set_place(event, path_, s_ + x0 + *x);
+      RunEvent event =
+          event_at(EventType::kStrokeEnd, path_, s_ + x0 + *x, "the motion of this joint reverses");
       event.joint = output.joint;
-      event.cause = "the motion of this joint reverses";
       run_.events.push_back(std::move(event));
     }
   }
@@ -124,10 +122,10 @@ private:
 // κ1 + κ2 up to a positive factor; empty where one of the curves is a line or a point, which cannot conform.
 std::optional<double> conformity(const Run& run, std::size_t contact, const State& state) {
   const Contact& touching = run.mechanism.contacts[contact];
-  const bool conics =
-      is_conic(curve_of(run.mechanism, touching.first)) && is_conic(curve_of(run.mechanism, touching.second));
+  const bool curved = is_curved(curve_of(run.mechanism, touching.first)) &&
+                      is_curved(curve_of(run.mechanism, touching.second));
   const CommonNormal& at = state.contacts[contact].at;
-  return conics ? std::optional((at.rho1 + at.rho2) * (at.rho1 * at.rho2 > 0 ? 1 : -1)) : std::nullopt;
+  return curved ? std::optional((at.rho1 + at.rho2) * (at.rho1 * at.rho2 > 0 ? 1 : -1)) : std::nullopt;
 }
 
 void note_conforming(Run& run, const Path& path, double s, double h) {
@@ -144,12 +142,10 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
     const auto x = root_between(value, *before, h, *after);
     run.trial = kept;
     if (x) {
-      RunEvent event;
-      event.type = EventType::kConforming;
-      set_place(event, path, s + *x);
+      RunEvent event = event_at(
+          EventType::kConforming, path, s + *x,
+          "both curves have the same curvature at the contact: beyond, the bodies cut into each other there");
       event.contact = static_cast<int>(i);
-      event.cause =
-          "both curves have the same curvature at the contact: beyond, the bodies cut into each other there";
       run.events.push_back(std::move(event));
     }
   }
@@ -190,12 +186,10 @@ void note_crossings(Run& run, const Path& path, double s, double end) {
       continue;
     }
     run.reported.push_back({crossing.group, driver});
-    RunEvent event;
-    event.type = EventType::kDeadPoint;
-    set_place(event, path, crossing.s);
+    RunEvent event = event_at(EventType::kDeadPoint, path, crossing.s,
+                              "branches cross here: the input cannot tell which way the mechanism goes on; "
+                              "it is taken straight on");
     name_item(run, crossing.group, event);
-    event.cause =
-        "branches cross here: the input cannot tell which way the mechanism goes on; it is taken straight on";
     run.events.push_back(std::move(event));
   }
 }

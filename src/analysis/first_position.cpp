@@ -2,7 +2,9 @@
 
 #include "coupled_bodies.hpp"
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +76,7 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
 }
 
 bool starts_rolling(const Mechanism& mechanism, const Group& group) {
-  return std::holds_alternative<CoupledBodies>(group.kind) &&
+  return traits_of(group).coupled &&
          std::any_of(group.contacts.begin(), group.contacts.end(),
                      [&](int contact) { return contact_of(mechanism, contact).rolling; });
 }
@@ -94,15 +96,14 @@ bool FirstPosition::place(std::size_t g, int mode) {
   if (const auto* tracked = std::get_if<TrackedPair>(&group.kind)) {
     return start_tracked(*tracked, g);
   }
-  if (const auto* touching = std::get_if<TouchingBody>(&group.kind)) {
-    if (!start_touching(*touching, g)) {
-      return false;
-    }
+  const auto* touching = std::get_if<TouchingBody>(&group.kind);
+  if (touching != nullptr && !start_touching(*touching, g)) {
+    return false;
   }
-  if (std::holds_alternative<CoupledBodies>(group.kind)) {
+  if (traits_of(group).coupled) {
     start_coupled(group);
   }
-  const State& from = std::holds_alternative<TouchingBody>(group.kind) ? touching_start_ : posed_;
+  const State& from = touching != nullptr ? touching_start_ : posed_;
   const GroupStatus status = starts_rolling(run_.mechanism, group)
                                  ? start_rolling_bodies(g)
                                  : place_group(model_, g, from, 0, run_.drivers, state_);
@@ -184,7 +185,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
                                        const FindResult& found) {
   const ContactPair& pair = tracked.pair;
   const Separation here = separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2,
-                                     pose_at(pair.motion2, q), 1e-6 * run_.plan.size);
+                                     pose_at(pair.motion2, q), kRoughSeparation * run_.plan.size);
   RollingTrack track;
   const RollingResult start = start_rolling(track, pair, u, q, here.n_W);
   if (start.converged && start.mismatch <= run_.tolerance * run_.plan.size) {
@@ -242,9 +243,9 @@ void FirstPosition::start_coupled(const Group& group) {
       const bool placed = std::find(group.bodies.begin(), group.bodies.end(), ref.body) == group.bodies.end();
       return (placed ? state_ : posed_).bodies[body].X_WB;
     };
-    const Separation here =
-        separation(curve_of(run_.mechanism, contact.first), pose(contact.first),
-                   curve_of(run_.mechanism, contact.second), pose(contact.second), 1e-6 * run_.plan.size);
+    const Separation here = separation(curve_of(run_.mechanism, contact.first), pose(contact.first),
+                                       curve_of(run_.mechanism, contact.second), pose(contact.second),
+                                       kRoughSeparation * run_.plan.size);
     ContactMotion& motion = posed_.contacts[static_cast<std::size_t>(index)];
     motion.at.n_W = here.n_W;
     motion.phi = angle_of(here.n_W);

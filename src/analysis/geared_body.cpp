@@ -1,5 +1,5 @@
 #include "group_kinds.hpp"
-#include "higherpair/mechanism/constraint_rows.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
 
 namespace higherpair {
 namespace {
@@ -12,16 +12,23 @@ struct Drive {
 
 Drive drive_of(const Planned& model, const GearedBody& geared, const State& state) {
   const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(geared.gears)];
-  const ConstraintRow row = gear_row(joint, state.bodies, 1);
+  const std::array<int, 3> bodies{joint.first.body, joint.second.body, joint.carrier};
+  std::array<BodyAt<Partials<double, 3>>, 3> at;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    at[k].theta = body_in(state, bodies[k]).theta;
+    at[k].theta.c[k + 1] = 1;
+  }
+  const auto values = joint_conditions(joint_dimensions(model.mechanism, joint), at[0], at[1], at[2], 1);
+  const auto& [value, by_first, by_second, by_carrier] = values.value[0].c;
   Drive drive;
-  drive.value = row.value;
-  for (std::size_t k = 0; k < row.body.size(); ++k) {
-    const double coefficient = row.coefficient[k].z();
-    if (row.body[k] == geared.body) {
+  drive.value = value;
+  for (std::size_t k = 0; const double coefficient : {by_first, by_second, by_carrier}) {
+    const BodyMotion& body = body_in(state, bodies[k]);
+    if (bodies[k++] == geared.body) {
       drive.own += coefficient;
     } else {
-      drive.speed += coefficient * body_in(state, row.body[k]).omega;
-      drive.acceleration += coefficient * body_in(state, row.body[k]).alpha;
+      drive.speed += coefficient * body.omega;
+      drive.acceleration += coefficient * body.alpha;
     }
   }
   return drive;

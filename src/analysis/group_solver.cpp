@@ -50,8 +50,8 @@ void place_idle(const IdleBody& idle, const State& from, State& to) {
 void set_contact_rates(const Planned& model, int index, State& state) {
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
   ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
-  const EquivalentLink link = equivalent_link(curve_of(model.mechanism, contact.first), motion.at.rho1,
-                                              curve_of(model.mechanism, contact.second), motion.at.rho2);
+  const auto link = equivalent_link(is_line(curve_of(model.mechanism, contact.first)), motion.at.rho1,
+                                    is_line(curve_of(model.mechanism, contact.second)), motion.at.rho2);
   motion.rates =
       contact_rates(link, motion.at, body_in(state, contact.first.body), body_in(state, contact.second.body));
 }

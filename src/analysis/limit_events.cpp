@@ -1,5 +1,6 @@
 #include "limit_events.hpp"
 
+#include "higherpair/mechanism/group_traits.hpp"
 #include "path.hpp"
 #include "step.hpp"
 
@@ -12,27 +13,6 @@ namespace {
 
 constexpr double kSamePlace = 1e-9;  // of the driver's scale
 
-const char* cause_of(const Group& group) {
-  if (!group.contacts.empty()) {
-    return "the two bodies cannot be kept in contact on this branch beyond this position of the driver";
-  }
-  if (std::holds_alternative<RrrDyad>(group.kind)) {
-    return "the links are in line here: beyond this position of the driver they cannot reach each other";
-  }
-  if (std::holds_alternative<RrpDyad>(group.kind)) {
-    return "the link stands at right angles to its slide here: beyond this position of the driver it cannot "
-           "reach it";
-  }
-  if (std::holds_alternative<RprDyad>(group.kind)) {
-    return "the two pins are as near as the offset of the slide here: beyond this position of the driver it "
-           "cannot lead past both";
-  }
-  if (std::holds_alternative<SlideDyad>(group.kind)) {
-    return "the two slides are parallel here: the point where they meet runs off to infinity";
-  }
-  return "the bodies cannot be put together on this branch beyond this position of the driver";
-}
-
 bool is_same_item(const RunEvent& a, const RunEvent& b) {
   return a.type == b.type && a.joint == b.joint && a.contact == b.contact;
 }
@@ -44,7 +24,7 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
   event.type = EventType::kLimitPosition;
   set_place(event, path, s);
   name_item(run, g, event);
-  event.cause = cause_of(run.plan.groups[g]);
+  event.cause = limit_cause(run.plan.groups[g]);
   return event;
 }
 

@@ -1,6 +1,7 @@
 #include "higherpair/analysis/mapped_contacts.hpp"
 
 #include "group_solver.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -60,13 +61,8 @@ private:
   // The body that a contact places by itself.
   [[nodiscard]] std::optional<int> follower_of(int contact) const {
     for (const Group& group : plan_.groups) {
-      if (const auto* tracked = std::get_if<TrackedPair>(&group.kind);
-          tracked != nullptr && tracked->contact == contact) {
-        return tracked->follower.body;
-      }
-      if (const auto* touching = std::get_if<TouchingBody>(&group.kind);
-          touching != nullptr && touching->contact == contact) {
-        return touching->follower.body;
+      if (const auto placing = placing_contact(group); placing && placing->contact == contact) {
+        return placing->follower->body;
       }
     }
     return std::nullopt;

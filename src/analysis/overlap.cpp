@@ -2,8 +2,10 @@
 
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "root_between.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,28 +16,11 @@
 namespace higherpair {
 namespace {
 
-constexpr double kOverlap = 1e-9;  // of the size: a depth below this is a touch
-
-// Smallest and largest |ρ| of a conic.
-struct Radii {
-  double smallest = 0;
-  double largest = 0;
-};
-
-Radii radii_of(const Curve& curve) {
-  const double at_vertex = curve.semi_latus;
-  const double across = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q))
-                                    : std::numeric_limits<double>::infinity();
-  return {std::min(at_vertex, across), std::max(at_vertex, across)};
-}
-
+// Two convex bodies cannot, nor a body that is everywhere sharper than the ring in which it is.
 bool may_overlap(const Curve& a, const Curve& b) {
-  if (a.side == Side::kInside && b.side == Side::kInside) {
-    return false;
-  }
-  const Curve& ring = a.side == Side::kOutside ? a : b;
-  const Curve& inner = a.side == Side::kOutside ? b : a;
-  return inner.kind != CurveKind::kPoint && !(radii_of(inner).largest <= radii_of(ring).smallest);
+  const Bounds rho_a = radius_bounds(a);
+  const Bounds rho_b = radius_bounds(b);
+  return (rho_a.low < 0 || rho_b.low < 0) && !(rho_a.high + rho_b.high <= 0);
 }
 
 const BodyMotion& body_in(const State& state, int body) {
@@ -45,7 +30,7 @@ const BodyMotion& body_in(const State& state, int body) {
 Separation separation_in(const Run& run, const Contact& contact, const State& state) {
   return separation(curve_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
                     curve_of(run.mechanism, contact.second), body_in(state, contact.second.body).X_WB,
-                    0.1 * kOverlap * run.plan.size);
+                    kOverlapPrecision * run.plan.size);
 }
 
 // Where between run.state and run.trial the gap at the common normal near n_W closes; the way's end if it

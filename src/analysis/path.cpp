@@ -3,6 +3,7 @@
 #include "crossing.hpp"
 #include "events.hpp"
 #include "higherpair/contact/step_agreement.hpp"
+#include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "limit_events.hpp"
 #include "overlap.hpp"
@@ -248,11 +249,14 @@ bool has_track(const Run& run) {
                      [](const PairTrack& track) { return std::holds_alternative<ContactTrack>(track); });
 }
 
-// Whether the drivers are at the limit or back from it, as seen from where the motion came.
+// Whether the drivers are at the limit, to within half of what a row there may be off, or back from it, as
+// seen from where the motion came.
 bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   double beyond = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    beyond += (drivers[i] - run.lost.at[i]) * (run.lost.at[i] - run.lost.from[i]);
+    const double ahead = run.lost.at[i] - run.lost.from[i];
+    const double near = kOnLimit / 2 * (driver_scale(run, i) + std::abs(drivers[i]));
+    beyond += (drivers[i] - run.lost.at[i]) * ahead - near * std::abs(ahead);
   }
   return beyond <= 0;
 }
@@ -280,6 +284,14 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
   } else if (!group.joints.empty()) {
     event.joint = group.joints.front();
   }
+}
+
+RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
+  RunEvent event;
+  event.type = type;
+  set_place(event, path, s);
+  event.cause = cause;
+  return event;
 }
 
 void set_place(RunEvent& event, const Path& path, double s) {

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "step.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace higherpair {
@@ -12,6 +13,9 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 
 /// The first driver's coordinate at s.
 [[nodiscard]] double driver_at(const Path& path, double s);
+
+/// An event at s on the path.
+[[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
 
 /// Says where on the path an event happens.
 void set_place(RunEvent& event, const Path& path, double s);

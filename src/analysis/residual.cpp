@@ -1,6 +1,6 @@
 #include "residual.hpp"
 
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "series_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,17 +28,10 @@ double square(double x) {
   return x * x;
 }
 
-void add_gears(const Run& run, const Joint& joint, Errors& errors) {
-  const ConstraintRow row = gear_row(joint, run.row.bodies, run.plan.size);
-  double speed = 0;
-  bool rates = true;
-  for (std::size_t k = 0; k < row.body.size(); ++k) {
-    const auto body = static_cast<std::size_t>(row.body[k]);
-    rates = rates && run.row.has_rates[body];
-    speed += row.coefficient[k].z() * run.row.bodies[body].omega;
-    errors.compare(square(row.coefficient[k].z() * run.row.bodies[body].omega));
-  }
-  errors.add(square(row.value), rates ? square(speed) : 0);
+using Moving = PowerSeries<double, 1>;
+
+double speed2(const Vector2<Moving>& p_W) {
+  return square(p_W.x().c[1]) + square(p_W.y().c[1]);
 }
 
 // A joint's point as one of its bodies has it: from the body's origin, and its velocity. Single numbers,
@@ -55,40 +48,52 @@ JointPoint joint_point(const BodyMotion& body, const Vector2d& p_B) {
   return {x, y, body.v_WB.x() - body.omega * y, body.v_WB.y() + body.omega * x};
 }
 
-void add_joint(const Run& run, const Joint& joint, Errors& errors) {
-  if (couples_turning(joint.type)) {
-    add_gears(run, joint, errors);
-    return;
-  }
+// The same as joint_conditions and their rates, in a third of the time: most joints are pins, and every row
+// of every mechanism is checked.
+void add_pin(const Run& run, const Joint& joint, Errors& errors) {
   const MotionRow& row = run.row;
   const auto body_a = static_cast<std::size_t>(joint.first.body);
   const auto body_b = static_cast<std::size_t>(joint.second.body);
   const BodyMotion& a = row.bodies[body_a];
   const BodyMotion& b = row.bodies[body_b];
-  const bool rates = row.all_rates || (row.has_rates[body_a] && row.has_rates[body_b]);
   const JointPoint at_a = joint_point(a, point_of(run.mechanism, joint.first));
   const JointPoint at_b = joint_point(b, point_of(run.mechanism, joint.second));
   const double x = (b.X_WB.p_WB.x() - a.X_WB.p_WB.x()) + (at_b.x - at_a.x);
   const double y = (b.X_WB.p_WB.y() - a.X_WB.p_WB.y()) + (at_b.y - at_a.y);
-  const double v_x = at_b.v_x - at_a.v_x;
-  const double v_y = at_b.v_y - at_a.v_y;
+  const bool rates = row.all_rates || (row.has_rates[body_a] && row.has_rates[body_b]);
   errors.compare(square(at_a.v_x) + square(at_a.v_y));
+  errors.add(square(x) + square(y), rates ? square(at_b.v_x - at_a.v_x) + square(at_b.v_y - at_a.v_y) : 0);
+}
+
+void add_joint(const Run& run, const Joint& joint, Errors& errors) {
   if (joint.type == JointType::kRevolute) {
-    errors.add(square(x) + square(y), rates ? square(v_x) + square(v_y) : 0);
+    add_pin(run, joint, errors);
     return;
   }
-  const Vector2d r(x, y);
-  const Vector2d v(v_x, v_y);
-  const Vector2d across = perp(Vector2d(a.X_WB.R_WB * joint.direction_A));
-  errors.compare(square(at_b.v_x) + square(at_b.v_y));
-  errors.add(square(r.dot(across)), rates ? square((v - a.omega * perp(r)).dot(across)) : 0);
-  if (joint.type == JointType::kPrismatic) {
-    const Rotation<double> relative = b.X_WB.R_WB * a.X_WB.R_WB.inverse();
-    const Rotation<double> wanted = Rotation<double>::from_angle(joint.relative_angle);
-    const double size = run.plan.size;
-    errors.add(square(size * (relative * wanted.inverse()).sin),
-               rates ? square(size * (b.omega - a.omega)) : 0);
+  const MotionRow& row = run.row;
+  const auto has_rates = [&](int body) { return row.has_rates[static_cast<std::size_t>(body)]; };
+  const auto body = [&](int index) { return series_of_body<1>(row.bodies[static_cast<std::size_t>(index)]); };
+  const bool turning = couples_turning(joint.type);
+  const bool rates = row.all_rates || (has_rates(joint.first.body) && has_rates(joint.second.body) &&
+                                       (!turning || has_rates(joint.carrier)));
+  const JointDimensions<double> of = joint_dimensions(run.mechanism, joint);
+  const double size = run.plan.size;
+  const BodyAt<Moving> first = body(joint.first.body);
+  const BodyAt<Moving> second = body(joint.second.body);
+  const BodyAt<Moving> carrier = turning ? body(joint.carrier) : first;
+  const ConditionValues<Moving> values = joint_conditions(of, first, second, carrier, size);
+  if (turning) {
+    errors.compare(square(size * second.theta.c[1]));
+    errors.compare(square(size * of.turning_ratio * first.theta.c[1]));
+    errors.compare(square(size * (of.turning_ratio - 1) * carrier.theta.c[1]));
+  } else {
+    errors.compare(speed2(first.point(of.p_A)));
+    errors.compare(speed2(second.point(of.p_B)));
   }
+  const auto error2 = [&](std::size_t k) {
+    return square(values.value[0].c[k]) + square(values.value[1].c[k]);
+  };
+  errors.add(error2(0), rates ? error2(1) : 0);
 }
 
 // Tangency is built in: both points are those with the common normal.

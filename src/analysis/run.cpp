@@ -4,12 +4,14 @@
 #include "events.hpp"
 #include "first_position.hpp"
 #include "group_solver.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
 #include "singular_start.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +19,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSurelyPlaced = 1e-9;  // determinant, scaled, of a coupled group that has its rank
 
 // Where the row is.
 const State& shown(const Run& run) {
@@ -109,8 +109,7 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
 // may repeat each other everywhere, and leave a freedom that no driver sets.
 bool may_be_free(const Run& run) {
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind) &&
-        !(std::abs(run.state.groups[g].sine) > kSurelyPlaced)) {
+    if (traits_of(run.plan.groups[g]).coupled && !(std::abs(run.state.groups[g].sine) > kSurelyPlaced)) {
       return true;
     }
   }
@@ -128,15 +127,28 @@ void set_shares(Run& run, double from) {
   }
 }
 
+// A position at which a rolling pair is as at u. About two pivots only circles about their centres and equal
+// ellipses about their foci roll through a whole turn, and after it they are as they were, whatever the
+// number of turns.
+double within_two_turns(const ContactPair& pair, double start, double u) {
+  const double way = u - start;
+  return pair.motion1.turns && std::abs(way) > 4 * kPi ? start + std::fmod(way, 2 * kPi) : u;
+}
+
 }  // namespace
 
 tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
                                           double tolerance) {
-  auto planned = planned_run(mechanism, drivers);
-  if (!planned) {
-    return tl::unexpected(std::move(planned.error()));
+  auto plan = make_plan(mechanism);
+  if (!plan) {
+    return tl::unexpected(StartFailure{std::move(plan.error()), std::nullopt});
   }
-  Run run = *std::move(planned);
+  return start_run(mechanism, *std::move(plan), drivers, tolerance);
+}
+
+tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, Plan plan,
+                                          const std::vector<double>& drivers, double tolerance) {
+  Run run = planned_run(mechanism, std::move(plan), drivers);
   run.tolerance = tolerance;
   if (auto objection = surplus_objection(mechanism, run.plan, drivers)) {
     return tl::unexpected(StartFailure{*objection, std::nullopt});
@@ -220,9 +232,10 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
       if (is_stopped(run)) {
         return std::nullopt;
       }
-      const RollingResult result = roll_to(track, tracked->driver_sign * position);
+      const double u = within_two_turns(tracked->pair, start->at.u, tracked->driver_sign * position);
+      const RollingResult result = roll_to(track, u);
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
-        return Slip{position, track.at.sliding, tracked->contact};
+        return Slip{tracked->driver_sign * u, track.at.sliding, tracked->contact};
       }
     }
   }

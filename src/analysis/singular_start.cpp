@@ -3,6 +3,7 @@
 #include "crossing.hpp"
 #include "group_system.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reduction.hpp"
 
@@ -29,7 +30,7 @@ std::vector<std::size_t> singular_groups(const Run& run) {
     const Group& group = run.plan.groups[g];
     const bool follows = !std::holds_alternative<TrackedPair>(group.kind) ||
                          std::holds_alternative<ContactTrack>(run.state.tracks[g]);
-    if (follows && can_cross(group) && is_singular(run.state.groups[g])) {
+    if (follows && traits_of(group).can_cross && is_singular(run.state.groups[g])) {
       found.push_back(g);
     }
   }
@@ -57,7 +58,7 @@ bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& the
 }
 
 bool is_coupled(const Run& run, std::size_t g) {
-  return std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind);
+  return traits_of(run.plan.groups[g]).coupled;
 }
 
 // Newton's method comes near a singular start only to half the digits.

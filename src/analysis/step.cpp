@@ -1,6 +1,7 @@
 #include "step.hpp"
 
 #include "crossing.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reduction.hpp"
 
@@ -17,11 +18,9 @@ constexpr double kNoChange = 1e-9;  // a mismatch that is nothing but rounding [
 
 // Groups that have one branch only, or keep it by themselves.
 bool keeps_branch(const Run& run, std::size_t g) {
-  const GroupKind& kind = run.plan.groups[g].kind;
-  return std::holds_alternative<DrivenBody>(kind) || std::holds_alternative<IdleBody>(kind) ||
-         std::holds_alternative<GearedBody>(kind) ||
-         (std::holds_alternative<TrackedPair>(kind) &&
-          !std::holds_alternative<ContactTrack>(run.state.tracks[g]));
+  return traits_of(run.plan.groups[g]).one_branch ||
+         std::holds_alternative<RollingTrack>(run.state.tracks[g]) ||
+         std::holds_alternative<StandingContact>(run.state.tracks[g]);
 }
 
 // How far a group has moved in a step, and how far that is from what the rates and accelerations at both ends
@@ -157,10 +156,10 @@ bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
 
 GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, double h) {
   const GroupState& before = run.state.groups[g];
-  if (!can_cross(run.plan.groups[g])) {
+  if (!traits_of(run.plan.groups[g]).can_cross) {
     return step_group(run, g, before.mode, h);
   }
-  if (std::holds_alternative<CoupledBodies>(run.plan.groups[g].kind)) {
+  if (traits_of(run.plan.groups[g]).coupled) {
     // Newton's method may arrive on either side of a change point: the sign of the determinant says where.
     const GroupStatus status = step_group(run, g, before.mode, h);
     const bool same = run.trial.groups[g].mode == before.mode;

@@ -11,9 +11,6 @@ namespace higherpair {
   return {run.mechanism, run.plan};
 }
 
-/// Velocities and accelerations of all bodies of `state`, whose positions stand.
-void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state);
-
 /// The drivers at their positions: a single one moves by one unit, several rest.
 void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMotion>& motions);
 

@@ -1,19 +1,15 @@
 #include "higherpair/contact/certify.hpp"
 
 #include "exact/exact_decision.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "tangency.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kSame = 1e-9;      // rad or sizes: list and exact root mean the same contact
-constexpr double kCrowded = 1e-12;  // rad or sizes: rounding of the numbers may exchange two contacts
-// rad or sizes: rounding may split a double root, or move a triple one, by this, and split a fourfold one.
-constexpr double kFragile = 1e-5;
-constexpr double kFragileFourfold = 1e-4;
 
 // Contacts that the list takes to be at infinity, such as of parabolas whose axes are parallel but for
 // rounding.
@@ -35,11 +31,10 @@ double distance(const CurveContact& contact, const DecidedRoot& root, bool turns
 // How far rounding of the numbers of the pair can move a contact: what it does to the gap, divided by
 // ∂gap/∂q.
 double widening(const ContactPair& pair, const CurveContact& contact) {
-  constexpr double kInputRounding = 0x1p-50;
   const Vector2d& p = contact.p_W;
   const double size = p.norm() + (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() +
-                      pair.curve1.vertex_B.norm() + pair.curve1.semi_latus + pair.curve2.vertex_B.norm() +
-                      pair.curve2.semi_latus + pair.motion1.p_BO.norm() + pair.motion2.p_BO.norm();
+                      anchor(pair.curve1).norm() + size_of(pair.curve1) + anchor(pair.curve2).norm() +
+                      size_of(pair.curve2) + pair.motion1.p_BO.norm() + pair.motion2.p_BO.norm();
   return kInputRounding * size / std::abs(contact.n_W.dot(velocity_per_q(pair.motion2, p)));
 }
 
@@ -56,7 +51,11 @@ std::array<double, 2> interval_of(const ContactPair& pair, const CurveContact& c
 Certificate certify_contacts(const ContactPair& pair, double u, const CurveContacts& list) {
   Certificate certificate;
   certificate.intervals.resize(list.contacts.size());
-  if (list.status != ContactsStatus::kComplete) {
+  if (!has_exact_arithmetic()) {
+    certificate.status = CertificateStatus::kUnavailable;
+    return certificate;
+  }
+  if (list.status != ContactsStatus::kComplete || !is_algebraic(pair)) {
     return certificate;
   }
   const auto roots = decide_roots(pair, u);
@@ -84,7 +83,7 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
       const DecidedRoot& root = (*roots)[k];
       const double off = distance(contact, root, turns);
       const bool fits = matched[k] < root.decision.contacts && root.decision.opposed == contact.opposed;
-      if (fits && off <= kSame * scale && (!best || off < distance(contact, (*roots)[*best], turns))) {
+      if (fits && off <= kSameRoot * scale && (!best || off < distance(contact, (*roots)[*best], turns))) {
         best = k;
       }
     }
@@ -129,6 +128,8 @@ std::string_view describe(CertificateStatus status) {
       return "certified, but for contacts at a limit, which rounding of the numbers makes or unmakes";
     case CertificateStatus::kDisagreement:
       return "the exact answer differs from this list";
+    case CertificateStatus::kUnavailable:
+      return "not decided: this build has no exact arithmetic";
     case CertificateStatus::kNotDecided:
       break;
   }

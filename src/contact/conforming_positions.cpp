@@ -1,21 +1,21 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/critical_positions.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/roots.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <functional>
 #include <optional>
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 namespace higherpair {
 namespace {
 
-constexpr int kSamples = 256;   // of each arc
-constexpr double kRoot = 1e-6;  // of the size²: more than that is left over where the condition jumps
-constexpr double kSame = 1e-7;  // of a radian, of the size
+constexpr int kSamples = 256;  // of each arc
 
 // A point of a conic by its normal on the convex side, in the body's frame.
 struct Element {
@@ -40,8 +40,7 @@ struct Segment {
 
 // Largest S of a point with w > 0.
 double largest(const Curve& curve) {
-  constexpr double kNearInfinity = 1 - 1e-12;
-  return curve.q > 0 ? 1 : kNearInfinity / (1 - curve.q);
+  return curve.q > 0 ? 1 : (1 - kFarthestNormal) / (1 - curve.q);
 }
 
 // (1 - q2) S2 = 1 - c² + c² (1 - q1) S1 within [0, largest1] x [0, largest2].
@@ -117,7 +116,7 @@ Fit fit_sliding(const ContactPair& pair, const Element& one, const Element& two)
   fit.N_W = pair.motion1.R_WB * one.N_B;
   const Vector2d N2_W = pair.motion2.R_WB * two.N_B;
   const Vector2d way = pose_at(pair.motion2, 0) * two.p_B - pose_at(pair.motion1, 0) * one.p_B;
-  const double size = way.norm() + pair.curve1.semi_latus + pair.curve2.semi_latus;
+  const double size = way.norm() + size_of(pair.curve1) + size_of(pair.curve2);
   // Opposite normals are no fit: where they would pass for one the error jumps.
   const double sine = cross(fit.N_W, N2_W);
   fit.error = (fit.N_W.dot(N2_W) > 0 ? sine : std::copysign(2 - std::abs(sine), sine)) * size * size;
@@ -158,17 +157,12 @@ struct Arc {
   }
 };
 
-template <class F>
-double bracketed_root(const F& f, double low, double high) {
+// Without a change of sign an end is the root, to rounding.
+double bracketed_root(const std::function<double(double)>& f, double low, double high) {
   const double f_low = f(low);
   const double f_high = f(high);
-  if (f_low * f_high >= 0) {  // an end is the root, to rounding
-    return std::abs(f_low) < std::abs(f_high) ? low : high;
-  }
-  std::uintmax_t steps = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
-                                                        boost::math::tools::eps_tolerance<double>(50), steps);
-  return (a + b) / 2;
+  const auto x = root_between([&](double distance) { return f(low + distance); }, f_low, high - low, f_high);
+  return x ? low + *x : std::abs(f_low) < std::abs(f_high) ? low : high;
 }
 
 // The roots of the arc's condition.
@@ -208,9 +202,7 @@ class ConformingFinder {
 public:
   explicit ConformingFinder(const ContactPair& pair) : pair_(pair) {
     opposed_ = pair.curve1.side != pair.curve2.side;
-    size_ = (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-            (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
-            (pair.motion1.p_WO - pair.motion2.p_WO).norm() + pair.curve1.semi_latus + pair.curve2.semi_latus;
+    size_ = size_of_pair(pair) + std::max(size_of(pair.curve1), size_of(pair.curve2));
   }
 
   [[nodiscard]] std::vector<CriticalPosition> run() {
@@ -234,7 +226,7 @@ public:
 
 private:
   void add(const Fit& fit) {
-    const bool jump = std::abs(fit.error) > kRoot * size_ * size_;
+    const bool jump = std::abs(fit.error) > kConformingRoot * size_ * size_;
     if (jump || !std::isfinite(fit.u) || !std::isfinite(fit.q)) {
       return;
     }
@@ -250,8 +242,9 @@ private:
     // The mirror images share their edges.
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const CriticalPosition& other) {
       const double u = position.u - other.u;
-      return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u) <= kSame * unit1 &&
-             (other.p_W - position.p_W).norm() <= kSame * size_ && (other.n_W - position.n_W).norm() <= kSame;
+      return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u) <= kSameConforming * unit1 &&
+             (other.p_W - position.p_W).norm() <= kSameConforming * size_ &&
+             (other.n_W - position.n_W).norm() <= kSameConforming;
     });
     if (!known) {
       found_.push_back(position);
@@ -265,8 +258,8 @@ private:
       const auto here = [&](const CriticalPosition& other) {
         const double u = at.u - other.u;
         const double q = at.q - other.q;
-        return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u / size_) <= kSame &&
-               std::abs(pair_.motion2.turns ? nearest_turn(q, 0) : q / size_) <= kSame;
+        return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u / size_) <= kSameConforming &&
+               std::abs(pair_.motion2.turns ? nearest_turn(q, 0) : q / size_) <= kSameConforming;
       };
       const bool coincide = std::count_if(found_.begin(), found_.end(), here) > 4;
       if (!coincide || std::none_of(kept.begin(), kept.end(), here)) {

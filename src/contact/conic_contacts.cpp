@@ -1,8 +1,10 @@
 #include "higherpair/contact/conic_contacts.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/contact/subdivision.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "tangency.hpp"
-#include "within_itself.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-// A root of the contact polynomial is looked at if it is this near to a real position: an exact double root
-// may be split by the rounding of the input to 1e-8, a fourfold one to 1e-4.
-constexpr double kNearlyReal = 1e-4;
-// Relative; what rounding of the input can make of an exact 0 at a double root.
-constexpr double kSingular = 1e-7;
-constexpr double kNotDefinite = 1e-13;
 
 // Whether moving the follower leaves the distance of the curves as it is.
 bool is_independent(const ContactPair& pair, double u, double size) {
@@ -79,11 +74,11 @@ bool always_tangent(const TangencyProblem& problem, const Polynomial& polynomial
 // The real position next to a root of the contact polynomial.
 std::optional<Coordinate> real_coordinate(const Complex<Extended>& root, bool turns) {
   if (!turns) {
-    const bool near = abs(root.im) <= kNearlyReal * (1 + abs(root.re));
+    const bool near = abs(root.im) <= kSplitTangency * (1 + abs(root.re));
     return near ? std::optional<Coordinate>({root.re, Extended(0)}) : std::nullopt;
   }
   const Extended radius = sqrt(norm(root));
-  if (radius == 0 || abs(radius - 1) > kNearlyReal) {
+  if (radius == 0 || abs(radius - 1) > kSplitTangency) {
     return std::nullopt;
   }
   return Extended(1 / radius) * root;
@@ -172,21 +167,16 @@ struct Finder {
   // parts them. With one concave: f2 >= -λ₀ f1 everywhere if M = λ₀ Q1 + Q2 >= 0, and only then (S-lemma);
   // a hyperbola has a branch that does not count, there the distance is taken.
   [[nodiscard]] bool is_free(const Tangency& tangency, double kappa_sum, double q) const {
-    if (pair.curve1.kind == CurveKind::kPoint || pair.curve2.kind == CurveKind::kPoint) {
-      return true;
+    if (const auto always = always_free(pair.curve1, pair.curve2)) {
+      return *always;
     }
-    const bool outside1 = pair.curve1.side == Side::kOutside;
-    const bool outside2 = pair.curve2.side == Side::kOutside;
-    if (!outside1 && !outside2) {
-      return true;
-    }
-    if ((outside1 && outside2) || !is_conic(pair.curve1) || !is_conic(pair.curve2) || kappa_sum < 0) {
+    if (kappa_sum < 0) {
       return false;
     }
     if (pair.curve1.q < 0 || pair.curve2.q < 0) {
       const Separation apart = separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2,
-                                          pose_at(pair.motion2, q), 1e-12 * problem.length);
-      return apart.gap >= -1e-10 * problem.length;
+                                          pose_at(pair.motion2, q), kFineGap * problem.length);
+      return apart.gap >= -kFreeOverlap * problem.length;
     }
     const Matrix3c<Extended> M = double_member(problem, tangency.at).M;
     // M has its double point at the contact: its sign is that of its quadratic part.
@@ -199,6 +189,7 @@ struct Finder {
     const bool point1 = norm(shape.G1) == 0;
     const bool point2 = norm(shape.G2) == 0;
     CurveContact contact;
+    contact.u = u;
     contact.q = coordinate(tangency.at);
     contact.p_W = problem.origin_W + problem.length * point(tangency.w);
     const Complex<Extended> G = point1 ? -shape.G2 : shape.G1;
@@ -206,11 +197,12 @@ struct Finder {
     contact.opposed = point1 || point2 || dot(shape.G1, shape.G2) < 0;
     const double kappa_sum = shape.kappa1 + (contact.opposed ? shape.kappa2 : -shape.kappa2);
     const double kappa = std::max(std::abs(shape.kappa1), std::abs(shape.kappa2));
-    contact.conforming = !point1 && !point2 && std::abs(kappa_sum) <= kSingular * kappa;
+    contact.conforming = !point1 && !point2 && std::abs(kappa_sum) <= kSameCurvature * kappa;
     const Vector2d w = point(tangency.w);
     const Vector2d v = problem.motion.turns ? perp(w) : pair.motion2.direction_W;
     const double gap_q = contact.n_W.dot(v);
-    contact.at_limit = (!tangency.exact && !contact.conforming) || std::abs(gap_q) <= kSingular * v.norm();
+    contact.at_limit =
+        (!tangency.exact && !contact.conforming) || std::abs(gap_q) <= kGapQMayVanish * v.norm();
     contact.branch = !contact.opposed || contact.at_limit ? 0 : (gap_q > 0 ? 1 : -1);
     const bool conics = is_conic(pair.curve1) && is_conic(pair.curve2);
     contact.coincident = conics && contact.conforming && double_member(problem, tangency.at).coincident;
@@ -219,14 +211,41 @@ struct Finder {
   }
 };
 
+// Of other curves than conics, lines and points.
+CurveContacts list_by_subdivision(const ContactPair& pair, double u) {
+  constexpr double kReach = 1e3;  // of the size: how far out on open conics
+  const double size = size_of_pair(pair);
+  const SubdivisionContacts found = find_contacts_by_subdivision(pair, u, kReach * size);
+  CurveContacts result;
+  result.status =
+      found.status == SubdivisionStatus::kComplete ? ContactsStatus::kComplete : ContactsStatus::kUndecided;
+  for (const CertifiedContact& at : found.contacts) {
+    CurveContact& contact = result.contacts.emplace_back();
+    static_cast<TangentPosition&>(contact) = at;
+    contact.opposed = at.opposed;
+    contact.branch = at.branch;
+    const auto gap = [&] {
+      return separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2, pose_at(pair.motion2, at.q),
+                        kFineGap * size)
+          .gap;
+    };
+    contact.free =
+        at.opposed && always_free(pair.curve1, pair.curve2).value_or(gap() >= -kFreeOverlap * size);
+  }
+  return result;
+}
+
 }  // namespace
 
 CurveContacts find_curve_contacts(const ContactPair& pair, double u) {
   CurveContacts result;
-  const bool lines = pair.curve1.kind == CurveKind::kLine && pair.curve2.kind == CurveKind::kLine;
-  const bool points = pair.curve1.kind == CurveKind::kPoint && pair.curve2.kind == CurveKind::kPoint;
+  const bool lines = is_line(pair.curve1) && is_line(pair.curve2);
+  const bool points = is_point(pair.curve1) && is_point(pair.curve2);
   if (lines || points) {
     return result;
+  }
+  if (!is_algebraic(pair)) {
+    return list_by_subdivision(pair, u);
   }
   const TangencyProblem problem = make_problem(pair, u);
   if (is_independent(pair, u, problem.length)) {
@@ -262,6 +281,8 @@ std::string_view describe(ContactsStatus status) {
       return "the curves never touch: the follower's joint does not change their distance";
     case ContactsStatus::kTangentAtInfinity:
       return "the hyperbolas share an asymptote wherever the follower stands";
+    case ContactsStatus::kUndecided:
+      return "there are places at which it is not decided whether the curves touch";
     case ContactsStatus::kNoPair:
       break;
   }

@@ -2,16 +2,13 @@
 
 #include "extended_form.hpp"
 #include "polynomial_roots.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kOnCurve = 1e-13;      // distance, in sizes, that rounding of the data explains
-constexpr double kNearlyReal = 1e-3;    // rounding may split a fourfold root by 1e-4
-constexpr double kClearlyApart = 1e-2;  // sizes
 
 using Number = Complex<Extended>;
 
@@ -83,7 +80,7 @@ Number unit(const Number& z) {
 
 bool is_same(const Problem& problem, const std::array<Polynomial, 3>& point, const Found& a, const Number& z,
              const Number& w) {
-  if (!(to_double(norm(a.w - w)) < kClearlyApart * kClearlyApart)) {
+  if (!(to_double(norm(a.w - w)) < kTwoPoints * kTwoPoints)) {
     return false;
   }
   const Number middle = a.z + z;
@@ -135,7 +132,7 @@ ConicIntersections intersect_conics(const Curve& curve1, const Pose<double>& X_W
   }
   std::vector<Found> found;
   for (const Number& root : roots_of(quartic(point, problem.other.S))) {
-    if (norm(root) == 0 || abs(sqrt(norm(root)) - 1) > kNearlyReal) {
+    if (norm(root) == 0 || abs(sqrt(norm(root)) - 1) > kSplitCrossing) {
       continue;
     }
     const Number z = unit(root);

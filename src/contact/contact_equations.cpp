@@ -24,10 +24,6 @@ Interval angle_of_body(const OneFreedom& motion, double q) {
   return hull(around(motion.theta, error), around(from_rotation, error));
 }
 
-IntervalVector exactly(const Vector2d& v) {
-  return {Interval(v.x()), Interval(v.y())};
-}
-
 IntervalVector difference(const IntervalVector& a, const IntervalVector& b) {
   return {a.x - b.x, a.y - b.y};
 }

@@ -1,20 +1,19 @@
 #include "higherpair/contact/contact_map.hpp"
 
+#include "higherpair/geometry/roots.hpp"
 #include "map_branches.hpp"
 #include "map_network.hpp"
 #include "map_points.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 namespace higherpair {
 namespace {
 
 constexpr double kTurn = 2 * kPi;
-constexpr double kSameContact = 1e-6;
 
 // a - b of two follower coordinates, up to whole turns.
 double gap_of_q(const ContactMap& map, double a, double b) {
@@ -39,13 +38,14 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
       };
       const double a = distance(from.u);
       const double b = distance(to.u);
-      if (!(a * b <= 0) || std::abs(a - b) > 3) {
+      // Where angles go round the sign changes as well.
+      if (map.pair.motion2.turns && std::abs(a - b) > 3) {
         continue;
       }
-      std::uintmax_t calls = 100;
-      const auto [low, high] = boost::math::tools::toms748_solve(
-          distance, from.u, to.u, a, b, boost::math::tools::eps_tolerance<double>(50), calls);
-      return point_at(map, branch, low + (high - low) / 2);
+      const auto root = [&](double x) { return distance(from.u + x); };
+      if (const auto x = root_between(root, a, to.u - from.u, b)) {
+        return point_at(map, branch, from.u + *x);
+      }
     }
   }
   return std::nullopt;
@@ -53,14 +53,14 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
 
 // Whether an end of the branch lies at `from`, or a place where branches cross at it or before `to`.
 bool is_singular(const ContactMap& map, const MapBranch& branch, double from, double to) {
-  constexpr double kNear = 1e-4;
   if ((from == branch.begin.u && branch.begin.event >= 0) ||
       (from == branch.end.u && branch.end.event >= 0)) {
     return true;
   }
   return std::any_of(map.events.begin(), map.events.end(), [&](const MapEvent& event) {
     const double u = map.pair.motion1.turns ? nearest_turn(event.at.u, from) : event.at.u;
-    const double margin = map.pair.motion1.turns ? kNear : kNear * size_of_pair(map.pair);
+    const double margin =
+        map.pair.motion1.turns ? kNearMapCrossing : kNearMapCrossing * size_of_pair(map.pair);
     return event.at.type == CriticalType::kCrossing &&
            (std::abs(u - from) < margin || (u - from) * (u - to) < 0);
   });
@@ -110,6 +110,10 @@ ContactMap map_contacts(const ContactPair& pair, const MapRange& range) {
   ContactMap map;
   map.pair = pair;
   map.range = range;
+  if (!is_algebraic(pair)) {
+    map.status = MapStatus::kNotAlgebraic;
+    return map;
+  }
   MapNetwork network = build_network(pair, range);
   map.status = network.status;
   map.complete = network.complete;
@@ -171,8 +175,8 @@ std::vector<MapContact> contacts_at(const ContactMap& map, double u) {
 
 std::optional<int> branch_of(const ContactMap& map, double u, double q, const Vector2d& n_W) {
   for (const MapContact& contact : contacts_at(map, u)) {
-    if (difference_of_q(map.pair, size_of_pair(map.pair), contact.point.q, q) <= kSameContact &&
-        (contact.point.n_W - n_W).norm() <= kSameContact) {
+    if (difference_of_q(map.pair, size_of_pair(map.pair), contact.point.q, q) <= kSameMapContact &&
+        (contact.point.n_W - n_W).norm() <= kSameMapContact) {
       return contact.branch;
     }
   }
@@ -242,6 +246,8 @@ std::string_view describe(MapStatus status) {
       return describe(ContactsStatus::kTouchesNowhere);
     case MapStatus::kTangentAtInfinity:
       return describe(ContactsStatus::kTangentAtInfinity);
+    case MapStatus::kNotAlgebraic:
+      return "maps are known of conics, lines and points only";
     case MapStatus::kLimitEverywhere:
       break;
   }

@@ -1,15 +1,15 @@
 #include "higherpair/contact/contact_pair.hpp"
 
-#include "contact_points.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "last_step.hpp"
+#include "osculating_pass.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
-
-constexpr int kMaxPasses = 12;
-constexpr double kLargestSlip = 0.01;
 
 // 2 atan(x); the series is exact to rounding for small x.
 double twice_arc_tangent(double x) {
@@ -21,43 +21,33 @@ double twice_arc_tangent(double x) {
 // and points need no cases. With ω_r = ω2 - ω1 and the speeds u1, u2 of the contact along each curve,
 //     n·(v2 - v1) = 0,   n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇,   φ̇ = ω1 + w1 ω_r + w v_s.
 void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosition& at) {
-  const PassGeometry<double>& pass = points.pass;
-  const auto& [w1, w2, w, z] = pass.weights;
-  const Vector2d p = (pass.p1 + pass.p2) / 2;
+  const Vector2d p = points.p_W();
   const Vector2d v1 = velocity_per_q(pair.motion1, p);
   const Vector2d per_q = velocity_per_q(pair.motion2, p);
-  at.gap_q = per_q.dot(pass.n);
+  at.gap_q = per_q.dot(points.n_W);
   if (at.gap_q == 0) {
     return;
   }
   const double per_gap_q = 1 / at.gap_q;
-  at.dq = v1.dot(pass.n) * per_gap_q;
-  const double omega1 = pair.motion1.turns ? 1 : 0;
-  const double omega2 = pair.motion2.turns ? at.dq : 0;
-  const double omega_r = omega2 - omega1;
-  const double per_q_t = per_q.dot(pass.t);
-  const double v1_t = v1.dot(pass.t);
+  at.dq = v1.dot(points.n_W) * per_gap_q;
+  const double per_q_t = per_q.dot(points.t_W);
+  const double v1_t = v1.dot(points.t_W);
   at.sliding = at.dq * per_q_t - v1_t;
-  const double u1 = z * omega_r + w2 * at.sliding;
-  const double u2 = z * omega_r - w1 * at.sliding;
-  at.dphi = omega1 + w1 * omega_r + w * at.sliding;
+  const ContactRates rates =
+      contact_rates(points.link, at.sliding, pair.motion1.turns ? 1 : 0, pair.motion2.turns ? at.dq : 0);
+  at.dphi = rates.phi_dot;
   // n·(velocity per q), where n turns by φ̇ and the point moves on by v1 + u1 t.
-  at.dgap_q = at.dphi * per_q_t - (pair.motion2.turns ? v1_t + u1 : 0);
+  at.dgap_q = at.dphi * per_q_t - (pair.motion2.turns ? v1_t + rates.along1 : 0);
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
-  const double a2_n = at.dq * at.dq * acceleration_per_q(pair.motion2, p).dot(pass.n);  // centripetal
-  const double normal = omega2 * u2 - omega1 * u1 - at.sliding * at.dphi;
-  at.d2q = (normal + (a1.dot(pass.n) - a2_n)) * per_gap_q;
+  const double a2_n = at.dq * at.dq * acceleration_per_q(pair.motion2, p).dot(points.n_W);  // centripetal
+  at.d2q = (rates.normal_acceleration + (a1.dot(points.n_W) - a2_n)) * per_gap_q;
 }
 
 void set_position(const ContactPair& pair, const ContactPoints& points, double u, double q,
                   ContactPosition& at) {
+  static_cast<CommonNormal&>(at) = points;
   at.u = u;
   at.q = q;
-  at.n_W = points.pass.n;
-  at.p1_W = points.pass.p1;
-  at.p2_W = points.pass.p2;
-  at.rho1 = points.first.rho;
-  at.rho2 = points.second.rho;
   add_rates(pair, points, at);
 }
 
@@ -69,40 +59,45 @@ struct Moved {
   bool possible = false;
 };
 
-Moved osculating_pass(const ContactPair& pair, const PassGeometry<double>& at, PlacedCurve<double> second,
-                      double q, int branch) {
+Moved osculating_pass(const ContactPair& pair, const ContactPoints& at, PlacedCurve<double> second, double q,
+                      int branch) {
   const OneFreedom& motion = pair.motion2;
-  PassStep<double> step;
+  PassStep step;
   if (motion.turns) {
     step = turning_pass(at, motion.p_WO, branch);
-    second.vertex_W = motion.p_WO + step.turn * Vector2d(second.vertex_W - motion.p_WO);
-    second.axis_W = step.turn * second.axis_W;
+    second = turned(second, motion.p_WO, step.turn);
     q += twice_arc_tangent(step.tan_half);
   } else {
     step = sliding_pass(at, motion.direction_W, branch);
     q += step.slide;
     second = place_on(pair.curve2, motion, q);
   }
-  const bool possible = step.discriminant >= 0 && step.n.allFinite() && step.n.squaredNorm() > 0;
-  return {second, q, step.n.normalized(), possible};
+  const bool possible = step.discriminant >= 0 && step.n_W.allFinite() && step.n_W.squaredNorm() > 0;
+  return {second, q, step.n_W.normalized(), possible};
 }
 
 // Whether the two points coincide as far as their rounding allows. Along nearly straight curves that may be
 // more than the rounding of all lengths; there they have to be near enough for the closing step.
 bool is_closed(const ContactPoints& points, double extent) {
-  const double s = std::abs(points.pass.s);
-  if (!(std::abs(points.pass.g) <= 2 * kEps * extent)) {
+  const double s = std::abs(points.s);
+  if (!(std::abs(points.g) <= 2 * kEps * extent)) {
     return false;
   }
   if (s <= 2 * kEps * extent) {
     return true;
   }
-  const double radii = std::abs(points.first.rho) + std::abs(points.second.rho);
+  const double radii = std::abs(points.rho1) + std::abs(points.rho2);
   return s <= 2 * kEps * (extent + radii) && s <= kLargestSlip * extent &&
-         s * std::abs(points.pass.weights.w) <= kLastTurn;
+         s * std::abs(points.link.w) <= kLastTurn;
 }
 
 }  // namespace
+
+double size_of_pair(const ContactPair& pair) {
+  return (anchor(pair.curve1) - pair.motion1.p_BO).norm() + (anchor(pair.curve2) - pair.motion2.p_BO).norm() +
+         (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
+         std::min(size_of(pair.curve1), size_of(pair.curve2)) + std::numeric_limits<double>::min();
+}
 
 ContactResult solve_contact(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch) {
   return solve_contact(pair, place_pair(pair, u, q), u, q, n_W, branch);
@@ -116,25 +111,25 @@ ContactResult solve_contact(const ContactPair& pair, const PlacedPair& guess, do
   Vector2d n_guess = n;
   for (int pass = 0; pass <= kMaxPasses; ++pass) {
     const ContactPoints points = points_at(pair, placed, n);
-    if (!points.exist) {
+    if (!points.exist || !std::isfinite(points.link.w)) {
       result.status = ContactStatus::kNoContact;
       return result;
     }
     if (pass == 0) {
-      n_guess = points.pass.n;
+      n_guess = points.n_W;
     }
-    const double size = extent(pair, placed, points.pass);
+    const double size = extent(pair, placed, points);
     const LastStep last = last_step(pair, placed, points, size);
     if (last.exact || is_closed(points, size)) {
       const LastStep step = last.sound ? last : closing_step(points, last);
       const ContactPoints end = moved(pair, placed, step, size, points);
       set_position(pair, end, u, q + step.delta, result.at);
-      result.step_n = (end.pass.n - n_guess).norm();
+      result.step_n = (end.n_W - n_guess).norm();
       const bool wanted = branch * result.at.gap_q >= 0;
       result.status = wanted ? ContactStatus::kOk : ContactStatus::kOtherBranch;
       return result;
     }
-    const Moved next = osculating_pass(pair, points.pass, placed.second, q, branch);
+    const Moved next = osculating_pass(pair, points, placed.second, q, branch);
     if (!next.possible) {
       result.status = ContactStatus::kNoContact;
       return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "complex.hpp"
+#include "higherpair/geometry/curve.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -73,6 +74,21 @@ template <class T>
   Form<T> form{FormKind::kPoint, {}, {}, homogeneous(w)};
   form.A = outer(form.v, form.v);
   return form;
+}
+
+/// The form of a curve with its vertex at v and its axis along u, its lengths divided by `length`: for a
+/// conic 4 side (y² + q x² - 2 ℓ x) with x along the axis from the vertex and y across; for a line -2x.
+template <class T>
+[[nodiscard]] Form<T> form_of(const Curve& curve, const Complex<T>& v, const Complex<T>& u,
+                              double length = 1) {
+  if (is_point(curve)) {
+    return point_form(v);
+  }
+  if (is_line(curve)) {
+    return line_form<T>(T(-u.re), T(-u.im), dot(u, v));
+  }
+  const T side(curve.side == Side::kInside ? 1 : -1);
+  return vertex_form<T>(side, T(curve.q), T(T(curve.semi_latus) / T(length)), v, u);
 }
 
 /// How body 2 moves: it turns about w = 0, or slides along `direction`.

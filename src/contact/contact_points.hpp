@@ -2,13 +2,12 @@
 
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/geometry/support.hpp"
-#include "osculating_pass.hpp"
 
 #include <cmath>
 
 namespace higherpair {
 
-/// Both curves as they stand, in ground.
+/// Both curves as they are placed, in ground.
 struct PlacedPair {
   PlacedCurve<double> first;
   PlacedCurve<double> second;
@@ -19,8 +18,7 @@ struct PlacedPair {
                                                   const Rotation<double>& R_WB) {
   const Vector2d from_joint_W = R_WB * Vector2d(curve.vertex_B - freedom.p_BO);
   const Vector2d p_WJ = freedom.turns ? freedom.p_WO : Vector2d(freedom.p_WO + q * freedom.direction_W);
-  return {p_WJ + from_joint_W, R_WB * curve.axis_B, curve.semi_latus, curve.q,
-          curve.side == Side::kInside ? 1.0 : -1.0};
+  return place(curve, Vector2d(p_WJ + from_joint_W), R_WB);
 }
 
 [[nodiscard]] inline PlacedCurve<double> place_on(const Curve& curve, const OneFreedom& freedom, double q) {
@@ -35,65 +33,55 @@ struct PlacedPair {
 [[nodiscard]] ContactResult solve_contact(const ContactPair& pair, const PlacedPair& guess, double u,
                                           double q, const Vector2d& n_W, int branch);
 
-/// The points of the curves with outward normals n and -n; `exist` is false where a curve has no such point.
-/// Where a body is a line, n is that of the face and its point the foot of the other body's point.
-struct ContactPoints {
-  PassGeometry<double> pass;
-  SupportPoint<double> first{};  ///< rho = 0 for a line
-  SupportPoint<double> second{};
-  bool exist = false;
+/// The points with outward normals n and -n, and what the osculating iteration makes of them. Where a body is
+/// a line, n is that of the face, its point the foot of the other body's point, its radius 0. The link is not
+/// finite where ρ1 + ρ2 = 0.
+struct ContactPoints : CommonNormal {
+  Vector2d t_W = Vector2d::UnitY();
+  EquivalentLink link;
+  double g = 0, s = 0;        ///< (p2 - p1)·n and (p2 - p1)·t [m]
+  double w2_1 = 0, w2_2 = 0;  ///< SupportPoint::w2
+  bool exist = false;         ///< false where a curve has no point with its normal
 };
 
-/// Change of a curve's radius of curvature with the angle of its normal, ±n: 3 ρ (1 - q) N_x N_y / w².
-[[nodiscard]] inline double radius_slope(const PlacedCurve<double>& curve, double rho, const Vector2d& n) {
-  if (curve.q == 1) {
-    return 0;
+[[nodiscard, gnu::always_inline]] inline ContactPoints points_at(bool line1, bool line2,
+                                                                 const PlacedPair& placed,
+                                                                 const Vector2d& n_W) {
+  ContactPoints at;
+  at.n_W = line2 ? placed.second.axis_W : line1 ? face_normal(placed.first) : n_W;
+  at.t_W = perp(at.n_W);
+  const Vector2d inward = -at.n_W;
+  at.exist = true;
+  if (!line1) {
+    at.exist = has_point(placed.first, at.n_W);
+    const SupportPoint<double> point = support_point(placed.first, at.n_W);
+    at.p1_W = point.p_W;
+    at.rho1 = point.rho;
+    at.w2_1 = point.w2;
   }
-  const double N_x = n.dot(curve.axis_W);
-  const double N_y = cross(curve.axis_W, n);
-  return 3 * rho * (1 - curve.q) * N_x * N_y / (N_x * N_x + curve.q * N_y * N_y);
-}
-
-/// The foot of p on a line through `at` with unit normal n.
-[[nodiscard]] inline Vector2d foot_on(const Vector2d& at, const Vector2d& n, const Vector2d& p) {
-  return p - (p - at).dot(n) * n;
+  if (!line2) {
+    at.exist = at.exist && has_point(placed.second, inward);
+    const SupportPoint<double> point = support_point(placed.second, inward);
+    at.p2_W = point.p_W;
+    at.rho2 = point.rho;
+    at.w2_2 = point.w2;
+  }
+  if (line1) {
+    at.p1_W = foot_on(placed.first.vertex_W, at.n_W, at.p2_W);
+  } else if (line2) {
+    at.p2_W = foot_on(placed.second.vertex_W, at.n_W, at.p1_W);
+  }
+  at.link = equivalent_link(line1, at.rho1, line2, at.rho2);
+  const Vector2d distance = at.p2_W - at.p1_W;
+  at.g = distance.dot(at.n_W);
+  at.s = distance.dot(at.t_W);
+  return at;
 }
 
 [[nodiscard, gnu::always_inline]] inline ContactPoints points_at(const ContactPair& pair,
                                                                  const PlacedPair& placed,
-                                                                 const Vector2d& n) {
-  ContactPoints points;
-  PassGeometry<double>& pass = points.pass;
-  const bool line1 = is_line(pair.curve1);
-  const bool line2 = is_line(pair.curve2);
-  pass.n = line2 ? placed.second.axis_W : line1 ? Vector2d(-placed.first.axis_W) : n;
-  pass.t = perp(pass.n);
-  const Vector2d inward = -pass.n;
-  points.exist = true;
-  if (!line1) {
-    points.exist = has_point(placed.first, pass.n);
-    points.first = support_point(placed.first, pass.n);
-    pass.p1 = points.first.p_W;
-  }
-  if (!line2) {
-    points.exist = points.exist && has_point(placed.second, inward);
-    points.second = support_point(placed.second, inward);
-    pass.p2 = points.second.p_W;
-  }
-  if (line1) {
-    pass.p1 = foot_on(placed.first.vertex_W, pass.n, pass.p2);
-    pass.weights = {0, 1, 0, points.second.rho};
-  } else if (line2) {
-    pass.p2 = foot_on(placed.second.vertex_W, pass.n, pass.p1);
-    pass.weights = {1, 0, 0, points.first.rho};
-  } else {
-    points.exist = points.exist && points.first.rho + points.second.rho != 0;
-    pass.weights = weights_of_curved(points.first.rho, points.second.rho);
-  }
-  const Vector2d distance = pass.p2 - pass.p1;
-  pass.g = distance.dot(pass.n);
-  pass.s = distance.dot(pass.t);
-  return points;
+                                                                 const Vector2d& n_W) {
+  return points_at(is_line(pair.curve1), is_line(pair.curve2), placed, n_W);
 }
 
 }  // namespace higherpair

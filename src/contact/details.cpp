@@ -1,13 +1,12 @@
 #include "higherpair/contact/details.hpp"
 
-#include "higherpair/geometry/arc_length.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kNoDirection = 1e-12;  // of what it is the difference of: a shorter vector is rounding
 
 // `sense`: +1 if t of body 1 is the outward normal n_W of this body turned +90°, else -1.
 ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W, double rho,
@@ -21,7 +20,8 @@ ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d
   return side;
 }
 
-double angle_between(const Vector2d& a, const Vector2d& b) {
+// Between the lines along two vectors [rad], 0 … π/2.
+double acute_angle(const Vector2d& a, const Vector2d& b) {
   return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b)));
 }
 
@@ -35,7 +35,7 @@ std::optional<double> transmission(const ContactSide& side, const ContactBody& b
   }
   const Vector2d arm = *side.center_W - body.grounded->p_WO;
   const double lengths = side.center_W->norm() + body.grounded->p_WO.norm() + std::abs(side.rho.value_or(0));
-  return arm.norm() > kNoDirection * lengths ? std::optional(angle_between(n_W, arm)) : std::nullopt;
+  return arm.norm() > kNoDirection * lengths ? std::optional(acute_angle(n_W, arm)) : std::nullopt;
 }
 
 std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W) {
@@ -49,7 +49,7 @@ std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, con
     direction = body.motion.v_WB + turning;
     size = body.motion.v_WB.norm() + turning.norm();
   }
-  return direction.norm() > kNoDirection * size ? std::optional(angle_between(n_W, direction)) : std::nullopt;
+  return direction.norm() > kNoDirection * size ? std::optional(acute_angle(n_W, direction)) : std::nullopt;
 }
 
 std::optional<double> arm(const ContactSide& side, const ContactBody& body) {
@@ -100,14 +100,8 @@ void add_linkage(const ContactBody& body1, const ContactBody& body2, ContactDeta
 
 double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W, const Vector2d& n_W,
                    double normal_angle) {
-  if (is_line(curve)) {
-    return perp(n_W).dot(p_W - body.X_WB * curve.vertex_B);
-  }
-  // A body on the outside has the convex side's normal turned round, and runs through the arc the other way.
-  const bool inside = curve.side == Side::kInside;
-  const double psi = normal_angle - body.theta - vertex_normal_angle(curve) - (inside ? 0 : kPi);
-  const double arc = arc_length(curve, curve.q > 0 ? psi : nearest_turn(psi, 0));
-  return inside ? arc : -arc;
+  return is_line(curve) ? perp(n_W).dot(p_W - body.X_WB * anchor(curve))
+                        : arc_to_normal(curve, normal_angle - body.theta);
 }
 
 ContactDetails details_of(const ContactBody& body1, const ContactBody& body2, const CommonNormal& at,
@@ -125,8 +119,7 @@ ContactDetails details_of(const ContactBody& body1, const ContactBody& body2, co
 ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi) {
   const BodyMotion motion1 = motion_at(pair.motion1, at.u, 0, 0);
   const BodyMotion motion2 = motion_at(pair.motion2, at.q, 0, 0);
-  return details_of({pair.curve1, motion1, &pair.motion1}, {pair.curve2, motion2, &pair.motion2},
-                    {at.n_W, at.p1_W, at.p2_W, at.rho1, at.rho2}, phi);
+  return details_of({pair.curve1, motion1, &pair.motion1}, {pair.curve2, motion2, &pair.motion2}, at, phi);
 }
 
 }  // namespace higherpair

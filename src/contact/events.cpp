@@ -2,6 +2,8 @@
 
 #include "contact_points.hpp"
 #include "gap_derivatives.hpp"
+#include "higherpair/geometry/newton.hpp"
+#include "higherpair/geometry/roots.hpp"
 #include "limit.hpp"
 
 #include <algorithm>
@@ -12,39 +14,19 @@
 namespace higherpair {
 
 std::optional<ContactPosition> stroke_end(const ContactTrack& start, double u) {
-  constexpr int kMaxSteps = 100;
   ContactTrack track = start;
-  double low = start.at.u;
-  double high = u;
-  const double sign_low = start.at.dq;
-  if (follow_to(track, u).status != TrackStatus::kOk || !(sign_low * track.at.dq <= 0)) {
-    return std::nullopt;
-  }
-  // From the end with the smaller rate.
-  if (std::abs(start.at.dq) < std::abs(track.at.dq)) {
-    track = start;
-  }
-  for (int i = 0; i < kMaxSteps; ++i) {
-    (track.at.dq * sign_low > 0 ? low : high) = track.at.u;
-    double next = track.at.u - track.at.dq / track.at.d2q;
-    if (!(next > std::min(low, high) && next < std::max(low, high))) {
-      next = track.at.dq == 0 ? track.at.u : low + (high - low) / 2;
-    }
-    const double moved = std::abs(next - track.at.u);
-    if (moved <= 1e-15 * std::abs(next) || next == low || next == high) {
-      return track.at;
-    }
-    if (follow_to(track, next).status != TrackStatus::kOk) {
-      return std::nullopt;
-    }
-  }
-  return track.at;
+  const double h = u - start.at.u;
+  const auto rate_at = [&](double x) {
+    return follow_to(track, start.at.u + x).status == TrackStatus::kOk ? track.at.dq : NAN;
+  };
+  const auto x = root_between(rate_at, start.at.dq, h, rate_at(h));
+  return x && std::isfinite(rate_at(*x)) ? std::optional(track.at) : std::nullopt;
 }
 
 std::optional<ContactPosition> conforming_near(const ContactPair& pair, const ContactPosition& start,
                                                double length) {
   constexpr int kMaxSteps = 40;
-  if (!is_conic(pair.curve1) || !is_conic(pair.curve2)) {
+  if (!is_curved(pair.curve1) || !is_curved(pair.curve2)) {
     return std::nullopt;
   }
   ContactPosition at = start;
@@ -61,7 +43,7 @@ std::optional<ContactPosition> conforming_near(const ContactPair& pair, const Co
     const GapDerivatives d = gap_derivatives(pair, at);
     at.gap_q = d.g_q;
     const double slope1 = radius_slope(placed.first, at.rho1, at.n_W);
-    const double slope2 = radius_slope(placed.second, at.rho2, at.n_W);
+    const double slope2 = radius_slope(placed.second, at.rho2, -at.n_W);
     const Vector2d distance = at.p2_W - at.p1_W;
     const double g_phi = distance.dot(perp(at.n_W));
     Eigen::Matrix3d J;
@@ -74,7 +56,7 @@ std::optional<ContactPosition> conforming_near(const ContactPair& pair, const Co
     if (!lu.isInvertible() || !(size < 1e3)) {
       return std::nullopt;
     }
-    if (size <= 1e-15 || (size < 1e-9 && size >= last / 2)) {
+    if (newton_has_settled(size, last, kNewtonQuadratic, 1e-15)) {
       return at;
     }
     last = size;

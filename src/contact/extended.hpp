@@ -2,6 +2,9 @@
 
 #include "complex.hpp"
 
+#include <compare>
+#include <string>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace higherpair {
@@ -9,12 +12,51 @@ namespace higherpair {
 /// A number of 100 decimal digits. The polynomials whose roots are the contacts have up to 16 roots that
 /// crowd together where levers are long against the bodies (a ratio of 1000 costs 24 digits), and every
 /// double or nearly double root halves the digits that are left: doubles would lose the roots altogether.
-using Extended = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<100, boost::multiprecision::digit_base_10, void, int>,
-    boost::multiprecision::et_off>;
+///
+/// A class around Boost's number whose operations are compiled once; as templates they took seconds in every
+/// source.
+class Extended {
+public:
+  using Number = boost::multiprecision::number<
+      boost::multiprecision::cpp_bin_float<100, boost::multiprecision::digit_base_10, void, int>,
+      boost::multiprecision::et_off>;
 
-[[nodiscard]] inline double to_double(const Extended& x) {
-  return x.convert_to<double>();
-}
+  Extended() = default;  ///< 0
+  Extended(int x);
+  Extended(double x);
+  explicit Extended(const std::string& decimal);
+  explicit Extended(const Number& x) : x_(x) {}
+
+  [[nodiscard]] const Number& number() const { return x_; }
+
+  Extended& operator+=(const Extended& b);
+  Extended& operator-=(const Extended& b);
+  Extended& operator*=(const Extended& b);
+  Extended& operator/=(const Extended& b);
+
+  friend Extended operator+(const Extended& a, const Extended& b);
+  friend Extended operator-(const Extended& a, const Extended& b);
+  friend Extended operator*(const Extended& a, const Extended& b);
+  friend Extended operator/(const Extended& a, const Extended& b);
+  friend Extended operator-(const Extended& a);
+
+  friend bool operator==(const Extended& a, const Extended& b);
+  friend std::partial_ordering operator<=>(const Extended& a, const Extended& b);
+
+  friend Extended abs(const Extended& x);
+  friend Extended sqrt(const Extended& x);
+  friend Extended exp(const Extended& x);
+  friend Extended cos(const Extended& x);
+  friend Extended sin(const Extended& x);
+  friend Extended atan(const Extended& x);
+
+  /// x = f 2^exponent with f from 1/2 to 1, as std::frexp.
+  friend Extended frexp(const Extended& x, int* exponent);
+
+  friend double to_double(const Extended& x);
+
+private:
+  Number x_;
+};
 
 }  // namespace higherpair

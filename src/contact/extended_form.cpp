@@ -19,18 +19,6 @@ Complex<Extended> complex_of(const Vector2d& v) {
   return {Extended(v.x()), Extended(v.y())};
 }
 
-Form<Extended> form_of(const Curve& curve, const Complex<Extended>& v, const Complex<Extended>& u,
-                       double length) {
-  if (curve.kind == CurveKind::kPoint) {
-    return point_form(v);
-  }
-  if (curve.kind == CurveKind::kLine) {
-    return line_form<Extended>(-u.re, -u.im, dot(u, v));
-  }
-  const Extended side = curve.side == Side::kInside ? 1 : -1;
-  return vertex_form<Extended>(side, curve.q, Extended(curve.semi_latus) / length, v, u);
-}
-
 Extended value_at(const Form<Extended>& form, const Complex<Extended>& w) {
   const Vector3c<Extended> p = homogeneous(w);
   return form.kind == FormKind::kLine ? product(form.v, p).re : product(p, form.S * p).re;

@@ -15,11 +15,6 @@ inline constexpr double kInfinity = 1e7;
 
 [[nodiscard]] Complex<Extended> complex_of(const Vector2d& v);
 
-/// The form of a curve with its vertex at v and its axis along u, its lengths divided by `length`: for a
-/// conic 4 side (y² + q x² - 2 ℓ x) with x along the axis from the vertex and y across; for a line -2x.
-[[nodiscard]] Form<Extended> form_of(const Curve& curve, const Complex<Extended>& v,
-                                     const Complex<Extended>& u, double length);
-
 /// Value, gradient (as a complex number), change of the gradient along dw, signed curvature for a gradient.
 /// \pre not a point
 [[nodiscard]] Extended value_at(const Form<Extended>& form, const Complex<Extended>& w);

@@ -14,7 +14,7 @@ namespace higherpair {
 std::optional<ExtremeGap> extreme_gap(const ContactPair& pair, const ContactPosition& near) {
   constexpr int kMaxSteps = 60;
   ContactPosition at = near;
-  const bool has_line = pair.curve1.kind == CurveKind::kLine || pair.curve2.kind == CurveKind::kLine;
+  const bool has_line = is_line(pair.curve1) || is_line(pair.curve2);
   double last = INFINITY;
   for (int i = 0; i < kMaxSteps; ++i) {
     if (!place_points(pair, at)) {
@@ -42,7 +42,7 @@ std::optional<ExtremeGap> extreme_gap(const ContactPair& pair, const ContactPosi
       return ExtremeGap{gap, at};
     }
     last = size;
-    step *= std::min(1.0, 0.3 / size);
+    step *= std::min(1.0, kNewtonTurn / size);
     at.n_W = Rotation<double>::from_angle(step(0)) * at.n_W;
     at.n_W.normalize();
     at.q += step(1);

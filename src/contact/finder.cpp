@@ -1,58 +1,26 @@
 #include "higherpair/contact/finder.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "listed_contact.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
 
 constexpr int kMaxSteps = 2000;  // the list of all contacts costs no more than so many
-constexpr double kTouching =
-    1e-9;  // of the size: distances below count as a touch, the start of the last iteration
-
-bool has_finite_extent(const Curve& curve) {
-  return curve.q > 0 && curve.kind != CurveKind::kLine;
-}
-
-// Largest distance of the points within a circle or ellipse (or of a point) from p.
-double reach_from(const Curve& curve, const Pose<double>& X_WB, const Vector2d& p_W) {
-  if (curve.kind == CurveKind::kPoint) {
-    return (X_WB * curve.vertex_B - p_W).norm();
-  }
-  return (X_WB * center(curve) - p_W).norm() + semi_axes(curve)[0];
-}
-
-// What distances are measured against. Of two radii the smaller counts: a nearly flat curve is not a huge
-// mechanism.
-double extent(const ContactPair& pair, double u, double q) {
-  const Vector2d p1 = pose_at(pair.motion1, u) * pair.curve1.vertex_B;
-  const Vector2d p2 = pose_at(pair.motion2, q) * pair.curve2.vertex_B;
-  return (p1 - p2).norm() + (p1 - pair.motion1.p_WO).norm() + (p2 - pair.motion2.p_WO).norm() +
-         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
-}
 
 // How fast the signed distance can change with q: at most by the speed of the bounded body's fastest point.
-std::optional<double> speed_bound(const ContactPair& pair, double u, double q) {
-  const bool finite1 = has_finite_extent(pair.curve1);
-  const bool finite2 = has_finite_extent(pair.curve2);
+std::optional<double> speed_bound(const ContactPair& pair, double u) {
   if (!pair.motion2.turns) {
     return 1.0;
   }
-  if (!finite1 && !finite2) {
-    return std::nullopt;
-  }
-  double bound = INFINITY;
-  if (finite1) {
-    bound = reach_from(pair.curve1, pose_at(pair.motion1, u), pair.motion2.p_WO);
-  }
-  if (finite2) {
-    bound = std::min(bound, reach_from(pair.curve2, pose_at(pair.motion2, q), pair.motion2.p_WO));
-  }
-  return bound;
+  const auto reach1 = reach_from(pair.curve1, pose_at(pair.motion1, u).inverse_times(pair.motion2.p_WO));
+  const auto reach2 = reach_from(pair.curve2, pair.motion2.p_BO);
+  return reach1 && reach2 ? std::min(*reach1, *reach2) : reach1 ? reach1 : reach2;
 }
 
 Separation separation_at(const ContactPair& pair, double u, double q, double tolerance) {
@@ -66,11 +34,10 @@ struct Distance {
 };
 
 Distance distance_at(const ContactPair& pair, double u, double q, double guess, double finest) {
-  constexpr double kShare = 0.1;
-  double tolerance = std::max(kShare * guess, finest);
+  double tolerance = std::max(kRoughGap * guess, finest);
   for (;;) {
     const Separation here = separation_at(pair, u, q, tolerance);
-    const double needed = std::max(kShare * std::abs(here.gap), finest);
+    const double needed = std::max(kRoughGap * std::abs(here.gap), finest);
     if (tolerance <= 4 * needed) {
       return {here, tolerance};
     }
@@ -83,10 +50,10 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
                                 double size) {
   const ContactResult result = solve_contact(pair, u, q, n_W, branch);
   const double moved = std::abs(result.at.q - q) * (pair.motion2.turns ? 1 : 1 / size);
-  if (result.status != ContactStatus::kOk || !(moved < 1e-2) || !(result.step_n < 0.3)) {
+  if (result.status != ContactStatus::kOk || !(moved < kSameTouch) || !(result.step_n < kNewtonTurn)) {
     return std::nullopt;
   }
-  const Separation check = separation_at(pair, u, result.at.q, 1e-12 * size);
+  const Separation check = separation_at(pair, u, result.at.q, kFineGap * size);
   if (!(std::abs(check.gap) <= 10 * kTouching * size)) {
     return std::nullopt;
   }
@@ -95,13 +62,13 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
 
 FindResult search(const ContactPair& pair, double u, double q, int direction, bool from_overlap,
                   ListedContacts& listed) {
-  const double size = extent(pair, u, q);
-  const std::optional<double> bound = speed_bound(pair, u, q);
+  const double size = size_at(pair, u, q);
+  const std::optional<double> bound = speed_bound(pair, u);
   FindResult result;
   if (!bound) {
     return listed.find(q, direction, from_overlap);
   }
-  const double tolerance = 1e-12 * size;
+  const double tolerance = kFineGap * size;
   const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
   const double start = q;
   bool overlapping = false;
@@ -136,7 +103,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
       }
     }
     last_gap = std::abs(here.gap);
-    q += direction * std::max((last_gap - error) * (1 - 1e-12), 0.1 * kTouching * size) / *bound;
+    q += direction * std::max((last_gap - error) * (1 - kFineGap), 0.1 * kTouching * size) / *bound;
   }
   result.status = FindStatus::kNoContact;
   return result;
@@ -156,8 +123,8 @@ FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std
     FindResult found = search(pair, u, q, direction, true, listed);
     if (found.status == FindStatus::kFound && branch && found.branch != *branch) {
       // The other end of the overlap, or of the gap, has the other sign.
-      const double size = extent(pair, u, found.at.q);
-      const double beyond = direction * 1e-6 * (pair.motion2.turns ? 1 : size);
+      const double size = size_at(pair, u, found.at.q);
+      const double beyond = direction * kBesideTouch * (pair.motion2.turns ? 1 : size);
       found = search(pair, u, found.at.q + beyond, direction, true, listed);
       if (found.branch != *branch) {
         found.status = FindStatus::kNoContact;

@@ -1,17 +1,15 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/critical_positions.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "polynomial_roots.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 #include <optional>
 
 namespace higherpair {
 namespace {
-
-constexpr double kRounding = 1e-14;
-constexpr double kNearlyReal = 1e-6;  // of a root of the quartic: what rounding makes of a real double root
-constexpr double kCrossing = 1e-7;    // of the driver's lever: ∂gap/∂u that may be 0
 
 // A point of curve 2 at which ∂gap/∂q is 0, and the outward normal there, in the body's frame.
 struct Foot {
@@ -51,10 +49,10 @@ void add_feet(const Curve& curve, const Vector2d& pivot_B, std::vector<Foot>& fe
     return;
   }
   const double size = curve.semi_latus + local.norm();
-  const bool on_axis = std::abs(local.y()) <= kRounding * size;
+  const bool on_axis = std::abs(local.y()) <= kOnAxis * size;
   const Vector2d place(local.x(), on_axis ? 0 : local.y());
   for (const Complex<Extended>& root : roots_of(foot_polynomial(curve, place))) {
-    if (abs(root.im) > kNearlyReal * (1 + abs(root.re))) {
+    if (abs(root.im) > kSplitFoot * (1 + abs(root.re))) {
       continue;
     }
     const Extended s = root.re;
@@ -106,7 +104,7 @@ std::optional<Curve> stand_in(const OneFreedom& motion, const Vector2d& foot_B, 
     return line ? std::optional(*line) : std::nullopt;
   }
   const double radius = (foot_B - motion.p_BO).norm();
-  const auto round = radius > kRounding * size ? make_circle(motion.p_WO, radius) : make_point(motion.p_WO);
+  const auto round = radius > kOnAxis * size ? make_circle(motion.p_WO, radius) : make_point(motion.p_WO);
   return round ? std::optional(*round) : std::nullopt;
 }
 
@@ -118,7 +116,7 @@ class FoldFinder {
 public:
   explicit FoldFinder(const ContactPair& pair) : pair_(pair) {
     const OneFreedom& follower = pair.motion2;
-    size_ = pair.curve2.semi_latus + (pair.curve2.vertex_B - follower.p_BO).norm();
+    size_ = size_of(pair.curve2) + (anchor(pair.curve2) - follower.p_BO).norm();
   }
 
   [[nodiscard]] CriticalPositions run() {
@@ -182,8 +180,8 @@ private:
     }
     const Vector2d v1 = velocity_per_q(pair_.motion1, at.p_W);
     // Where a round curve 1 lies on the stand-in, every q is a contact.
-    at.type = coincident_ || std::abs(v1.dot(at.n_W)) <= kCrossing * v1.norm() ? CriticalType::kCrossing
-                                                                               : CriticalType::kFold;
+    at.type = coincident_ || std::abs(v1.dot(at.n_W)) <= kGapQMayVanish * v1.norm() ? CriticalType::kCrossing
+                                                                                    : CriticalType::kFold;
     result_.found.push_back(at);
   }
 

@@ -34,13 +34,6 @@ inline constexpr double kFallsToCrossing = 1e-3;
                                       : Rotation<double>::from_angle(angle);
 }
 
-// The angle from one unit vector to the next; the series is exact to rounding for small angles.
-[[nodiscard]] inline double angle_between(const Vector2d& from, const Vector2d& to) {
-  const double sine = cross(from, to);
-  const double cosine = from.dot(to);
-  return sine * sine <= kSmallTurn2 && cosine > 0 ? small_angle(sine) : std::atan2(sine, cosine);
-}
-
 struct Step {
   ContactResult result;
   double change = 0;    // of q and φ, in units

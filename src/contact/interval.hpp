@@ -1,13 +1,19 @@
 #pragma once
 
-#include "higherpair/contact/support_curve.hpp"
+#include "higherpair/geometry/curve.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
-#include <boost/numeric/interval.hpp>
+// Not <boost/numeric/interval.hpp>, which wants a processor whose rounding mode it can set.
+#include <boost/numeric/interval/arith.hpp>
+#include <boost/numeric/interval/arith2.hpp>
+#include <boost/numeric/interval/checking.hpp>
+#include <boost/numeric/interval/interval.hpp>
+#include <boost/numeric/interval/policies.hpp>
+#include <boost/numeric/interval/utility.hpp>
 
 namespace higherpair {
 
@@ -107,6 +113,10 @@ struct IntervalVector {
   [[nodiscard]] Interval dot(const IntervalVector& other) const { return x * other.x + y * other.y; }
   [[nodiscard]] IntervalVector turned() const { return {-y, x}; }
 };
+
+[[nodiscard]] inline IntervalVector exactly(const Vector2d& v) {
+  return {Interval(v.x()), Interval(v.y())};
+}
 
 /// (cos, sin) of an angle.
 [[nodiscard]] inline IntervalVector unit_interval(const Interval& angle) {

@@ -2,17 +2,16 @@
 
 #include "contact_points.hpp"
 #include "higherpair/geometry/body_jerk.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 
 namespace higherpair {
 namespace {
 
-constexpr double kNoHold = 1e-12;  // n·(direction in which the follower can move) that is 0 to rounding
-
 // dρ/dφ; 0 for a circle, a line and a point.
 double radius_rate(const Curve& curve, const BodyMotion& body, double rho, const Vector2d& n_W) {
-  return is_conic(curve) ? radius_slope(place(curve, body.X_WB), rho, n_W) : 0;
+  return is_curved(curve) ? radius_slope(place(curve, body.X_WB), rho, n_W) : 0;
 }
 
 // Without the jerks of the body's frame.
@@ -45,16 +44,16 @@ Vector2d jerk_at_rest(const OneFreedom& freedom, double q_dot, double q_ddot, co
 PairState pair_state(const ContactPair& pair, const ContactPosition& at) {
   const BodyMotion body1 = motion_at(pair.motion1, at.u, 1, 0);
   const BodyMotion body2 = motion_at(pair.motion2, at.q, at.dq, at.d2q);
-  const Vector2d p_W = (at.p1_W + at.p2_W) / 2;
+  const Vector2d p_W = at.p_W();
   return {velocity_per_q(pair.motion2, p_W),
           jerk_at_rest(pair.motion2, at.dq, at.d2q, p_W) - jerk_at_rest(pair.motion1, 1, 0, p_W),
-          contact_jerk(pair.curve1, pair.curve2, {at.n_W, at.p1_W, at.p2_W, at.rho1, at.rho2}, body1, body2)};
+          contact_jerk(pair.curve1, pair.curve2, at, body1, body2)};
 }
 
 // By the normal condition.
 std::optional<double> linkage_jerk(const PairState& state, const Vector2d& n_W) {
   const double per_q = state.per_q_W.dot(n_W);
-  if (!(std::abs(per_q) > kNoHold * state.per_q_W.norm())) {
+  if (!(std::abs(per_q) > kGapQIsZero * state.per_q_W.norm())) {
     return std::nullopt;
   }
   return (state.contact.linkage_normal_jerk - state.known_relative_W.dot(n_W)) / per_q;
@@ -64,16 +63,16 @@ std::optional<double> linkage_jerk(const PairState& state, const Vector2d& n_W) 
 
 ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonNormal& at,
                          const BodyMotion& body1, const BodyMotion& body2) {
-  const EquivalentLink link = equivalent_link(curve1, at.rho1, curve2, at.rho2);
+  const auto link = equivalent_link(is_line(curve1), at.rho1, is_line(curve2), at.rho2);
   const ContactRates rates = contact_rates(link, at, body1, body2);
-  const Vector2d p_W = (at.p1_W + at.p2_W) / 2;
+  const Vector2d p_W = at.p_W();
   const double a_s = (material_at(body2, p_W).a_W - material_at(body1, p_W).a_W).dot(perp(at.n_W));
   const double omega_r = body2.omega - body1.omega;
   const double alpha_r = body2.alpha - body1.alpha;
   const double nu1 = link.w1 * omega_r + link.w * rates.sliding;
   const double nu2 = link.w2 * omega_r - link.w * rates.sliding;
   const double radius1 = radius_rate(curve1, body1, at.rho1, at.n_W) * nu1 * nu1;
-  const double radius2 = radius_rate(curve2, body2, at.rho2, at.n_W) * nu2 * nu2;
+  const double radius2 = radius_rate(curve2, body2, at.rho2, -at.n_W) * nu2 * nu2;
 
   // Of the frozen linkage; what the rates of the radii add follows.
   const double along1 = link.z * alpha_r + link.w2 * a_s;

@@ -12,15 +12,11 @@ namespace higherpair {
 
 bool place_points(const ContactPair& pair, ContactPosition& at) {
   const ContactPoints points = points_at(pair, place_pair(pair, at.u, at.q), at.n_W);
-  at.n_W = points.pass.n;
-  if (!points.exist) {
-    return false;
+  at.n_W = points.n_W;
+  if (points.exist) {
+    static_cast<CommonNormal&>(at) = points;
   }
-  at.p1_W = points.pass.p1;
-  at.p2_W = points.pass.p2;
-  at.rho1 = points.first.rho;
-  at.rho2 = points.second.rho;
-  return true;
+  return points.exist;
 }
 
 std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start,

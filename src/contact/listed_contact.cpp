@@ -1,27 +1,34 @@
 #include "listed_contact.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "limit.hpp"
+#include "tolerances.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
 
-constexpr double kTouching = 1e-9;  // of the size: a start as near as this to a contact is that contact
-
 // How far the follower moves from q in the sense of `direction` to a contact; a turning one less than a turn.
-double way_to(const ContactPair& pair, double q, int direction, const CurveContact& contact) {
+// \param near  as far behind it is here
+double way_to(const ContactPair& pair, double q, int direction, const CurveContact& contact, double near) {
   const double way = direction * (contact.q - q);
-  if (!pair.motion2.turns) {
-    return way < 0 && way > -kTouching * std::abs(q) ? 0 : way;
-  }
   const double turn = 2 * kPi;
-  const double rest = way - turn * std::floor(way / turn);
-  return rest > turn * (1 - kTouching) ? rest - turn : rest;
+  const double ahead = pair.motion2.turns ? way - turn * std::floor((way + near) / turn) : way;
+  return ahead < 0 && ahead >= -near ? 0 : ahead;
 }
 
 }  // namespace
+
+double size_at(const ContactPair& pair, double u, double q) {
+  const Vector2d p1 = pose_at(pair.motion1, u) * anchor(pair.curve1);
+  const Vector2d p2 = pose_at(pair.motion2, q) * anchor(pair.curve2);
+  return (p1 - p2).norm() + (p1 - pair.motion1.p_WO).norm() + (p2 - pair.motion2.p_WO).norm() +
+         std::min(size_of(pair.curve1), size_of(pair.curve2)) + std::numeric_limits<double>::min();
+}
 
 FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const ContactPair& pair = pair_;
@@ -36,9 +43,8 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   }
   const Pose<double> X_W1 = pose_at(pair.motion1, u);
   const Pose<double> X_W2 = pose_at(pair.motion2, q);
-  const double size = (X_W1 * pair.curve1.vertex_B - X_W2 * pair.curve2.vertex_B).norm() +
-                      pair.curve1.semi_latus + pair.curve2.semi_latus;
-  const Separation here = separation(pair.curve1, X_W1, pair.curve2, X_W2, 1e-12 * size);
+  const double size = size_at(pair, u, q);
+  const Separation here = separation(pair.curve1, X_W1, pair.curve2, X_W2, kFineGap * size);
   const bool overlapping = here.gap < -kTouching * size;
   if (overlapping && !from_overlap) {
     result.status = FindStatus::kOverlapAtStart;
@@ -48,8 +54,8 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const int branch = overlapping ? direction : -direction;
   double shortest = INFINITY;
   for (const CurveContact& contact : list_->contacts) {
-    const double way = way_to(pair, q, direction, contact);
-    if (!contact.free || !(way >= -kTouching) || !(way < shortest)) {
+    const double way = way_to(pair, q, direction, contact, kTouching * (pair.motion2.turns ? 1 : size));
+    if (!contact.free || !(way >= 0) || !(way < shortest)) {
       continue;
     }
     if (contact.branch == 0 && !contact.coincident) {

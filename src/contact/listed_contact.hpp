@@ -7,6 +7,9 @@
 
 namespace higherpair {
 
+/// What distances at a position are measured against [m]: size_of_pair() with the way between the bodies.
+[[nodiscard]] double size_at(const ContactPair& pair, double u, double q);
+
 /// What find_contact looks for, taken from the list of all contacts: for pairs on which no safe step exists,
 /// and where marching comes to rest. The list is made when it is first asked for, and then kept: it is the
 /// same for every start and sense, and dearer than all the rest.

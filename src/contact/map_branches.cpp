@@ -4,6 +4,7 @@
 #include "limit.hpp"
 #include "map_points.hpp"
 #include "map_walk.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kTurn = 2 * kPi;
-constexpr double kNearCrossing = 1e-4;  // of a radian, of the size: points are interpolated
-constexpr double kAtRest = 1e-12;       // of the follower's unit for one of the driver: slower is rounding
-constexpr int kFewest = 9;              // points within a branch, however short it is
+constexpr int kFewest = 9;  // points within a branch, however short it is
 
 bool is_finite(MapEndType type) {
   return type == MapEndType::kFold || type == MapEndType::kConforming;
@@ -135,7 +134,8 @@ private:
     const double unit = network_.cyclic ? 1 : network_.size;
     const auto margin = [&](const MapEnd& end) {
       const bool included = end.type == MapEndType::kClosed || end.type == MapEndType::kRange;
-      return std::min((included ? -1e-9 : 1e-9) * unit, (branch.end.u - branch.begin.u) / 100);
+      return std::min((included ? -kMapEndMargin : kMapEndMargin) * unit,
+                      (branch.end.u - branch.begin.u) / 100);
     };
     const double low = branch.begin.u + margin(branch.begin);
     const double high = branch.end.u - margin(branch.end);
@@ -165,12 +165,13 @@ private:
   void sample(MapBranch& branch, const std::vector<Link>& chain) {
     const std::vector<Target> targets = targets_of(branch);
     auto next = targets.begin();
+    const auto index = [&](auto at) { return static_cast<std::size_t>(at - targets.begin()); };
     std::vector<ContactTrack> tracks;
     std::optional<ContactPosition> before;  // at the end of the last interval
     for (const Link& link : chain) {
       const MapInterval& interval = interval_of(link);
-      const double margin =
-          std::min(kNearCrossing * (network_.cyclic ? 1 : network_.size), (interval.high - interval.low) / 8);
+      const double margin = std::min(kNearMapCrossing * (network_.cyclic ? 1 : network_.size),
+                                     (interval.high - interval.low) / 8);
       const double low = interval.low + link.u_turn + (interval.crossing_low ? margin : 0);
       const double high = interval.high + link.u_turn - (interval.crossing_high ? margin : 0);
       ContactTrack middle = node(link.node).track;
@@ -186,7 +187,7 @@ private:
       const auto stop = std::find_if(next, targets.end(), [&](const Target& target) {
         return last ? target.u > high : target.u >= high;
       });
-      reach(branch, middle, {next, stop}, tracks);
+      reach(branch, middle, std::span(targets).subspan(index(next), index(stop) - index(next)), tracks);
       next = stop;
       before = interval.crossing_high ? held_at(middle, high) : std::nullopt;
     }
@@ -253,7 +254,7 @@ private:
       const double fastest = std::max(std::abs(tracks[i].at.dq), std::abs(tracks[i + 1].at.dq));
       const double unit = unit_of(pair_.motion2, tracks[i]) / unit_of(pair_.motion1, tracks[i]);
       // A follower at rest moves by rounding.
-      if (tracks[i].at.dq * tracks[i + 1].at.dq < 0 && fastest > kAtRest * unit) {
+      if (tracks[i].at.dq * tracks[i + 1].at.dq < 0 && fastest > kSlowestMotion * unit) {
         const bool smooth = tracks[i].branch == tracks[i + 1].branch;
         if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u) : std::nullopt) {
           branch.extremes.push_back(point_of(pair_, range_, branch.opposed, *at));
@@ -287,10 +288,7 @@ private:
     at.n_W = event.n_W;
     const bool placed = place_points(branch.opposed ? pair_ : with_other_side(pair_), at);
     MapPoint point = placed ? point_of(pair_, range_, branch.opposed, at) : near;
-    point.u = at.u;
-    point.q = at.q;
-    point.p_W = event.p_W;
-    point.n_W = event.n_W;
+    static_cast<TangentPosition&>(point) = {at.u, at.q, event.p_W, event.n_W};
     point.sample.reset();
     return point;
   }

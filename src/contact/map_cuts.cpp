@@ -1,15 +1,13 @@
 #include "map_cuts.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
 
-constexpr double kResolution = 1e-10;  // of a radian, of the size: cuts nearer than that are one
-constexpr double kCrossing = 1e-7;     // the same where branches cross: rounding makes two folds of it
-constexpr double kSameNormal = 1e-6;
 // Where in its interval the list is made: off the middle, which symmetry may make special.
 constexpr double kPlace = 0.4713;
 constexpr double kTurn = 2 * kPi;
@@ -39,7 +37,7 @@ private:
       return u > map_.start && u < map_.end;
     }
     u -= kTurn * std::floor((u - map_.start) / kTurn);
-    if (u - map_.start > kTurn - kCrossing) {
+    if (u - map_.start > kTurn - kCrossingResolution) {
       u -= kTurn;  // so that what belongs together stays together
     }
     return true;
@@ -68,9 +66,9 @@ private:
     if (!bring_in(b.u)) {
       return false;
     }
-    return std::abs(a.u - b.u) <= kResolution * unit1_ && a.opposed == b.opposed &&
-           difference_of_q(pair_, map_.size, a.q, b.q) <= kResolution &&
-           (a.n_W - b.n_W).norm() <= kSameNormal;
+    return std::abs(a.u - b.u) <= kCutResolution * unit1_ && a.opposed == b.opposed &&
+           difference_of_q(pair_, map_.size, a.q, b.q) <= kCutResolution &&
+           (a.n_W - b.n_W).norm() <= kSameEventNormal;
   }
 
   [[nodiscard]] CriticalType type_of(int event) const {
@@ -95,7 +93,7 @@ private:
     for (const Place& place : places) {
       const bool crossing = place.event >= 0 && type_of(place.event) == CriticalType::kCrossing;
       const bool near_crossing = crossing || (!map_.cuts.empty() && map_.cuts.back().crossing);
-      const double resolution = (near_crossing ? kCrossing : kResolution) * unit1_;
+      const double resolution = (near_crossing ? kCrossingResolution : kCutResolution) * unit1_;
       if (map_.cuts.empty() || place.u - map_.cuts.back().high > resolution) {
         map_.cuts.push_back({place.u, place.u, {}});
       }
@@ -149,12 +147,6 @@ const MapCut* MapCuts::cut_beside(int interval, bool forward) const {
 
 MapCuts cuts_of(const ContactPair& pair, const MapRange& range) {
   return CutFinder(pair, range).run();
-}
-
-double size_of_pair(const ContactPair& pair) {
-  return (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-         (pair.curve2.vertex_B - pair.motion2.p_BO).norm() + (pair.motion1.p_WO - pair.motion2.p_WO).norm() +
-         std::min(pair.curve1.semi_latus, pair.curve2.semi_latus) + std::numeric_limits<double>::min();
 }
 
 double difference_of_q(const ContactPair& pair, double size, double a, double b) {

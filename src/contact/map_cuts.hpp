@@ -38,9 +38,6 @@ struct MapCuts {
 
 [[nodiscard]] MapCuts cuts_of(const ContactPair& pair, const MapRange& range);
 
-/// What counts as one unit of a displacement [m].
-[[nodiscard]] double size_of_pair(const ContactPair& pair);
-
 /// Between two follower coordinates, in units: radians up to whole turns, or shares of the size.
 [[nodiscard]] double difference_of_q(const ContactPair& pair, double size, double a, double b);
 

@@ -1,19 +1,14 @@
 #include "map_network.hpp"
 
 #include "map_walk.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace higherpair {
 namespace {
 
-constexpr double kSameContact = 1e-6;
-// How near to a cut, in radians or sizes, it is looked where a branch ends: nearer until one end is nearest.
-constexpr std::array kNearEnd{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
-constexpr double kAtEnd = 0.02;   // from it in q and n: near enough to be sure
-constexpr double kSameEnd = 0.3;  // and to be accepted at all
 constexpr double kTurn = 2 * kPi;
 
 MapStatus status_of(ContactsStatus status) {
@@ -26,6 +21,7 @@ MapStatus status_of(ContactsStatus status) {
       return MapStatus::kTouchesNowhere;
     case ContactsStatus::kTangentAtInfinity:
       return MapStatus::kTangentAtInfinity;
+    case ContactsStatus::kUndecided:
     case ContactsStatus::kNoPair:
       break;
   }
@@ -84,8 +80,8 @@ private:
       const MapNode& node = network_.nodes[i];
       const ContactPosition& there = node.track.at;
       if (node.interval == interval && node.opposed == opposed &&
-          difference_of_q(pair_, network_.size, there.q, at.q) <= kSameContact &&
-          (there.n_W - at.n_W).norm() <= kSameContact) {
+          difference_of_q(pair_, network_.size, there.q, at.q) <= kSameMapContact &&
+          (there.n_W - at.n_W).norm() <= kSameMapContact) {
         return static_cast<int>(i);
       }
     }

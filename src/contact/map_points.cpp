@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/separation.hpp"
 #include "map_walk.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,30 +15,17 @@ bool is_free(const ContactPair& pair, bool opposed, const ContactPosition& at, d
   if (!opposed) {
     return false;
   }
-  const bool outside1 = pair.curve1.side == Side::kOutside;
-  const bool outside2 = pair.curve2.side == Side::kOutside;
-  const bool point = pair.curve1.kind == CurveKind::kPoint || pair.curve2.kind == CurveKind::kPoint;
-  if (point || (!outside1 && !outside2)) {
-    return true;
-  }
-  if ((outside1 && outside2) || !is_conic(pair.curve1) || !is_conic(pair.curve2)) {
-    return false;
+  if (const auto always = always_free(pair.curve1, pair.curve2)) {
+    return *always;
   }
   const double radii = std::abs(at.rho1) + std::abs(at.rho2);
   // One is convex, the other concave: κ1 + κ2 >= 0 iff (ρ1 + ρ2) ρ1 ρ2 >= 0.
-  if ((at.rho1 + at.rho2) * at.rho1 * at.rho2 < -1e-12 * radii * radii * radii) {
+  if ((at.rho1 + at.rho2) * at.rho1 * at.rho2 < -kFineGap * radii * radii * radii) {
     return false;
   }
   const Separation apart = separation(pair.curve1, pose_at(pair.motion1, at.u), pair.curve2,
                                       pose_at(pair.motion2, at.q), tolerance / 100);
   return apart.gap >= -tolerance;
-}
-
-double tolerance_of(const ContactPair& pair, const MapRange& range) {
-  const double size = (pair.curve1.vertex_B - pair.motion1.p_BO).norm() +
-                      (pair.curve2.vertex_B - pair.motion2.p_BO).norm() +
-                      std::min(pair.curve1.semi_latus, pair.curve2.semi_latus);
-  return range.tolerance * size;
 }
 
 std::optional<ContactTrack> track_of(const ContactPair& pair, const MapBranch& branch, const MapPoint& from) {
@@ -54,11 +42,8 @@ std::optional<ContactTrack> track_of(const ContactPair& pair, const MapBranch& b
 
 MapPoint point_of(const ContactPair& pair, const MapRange& range, bool opposed, const ContactPosition& at) {
   MapPoint point;
-  point.u = at.u;
-  point.q = at.q;
-  point.p_W = at.p1_W;
-  point.n_W = at.n_W;
-  point.free = is_free(pair, opposed, at, tolerance_of(pair, range));
+  static_cast<TangentPosition&>(point) = {at.u, at.q, at.p1_W, at.n_W};
+  point.free = is_free(pair, opposed, at, range.tolerance * size_of_pair(pair));
   return point;
 }
 

@@ -2,11 +2,14 @@
 
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/geometry/known_rotation.hpp"
+#include "higherpair/geometry/newton.hpp"
 #include "limit.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 
 #include <Eigen/QR>
 
@@ -14,8 +17,11 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxSteps = 60;
-constexpr double kMaxTurn = kPi / 36;  // of the driver in one inner step [rad]
-constexpr double kRankTolerance = 1e-9;
+constexpr double kMostSteps = 1e15;    // that a count of them can hold
+constexpr double kMaxTurn = kPi / 18;  // of the driver in one inner step [rad]
+constexpr double kSettled = 1e-8;      // of a step of Newton's: its square is rounding
+constexpr double kQuadratic = 1e-2;    // of a step to the one before, where steps square
+constexpr double kFullRank = 1e-4;     // determinant of the normal equations, of their trace squared
 
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
 
@@ -86,21 +92,40 @@ void add_instant_centre(const ContactPair& pair, const ContactPosition& at, Equa
   }
 }
 
-double angle_between(const Vector2d& from, const Vector2d& to) {
-  return std::atan2(cross(from, to), from.dot(to));
+// The least-squares solution of J x = -r; by the normal equations where their rank is not in doubt, else by a
+// decomposition that leaves alone what the conditions do not set.
+Eigen::Vector2d least_squares(const Jacobian& J, const Eigen::Vector3d& r) {
+  const double a = J.col(0).squaredNorm();
+  const double b = J.col(0).dot(J.col(1));
+  const double c = J.col(1).squaredNorm();
+  const double determinant = a * c - b * b;
+  if (determinant > kFullRank * (a + c) * (a + c)) {
+    const double x = -J.col(0).dot(r);
+    const double y = -J.col(1).dot(r);
+    return Eigen::Vector2d(c * x - b * y, a * y - b * x) / determinant;
+  }
+  Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition;
+  decomposition.setThreshold(kRollingRank);
+  decomposition.compute(J);
+  return decomposition.solve(-r);
 }
 
 // Gauss-Newton on the three conditions; false where a curve has no such point.
-RollingResult solve(RollingTrack& track, const std::function<void(double, Equations&)>& add_third) {
+template <class AddThird>
+RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   RollingResult result;
   ContactPosition& at = track.at;
-  double best = INFINITY;
-  for (int i = 0; i < kMaxSteps; ++i) {
+  const auto place = [&] {
     const Vector2d n_before = at.n_W;
-    if (!place_points(track.pair, at)) {
-      return result;
-    }
-    track.phi += angle_between(n_before, at.n_W);
+    const bool placed = place_points(track.pair, at);
+    track.phi += placed ? angle_between(n_before, at.n_W) : 0;
+    return placed;
+  };
+  if (!place()) {
+    return result;
+  }
+  double last = INFINITY;
+  for (int i = 0; i < kMaxSteps; ++i) {
     Equations equations = contact_equations(track.pair, at);
     add_third(track.phi, equations);
     // Columns of one unit: a turn of φ and q or a displacement moves points by lengths.
@@ -109,23 +134,29 @@ RollingResult solve(RollingTrack& track, const std::function<void(double, Equati
     if (!track.pair.motion2.turns) {
       J.col(0) *= size;
     }
-    Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition;
-    decomposition.setThreshold(kRankTolerance);
-    decomposition.compute(J);
-    const Eigen::Vector2d step = decomposition.solve(-equations.r / size);
+    const Eigen::Vector2d step = least_squares(J, equations.r / size);
     const double length = step.norm();
     result.mismatch = equations.r.cwiseAbs().maxCoeff();
-    if (length <= 1e-15 || (length < 1e-9 && length >= best / 2)) {
+    if (newton_has_settled(length, last, kNewtonQuadratic, 1e-15)) {
       result.converged = true;
       return result;
     }
-    best = length;
-    const double damping = std::min(1.0, 0.3 / length);
+    const double damping = std::min(1.0, kNewtonTurn / length);
     at.q += damping * step(0) * (track.pair.motion2.turns ? 1 : size);
     const double turn = is_line(track.pair.curve1) || is_line(track.pair.curve2) ? 0 : damping * step(1);
     at.n_W = Rotation<double>::from_angle(turn) * at.n_W;
     at.n_W.normalize();
     track.phi += turn;
+    if (!place()) {
+      return result;
+    }
+    if (length < kSettled && length < kQuadratic * last) {
+      // The next step would be of the size of rounding, and leave what the linear equations leave.
+      result.mismatch = (equations.r + size * (J * step)).cwiseAbs().maxCoeff();
+      result.converged = true;
+      return result;
+    }
+    last = length;
   }
   return result;
 }
@@ -134,28 +165,17 @@ RollingResult solve(RollingTrack& track, const std::function<void(double, Equati
 void add_rates(RollingTrack& track) {
   const ContactPair& pair = track.pair;
   ContactPosition& at = track.at;
-  const Vector2d p = (at.p1_W + at.p2_W) / 2;
+  const Vector2d p = at.p_W();
   const Vector2d v1 = velocity_per_q(pair.motion1, p);
   const Vector2d v2 = velocity_per_q(pair.motion2, p);
   at.gap_q = v2.dot(at.n_W);
   at.dq = v1.dot(v2) / v2.squaredNorm();
   at.sliding = (at.dq * v2 - v1).dot(perp(at.n_W));
-  const double omega1 = pair.motion1.turns ? 1 : 0;
-  const double omega2 = pair.motion2.turns ? at.dq : 0;
-  const double omega_r = omega2 - omega1;
-  // u1 = u2 = z ω_r, φ̇ = ω1 + w1 ω_r, with κ = 0 for a line.
-  double z = at.rho1 * at.rho2 / (at.rho1 + at.rho2);
-  double w1 = at.rho2 / (at.rho1 + at.rho2);
-  if (is_line(pair.curve2)) {
-    z = at.rho1;
-    w1 = 1;
-  }
-  if (is_line(pair.curve1)) {
-    z = at.rho2;
-    w1 = 0;
-  }
-  at.dphi = omega1 + w1 * omega_r;
-  const Vector2d relative = omega_r * z * omega_r * at.n_W;
+  const auto link = equivalent_link(is_line(pair.curve1), at.rho1, is_line(pair.curve2), at.rho2);
+  const ContactRates rates =
+      contact_rates(link, 0, pair.motion1.turns ? 1 : 0, pair.motion2.turns ? at.dq : 0);
+  at.dphi = rates.phi_dot;
+  const Vector2d relative = rates.normal_acceleration * at.n_W;
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
   const Vector2d a2 = at.dq * at.dq * acceleration_per_q(pair.motion2, p);
   at.d2q = (a1 + relative - a2).dot(v2) / v2.squaredNorm();
@@ -186,9 +206,11 @@ RollingResult roll_to(RollingTrack& track, double u) {
   result.converged = true;
   const double scale = track.pair.motion1.turns ? 1 : size_of(track.pair, track.at);
   const double from = track.at.u;
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(u - from) / (kMaxTurn * scale))));
-  for (int i = 1; i <= steps; ++i) {
-    const double to = i == steps ? u : from + (u - from) * i / steps;
+  const double parts = std::ceil(std::abs(u - from) / (kMaxTurn * scale));
+  const auto steps = static_cast<std::int64_t>(std::clamp(parts, 1.0, kMostSteps));
+  for (std::int64_t i = 1; i <= steps; ++i) {
+    const double to =
+        i == steps ? u : from + (u - from) * static_cast<double>(i) / static_cast<double>(steps);
     const double h = to - track.at.u;
     track.at.u = to;
     track.at.q += h * (track.at.dq + h / 2 * track.at.d2q);

@@ -3,19 +3,15 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/separation.hpp"
-#include "within_itself.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 
 #include <cmath>
 
 namespace higherpair {
-namespace {
-
-constexpr double kNotHeld = 1e-7;  // of its scale: a ∂gap/∂q that tells nothing
-
-}  // namespace
+namespace {}  // namespace
 
 bool moves_in_itself(const Curve& curve, const OneFreedom& motion) {
-  return motion.turns ? is_centered_at(curve, motion.p_BO, curve.semi_latus + motion.p_BO.norm())
+  return motion.turns ? is_centered_at(curve, motion.p_BO, size_of(curve) + motion.p_BO.norm())
                       : slides_along_itself(curve, motion.R_WB, motion.direction_W);
 }
 
@@ -36,14 +32,10 @@ std::optional<StandingContact> standing_contact(const ContactPair& pair, double 
   ContactPosition& at = standing.at;
   at.u = u;
   at.q = q;
-  at.n_W = touch->n_W;
-  at.p1_W = touch->p1_W;
-  at.p2_W = touch->p2_W;
-  at.rho1 = touch->rho1;
-  at.rho2 = touch->rho2;
+  static_cast<CommonNormal&>(at) = *touch;
   at.sliding = -velocity_per_q(motion1, at.p1_W).dot(perp(at.n_W));
   at.gap_q = at.n_W.dot(velocity_per_q(motion2, at.p2_W));
-  const bool held = at.gap_q * at.gap_q > kNotHeld * kNotHeld * gap_q_scale2(pair, at);
+  const bool held = !gap_q_may_vanish(pair, at);
   return held ? std::nullopt : std::optional(standing);
 }
 

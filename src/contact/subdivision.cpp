@@ -2,6 +2,7 @@
 
 #include "contact_equations.hpp"
 #include "possible_contacts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -17,8 +18,6 @@ using boost::numeric::subset;
 
 // A closed curve is asked at any angle; its boxes stay near one turn.
 constexpr double kAnyAngle = 100;
-// [rad] Below this normals have no more digits to be told apart by.
-constexpr double kLeastWidth = 4e-15;
 
 Interval any_angle() {
   return {-kAnyAngle, kAnyAngle};
@@ -79,6 +78,7 @@ struct Enumeration {
     const bool face1 = a.curve1.pieces()[i].kind == PieceKind::kFace;
     const bool face2 = a.curve2.pieces()[j].kind == PieceKind::kFace;
     CertifiedContact contact = positioned(a, place, !face1 && !face2);
+    contact.u = u;
     contact.opposed = a.sigma < 0;
     contact.piece1 = i;
     contact.piece2 = j;
@@ -273,9 +273,14 @@ SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double
 
 SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double u, double reach,
                                                  const SubdivisionOptions& options) {
-  const auto curve1 = make_support_curve(pair.curve1, reach);
-  const auto curve2 = make_support_curve(pair.curve2, reach);
-  return find_contacts_by_subdivision(SupportPair{*curve1, pair.motion1, *curve2, pair.motion2}, u, options);
+  const auto made = [&](const Curve& curve) {
+    return curve.support == nullptr ? make_support_curve(curve, reach) : nullptr;
+  };
+  const auto conic1 = made(pair.curve1);
+  const auto conic2 = made(pair.curve2);
+  const SupportPair curves{conic1 ? *conic1 : *pair.curve1.support, pair.motion1,
+                           conic2 ? *conic2 : *pair.curve2.support, pair.motion2};
+  return find_contacts_by_subdivision(curves, u, options);
 }
 
 std::string_view describe(SubdivisionStatus status) {

@@ -1,19 +1,13 @@
 #include "tangency.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "tolerances.hpp"
 
-#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace higherpair {
 namespace {
-
-// Points within this of both curves touch as far as doubles can tell, in units of the problem.
-constexpr double kTouching = 1e-13;
-// sine of the angle between the normals that rounding makes of a double root.
-constexpr double kAligned = 1e-5;
-// Farther apart than this, squared, two contacts are two without a closer look.
-constexpr double kClearlyApart = 1e-4;
 
 Coordinate advanced(const TangencyProblem& problem, const Coordinate& at, const Extended& step) {
   if (!problem.motion.turns) {
@@ -24,11 +18,18 @@ Coordinate advanced(const TangencyProblem& problem, const Coordinate& at, const 
   return at * (half * half) * inverse(Complex<Extended>{norm(half), Extended(0)});
 }
 
+using Column = std::array<Extended, 3>;
+using Columns = std::array<Column, 3>;
+
+Extended determinant(const Columns& J) {
+  const auto& [a, b, c] = J;
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
 // Newton's method for f1 = f2 = ∇f1 × ∇f2 = 0 in (w, q). Double roots gain nothing by it; the step is refused
 // if it leads away. \pre two conics
 void refine(const TangencyProblem& problem, Tangency& tangency) {
-  using Matrix = Eigen::Matrix<Extended, 3, 3>;
-  using Vector = Eigen::Matrix<Extended, 3, 1>;
   const Form<Extended>& first = problem.first;
   for (int i = 0; i < 8; ++i) {
     const Form<Extended> second = moved(problem, tangency.at);
@@ -42,29 +43,29 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     if (problem.motion.turns) {
       dG2_dq += Complex<Extended>{Extended(-G2.im), G2.re};
     }
-    Matrix J;
+    Columns J;
     for (int k = 0; k < 2; ++k) {
       const Complex<Extended> dw{Extended(k == 0 ? 1 : 0), Extended(k)};
-      J(0, k) = dot(G1, dw);
-      J(1, k) = dot(G2, dw);
-      J(2, k) = cross(hessian_times(first, dw), G2) + cross(G1, hessian_times(second, dw));
+      J[static_cast<std::size_t>(k)] = {
+          dot(G1, dw), dot(G2, dw),
+          cross(hessian_times(first, dw), G2) + cross(G1, hessian_times(second, dw))};
     }
-    J(0, 2) = 0;
-    J(1, 2) = -dot(G2, v);
-    J(2, 2) = cross(G1, dG2_dq);
-    const Vector r{value_at(first, w), value_at(second, w), cross(G1, G2)};
-    const Extended det = J.determinant();
+    J[2] = {Extended(0), -dot(G2, v), cross(G1, dG2_dq)};
+    const Column r{value_at(first, w), value_at(second, w), cross(G1, G2)};
+    const Extended det = determinant({J[0], J[1], J[2]});
     if (det == 0) {
       return;
     }
-    const Vector step = J.inverse() * r;
-    const double length = to_double(Extended(abs(step(0)) + abs(step(1)) + abs(step(2))));
+    // Cramer's rule: there are digits to spare.
+    const Column step{determinant({r, J[1], J[2]}) / det, determinant({J[0], r, J[2]}) / det,
+                      determinant({J[0], J[1], r}) / det};
+    const double length = to_double(abs(step[0]) + abs(step[1]) + abs(step[2]));
     if (!(length < 1e-4) || length < 1e-60) {
       return;
     }
     Tangency next = tangency;
-    next.w = w - Complex<Extended>{step(0), step(1)};
-    next.at = advanced(problem, tangency.at, Extended(-step(2)));
+    next.w = w - Complex<Extended>{step[0], step[1]};
+    next.at = advanced(problem, tangency.at, -step[2]);
     if (shape_at(problem, next).distance > shape_at(problem, tangency).distance) {
       return;
     }
@@ -116,21 +117,36 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
 bool touches(const TangencyProblem& problem, const Tangency& tangency) {
   const TangencyShape shape = shape_at(problem, tangency);
   const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
-  return reach <= kInfinity && shape.distance <= kTouching * reach && shape.misalignment <= kAligned;
+  return reach <= kInfinity && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
+}
+
+// The square of a size below 1e-50 is lost in the digits of the numbers here, and the curve is a point to
+// them. One of 1e-40 of the length is not, and moves no contact in the digits of a double.
+Curve resolvable(Curve curve, double length) {
+  constexpr double kSmallest = 1e-40;
+  if (is_conic(curve)) {
+    const double size = curve.q == 0 ? curve.semi_latus : std::max(semi_axes(curve)[0], semi_axes(curve)[1]);
+    curve.semi_latus *= std::max(1.0, kSmallest * length / size);
+  }
+  return curve;
 }
 
 }  // namespace
 
-TangencyProblem make_problem(const ContactPair& pair, double u) {
-  const PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, u));
+TangencyProblem make_problem(const ContactPair& given, double u) {
+  ContactPair pair = given;
   const OneFreedom& motion = pair.motion2;
   TangencyProblem problem;
   problem.origin_W = motion.p_WO;
   problem.motion.turns = motion.turns;
   problem.motion.direction = complex_of(motion.direction_W);
+  PlacedCurve<double> first = place(pair.curve1, pose_at(pair.motion1, u));
   double size = (pair.curve2.vertex_B - motion.p_BO).norm();
   size = std::max({size, (first.vertex_W - motion.p_WO).norm(), first.semi_latus, pair.curve2.semi_latus});
   problem.length = size > 0 ? std::exp2(std::ceil(std::log2(size))) : 1;
+  pair.curve1 = resolvable(pair.curve1, problem.length);
+  pair.curve2 = resolvable(pair.curve2, problem.length);
+  first.semi_latus = pair.curve1.semi_latus;
   const auto scaled = [&](const Complex<Extended>& v) { return Extended(1 / Extended(problem.length)) * v; };
   const Complex<Extended> origin = complex_of(motion.p_WO);
   problem.first = form_of(pair.curve1, scaled(complex_of(first.vertex_W) - origin), complex_of(first.axis_W),
@@ -225,7 +241,7 @@ DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at)
       whole += norm(scaled[i][j]) + norm(second.S[i][j]);
     }
   }
-  member.coincident = left <= kTouching * kTouching * whole;
+  member.coincident = left <= kOnCurve * kOnCurve * whole;
   return member;
 }
 
@@ -260,7 +276,7 @@ bool has_finite_point(const TangencyProblem& problem, const Coordinate& at) {
 
 std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a, const Tangency& b) {
   const double apart = to_double(norm(a.w - b.w) + norm(a.at - b.at));
-  if (!(apart < kClearlyApart)) {
+  if (!(apart < kTwoTangencies)) {
     return std::nullopt;
   }
   Tangency middle = a;

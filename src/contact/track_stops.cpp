@@ -3,6 +3,7 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "inner_step.hpp"
 #include "last_step.hpp"
 #include "limit.hpp"
@@ -28,11 +29,7 @@ bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& a
   if (!touch || !((touch->p2_W - touch->p1_W).norm() <= kClosed * (track.size + manhattan(touch->p1_W)))) {
     return false;
   }
-  at.n_W = touch->n_W;
-  at.p1_W = touch->p1_W;
-  at.p2_W = touch->p2_W;
-  at.rho1 = touch->rho1;
-  at.rho2 = touch->rho2;
+  static_cast<CommonNormal&>(at) = *touch;
   at.sliding =
       (at.dq * velocity_per_q(motion2, at.p1_W) - velocity_per_q(motion1, at.p1_W)).dot(perp(at.n_W));
   at.gap_q = at.n_W.dot(velocity_per_q(motion2, at.p2_W));
@@ -120,8 +117,8 @@ bool pass_crossing(ContactTrack& track, const LimitPosition& limit) {
 
 bool stop_at_limit(ContactTrack& track, double u, const LimitPosition& limit) {
   const auto& [curve1, motion1, curve2, motion2] = track.pair;
-  const Vector2d vertex1_W = pose_at(motion1, u) * curve1.vertex_B;
-  const double length = (pose_at(motion2, limit.q) * curve2.vertex_B - vertex1_W).norm();
+  const Vector2d vertex1_W = pose_at(motion1, u) * anchor(curve1);
+  const double length = (pose_at(motion2, limit.q) * anchor(curve2) - vertex1_W).norm();
   if (!(std::abs(limit.u - u) <= kAtLimit * ((motion1.turns ? 1 : length) + std::abs(u)))) {
     return false;
   }

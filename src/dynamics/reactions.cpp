@@ -1,6 +1,6 @@
 #include "higherpair/dynamics/reactions.hpp"
 
-#include "../analysis/step.hpp"
+#include "higherpair/analysis/unit_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,6 @@ InverseDynamics::InverseDynamics(const Run& run)
   reactions_.joints.resize(run.mechanism.joints.size());
   reactions_.contacts.resize(run.mechanism.contacts.size());
   reactions_.drivers.resize(run.mechanism.drivers.size());
-  unit_motions_.resize(run.mechanism.drivers.size());
 }
 
 const Reactions& InverseDynamics::solve(const Run& run) {
@@ -107,36 +106,10 @@ double InverseDynamics::power(const std::vector<BodyMotion>& bodies) const {
   return sum;
 }
 
-// With one driver the run itself holds the velocities for a unit rate. Several need a motion for each.
 void InverseDynamics::add_virtual_power(const Run& run) {
-  if (reactions_.drivers.size() == 1) {
-    reactions_.drivers.front().by_power = -power(run.state.bodies);
-    return;
-  }
   for (std::size_t i = 0; i < reactions_.drivers.size(); ++i) {
-    unit_ = run.state;
-    for (std::size_t k = 0; k < unit_motions_.size(); ++k) {
-      unit_motions_[k] = {run.drivers[k], k == i ? 1.0 : 0.0, 0};
-    }
-    set_rates(run, unit_motions_, unit_);
-    reactions_.drivers[i].by_power = -power(unit_.bodies);
+    reactions_.drivers[i].by_power = -power(unit_motion(run, i, unit_));
   }
-}
-
-std::optional<double> InverseDynamics::force_per_preload(const Run& run, std::size_t contact,
-                                                         const Preload& preload) {
-  if (!reactions_.defined) {
-    return std::nullopt;
-  }
-  clear(left_);
-  const auto index = static_cast<std::size_t>(preload.index);
-  if (preload.on == Preload::On::kSpring) {
-    add_tension(run.mechanism, run.mechanism.springs[index], 1, run.row.bodies, left_);
-  } else {
-    add_joint_effort(run.mechanism, run.mechanism.joints[index], 1, run.row.bodies, left_);
-  }
-  const std::size_t row = statics_.contact_row(contact);
-  return statics_.balance(left_) ? determined(row, 1) : std::nullopt;
 }
 
 }  // namespace higherpair

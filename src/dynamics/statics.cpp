@@ -1,9 +1,9 @@
 #include "higherpair/dynamics/statics.hpp"
 
+#include "numeric/least_norm.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/QR>
 
 namespace higherpair {
 namespace {
@@ -55,13 +55,10 @@ void Statics::append_rows_of(const Run& run, std::size_t g) {
   });
   for_each_index(group.drivers, driver_rows_, rows_, [&](std::size_t i) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
-    append_driver_row(mechanism, joint, 0, 0, 0, bodies, size_, rows_);
+    append_driver_row(mechanism, joint, 0, bodies, size_, rows_);
   });
   for (const int body : held_[g]) {
-    ConstraintRow hold;
-    hold.body = {0, body};
-    hold.coefficient[1].z() = size_;
-    rows_.push_back(hold);
+    rows_.push_back(angle_row(bodies, body, 0, size_));
   }
 }
 
@@ -179,11 +176,8 @@ void Statics::factorise(const Block& block, Factors<Matrix>& factors) const {
   Matrix A = Matrix::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t at = block.first_row + static_cast<std::size_t>(i);
-    for (std::size_t k = 0; k < columns_[at].size(); ++k) {
-      if (columns_[at][k] >= 0) {
-        A.template block<3, 1>(columns_[at][k], i) += scaled(rows_[at].coefficient[k], size_);
-      }
-    }
+    add_coefficients(
+        rows_[at], size_, [&](std::size_t k) { return columns_[at][k]; }, A.col(i));
   }
   factors.compute(A);
 }
@@ -235,18 +229,11 @@ void Statics::factorise_all() {
   }
   jacobian_.setZero(static_cast<Eigen::Index>(rows_.size()), columns);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    for (std::size_t k = 0; k < rows_[i].body.size(); ++k) {
-      const Eigen::Index body = rows_[i].body[k];
-      if (body > 0) {
-        jacobian_.block<1, 3>(static_cast<Eigen::Index>(i), 3 * (body - 1)) +=
-            scaled(rows_[i].coefficient[k], size_).transpose();
-      }
-    }
+    add_coefficients(
+        rows_[i], size_, [&](std::size_t k) { return 3 * (rows_[i].body[k] - 1); },
+        jacobian_.row(static_cast<Eigen::Index>(i)));
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(kRankTolerance);
-  decomposition.compute(jacobian_);
-  pseudoinverse_ = decomposition.pseudoInverse();
+  pseudoinverse_ = LeastNormSolver(jacobian_, kRankTolerance).pseudoinverse();
   // J J⁺ projects on the multipliers that hold some load; what it leaves of a unit multiplier is free.
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);

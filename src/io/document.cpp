@@ -1,12 +1,16 @@
 #include "document.hpp"
 
 #include "names.hpp"
+#include "syntax_help.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+
+// Of what the parser reports as an error it first asserts that it is none: `[` at the end of a line.
+#define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
 
 namespace higherpair::io_detail {
@@ -109,7 +113,7 @@ std::string_view shortened(std::string_view text) {
   return text.substr(0, length);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   const std::string_view head = shortened(text);
   return fmt::format("\"{}{}\"", visible(head), head.size() < text.size() ? "…" : "");
 }
@@ -123,15 +127,6 @@ std::string items_text(const Array& items) {
     text += (i == 0 ? "" : ", ") + text_of(items[i]);
   }
   return text + "]";
-}
-
-// A message of the parser quotes what it saw, line ends included.
-std::string on_one_line(std::string_view message) {
-  std::string text;
-  for (const char c : message) {
-    text += c == '\n' ? "\\n" : c == '\r' ? "\\r" : std::string(1, c);
-  }
-  return text;
 }
 
 }  // namespace
@@ -149,7 +144,7 @@ std::string_view kind_of(const Value& value) {
 }
 
 std::string text_of(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value.content)) return quoted(*text);
+  if (const auto* text = std::get_if<std::string>(&value.content)) return in_quotes(*text);
   if (const auto* integer = std::get_if<std::int64_t>(&value.content)) return fmt::format("{}", *integer);
   if (const auto* number = std::get_if<double>(&value.content)) return fmt::format("{}", *number);
   if (const auto* flag = std::get_if<bool>(&value.content)) return *flag ? "true" : "false";
@@ -158,16 +153,24 @@ std::string text_of(const Value& value) {
 }
 
 tl::expected<Value, Diagnostic> parse_document(std::string_view text, const std::string& source_name) {
+  const auto mistake = [&](const TextMistake& found) {
+    return tl::unexpected(Diagnostic{{source_name, found.mark.line, found.mark.column}, found.message});
+  };
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  if (const auto found = encoding_mistake(text)) {
+    return mistake(*found);
+  }
   if (const auto mark = find_too_deep_key(text)) {
-    return tl::unexpected(Diagnostic{{source_name, mark->line, mark->column},
-                                     "this key has too many dotted parts to be one of a profile"});
+    return mistake({*mark, "this key has too many dotted parts to be one of a profile"});
   }
   const auto table = parse_toml(text);
   if (!table) {
     const toml::source_position place = table.error().source().begin;
-    return tl::unexpected(
-        Diagnostic{{source_name, static_cast<int>(place.line), static_cast<int>(place.column)},
-                   on_one_line(table.error().description())});
+    return mistake(explain_syntax(text, {0, static_cast<int>(place.line), static_cast<int>(place.column)},
+                                  table.error().description()));
   }
   return convert(*table, 0);
 }

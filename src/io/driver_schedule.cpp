@@ -1,11 +1,12 @@
 #include "higherpair/io/driver_schedule.hpp"
 
 #include "double_double.hpp"
+#include "numeric/decimal.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -44,24 +45,20 @@ DoubleDouble power_of_ten(int exponent) {
 
 // The shortest decimal number that is read as x > 0, less x.
 double rest_of_decimal(double x) {
-  char text[32];
-  const char* end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
+  const std::string text = shortest_digits(x);
+  const std::size_t e = std::min(text.find('e'), text.size());
   std::int64_t digits = 0;
   int exponent = 0;
-  const char* at = text;
   bool fraction = false;
-  for (; *at != 'e'; ++at) {
-    if (*at == '.') {
+  for (const char c : std::string_view(text).substr(0, e)) {
+    if (c == '.') {
       fraction = true;
     } else {
-      digits = 10 * digits + (*at - '0');
+      digits = 10 * digits + (c - '0');
       exponent -= fraction ? 1 : 0;
     }
   }
-  int power = 0;
-  const bool negative = at[1] == '-';
-  std::from_chars(at + 2, end, power);
-  exponent += negative ? -power : power;
+  exponent += e == text.size() ? 0 : std::atoi(text.c_str() + e + 1);
   const auto high = static_cast<double>(digits);
   const DoubleDouble mantissa = {high, static_cast<double>(digits - static_cast<std::int64_t>(high))};
   const DoubleDouble scale = power_of_ten(std::abs(exponent));
@@ -268,6 +265,11 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& pr
     }
   }
   return schedule;
+}
+
+bool DriverSchedule::is_listed() const {
+  return !timed_ && std::any_of(drivers_.begin(), drivers_.end(),
+                                [](const OneDriver& driver) { return !driver.positions.empty(); });
 }
 
 double DriverSchedule::time(std::int64_t row) const {

@@ -1,12 +1,15 @@
+#include "higherpair/io/suggestion.hpp"
 #include "higherpair/io/units.hpp"
 #include "names.hpp"
-#include "suggestion.hpp"
+#include "numeric/decimal.hpp"
 #include "unit_table.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,6 +36,26 @@ std::vector<std::string> all_unit_names() {
     names.emplace_back(name_of(static_cast<Unit>(i)));
   }
   return names;
+}
+
+// Signs that units are written with elsewhere.
+constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"},
+                                                                    {"µ", "um for micrometres"},
+                                                                    {"μ", "um for micrometres"},
+                                                                    {"·", "* or a space"},
+                                                                    {"×", "* or a space"},
+                                                                    {"²", "^2"},
+                                                                    {"³", "^3"},
+                                                                    {"⁻", "^-1"}};
+
+// "Nm": two units without anything between them; empty if it is no such thing.
+std::string with_space(std::string_view name) {
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    if (find_unit(name.substr(0, i)) && find_unit(name.substr(i))) {
+      return fmt::format("did you mean `{} {}`?", name.substr(0, i), name.substr(i));
+    }
+  }
+  return "";
 }
 
 // Takes the factors of "kg m^2/s" one by one from the front of its text.
@@ -69,6 +92,11 @@ private:
   Step take_factor() {
     const std::string_view name = take_name();
     if (name.empty()) {
+      for (const auto& [sign, spelled] : kSigns) {
+        if (rest_.starts_with(sign)) {
+          return Error(fmt::format("has the sign {}: write {}", sign, spelled));
+        }
+      }
       return Error(rest_.empty() ? std::string("ends where a unit is expected")
                                  : fmt::format("has `{}` where a unit is expected", rest_));
     }
@@ -115,7 +143,9 @@ private:
     }
     const auto unit = find_unit(name);
     if (!unit) {
-      return Error(fmt::format("{} is no unit ({})", name, io_detail::suggestion(name, all_unit_names())));
+      const std::string parts = with_space(name);
+      return Error(fmt::format("{} is no unit ({})", name,
+                               parts.empty() ? suggestion(name, all_unit_names()) : parts));
     }
     product_ = times_power(product_, *unit, power);
     return {};
@@ -141,7 +171,7 @@ tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
     }
   }
   double number = 0;
-  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const auto [end, status] = read_decimal(digits.data(), digits.data() + digits.size(), number);
   if (status == std::errc::result_out_of_range) {
     return Error("has a number out of the range of a double");
   }
@@ -151,7 +181,11 @@ tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
   if (!std::isfinite(number)) {
     return Error("must be a finite number");
   }
-  return NumberAndRest{number, digits.substr(static_cast<std::size_t>(end - digits.data()))};
+  const std::string_view rest = digits.substr(static_cast<std::size_t>(end - digits.data()));
+  if (rest.size() > 1 && rest[0] == ',' && std::isdigit(static_cast<unsigned char>(rest[1])) != 0) {
+    return Error("has a comma: decimals are written with a point");
+  }
+  return NumberAndRest{number, rest};
 }
 
 std::string example(const Dimension& expected, const Units& units) {

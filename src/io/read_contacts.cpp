@@ -1,8 +1,7 @@
+#include "higherpair/geometry/curve_queries.hpp"
 #include "reading.hpp"
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <string_view>
 
 namespace higherpair::io_detail {
@@ -12,21 +11,15 @@ constexpr std::array<Approach, 3> kApproaches = {Approach::kNearest, Approach::k
                                                  Approach::kNegative};
 
 bool is_concave(const Curve& curve) {
-  return curve.side == Side::kOutside;
-}
-
-// Of a conic: at its flattest place, the end of an ellipse's minor axis; parabolas and hyperbolas end flat.
-double largest_radius(const Curve& curve) {
-  return curve.q > 0 ? curve.semi_latus / std::pow(curve.q, 1.5) : std::numeric_limits<double>::infinity();
+  return radius_bounds(curve).high < 0;
 }
 
 // Why two curves can nowhere touch without overlapping; empty if they can. Near a contact the bodies are
-// apart only if the sum of their curvatures is not negative. The sharpest place of a conic is a vertex on the
-// focal axis, radius `semi_latus`.
+// apart only if the sum of their curvatures is not negative.
 std::string_view why_no_contact(const Curve& a, const Curve& b) {
-  if (a.kind == b.kind && !is_conic(a)) {
-    return a.kind == CurveKind::kLine ? "two lines cannot make a contact"
-                                      : "two points cannot make a contact (join them by a revolute joint)";
+  if (a.kind == b.kind && !is_curved(a)) {
+    return is_line(a) ? "two lines cannot make a contact"
+                      : "two points cannot make a contact (join them by a revolute joint)";
   }
   if (is_concave(a) && is_concave(b)) {
     return "two concave curves (side = \"outside\") cannot make a contact";
@@ -36,10 +29,10 @@ std::string_view why_no_contact(const Curve& a, const Curve& b) {
   }
   const Curve& hollow = is_concave(a) ? a : b;
   const Curve& other = is_concave(a) ? b : a;
-  if (other.kind == CurveKind::kLine) {
+  if (is_line(other)) {
     return "a line cannot touch a concave curve (side = \"outside\")";
   }
-  if (other.semi_latus > largest_radius(hollow)) {
+  if (radius_bounds(other).low + radius_bounds(hollow).low > 0) {
     return "the convex curve is nowhere sharp enough to fit into the concave one (side = \"outside\")";
   }
   return "";

@@ -97,8 +97,8 @@ void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& jo
   const bool turns = joint.type == JointType::kRevolute;
   const Dimension position = turns ? dimension::kAngle : dimension::kLength;
   const Dimension velocity = position / dimension::kTime;
-  const auto start = read_number(table, "start", {position});
-  program.start = start ? *start : PoseCoordinate(mechanism, units).of(joint);
+  program.start =
+      read_number(table, "start", {position}).value_or(PoseCoordinate(mechanism, units).of(joint));
   program.end = read_number(table, "end", {position});
   read_positions(table, position, program);
   program.velocity = read_number(table, "velocity", {velocity}).value_or(default_velocity(turns, units));
@@ -162,8 +162,8 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
   }
   if (!one && !several) {
     reading.mistakes.push_back(
-        {root.mark(),
-         "driver is missing: add a table [driver] with joint = \"...\", the joint that is driven"});
+        {root.mark(), fmt::format("driver is missing: add a table {}, the joint that is driven",
+                                  "[driver] with joint = \"...\"")});
   }
   if (one) {
     if (const Table* table = as_table(reading, *one, "a table")) {
@@ -179,3 +179,15 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
 }
 
 }  // namespace higherpair::io_detail
+
+namespace higherpair {
+
+DriverProgram default_program(const Mechanism& mechanism, const Driver& driver, const Units& units) {
+  const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+  DriverProgram program;
+  program.start = io_detail::PoseCoordinate(mechanism, units).of(joint);
+  program.velocity = io_detail::default_velocity(joint.type == JointType::kRevolute, units);
+  return program;
+}
+
+}  // namespace higherpair

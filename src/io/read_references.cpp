@@ -1,5 +1,5 @@
+#include "higherpair/io/suggestion.hpp"
 #include "reading.hpp"
-#include "suggestion.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,4 @@
 #include "reading.hpp"
-#include "suggestion.hpp"
 
 #include <array>
 

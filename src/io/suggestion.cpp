@@ -1,4 +1,4 @@
-#include "suggestion.hpp"
+#include "higherpair/io/suggestion.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace higherpair::io_detail {
+namespace higherpair {
 namespace {
 
 constexpr std::size_t kMostSuggestions = 3;
@@ -30,7 +30,8 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   std::vector<Candidate> candidates;
   for (const std::string& candidate : existing) {
     const int distance = edit_distance(name, candidate);
-    if (is_near(distance, name) || (name.size() == 1 && distance <= 1)) {
+    const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a point is missing behind it
+    if (is_near(distance, name) || run_on || (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});
     }
   }
@@ -40,6 +41,151 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   for (std::size_t i = 0; i < std::min(candidates.size(), kMostSuggestions); ++i) {
     names.push_back(fmt::format("`{}`", candidates[i].name));
   }
+  return names;
+}
+
+// A word of the profile format, and what else textbooks and other programs call it.
+struct Synonyms {
+  std::string_view word;
+  std::string_view others;  // separated by spaces, in small letters, parts of a word joined by _
+};
+
+constexpr Synonyms kSynonyms[] = {
+    // Tables.
+    {"bodies", "links link members member elements body parts"},
+    {"joints", "pairs pair lower_pairs constraints connections"},
+    {"contacts", "higher_pairs higher_pair cams gears"},
+    {"driver", "motor motion actuator input drive motors"},
+    {"units", "unit_system"},
+    {"title", "name label"},
+    {"description", "comment comments notes text"},
+    {"gravity", "g"},
+    {"loads", "forces external_forces"},
+    {"springs", "dampers"},
+    {"ground", "frame base fixed fixed_link earth world chassis global absolute"},
+    // Bodies.
+    {"pose", "position placement location guess initial"},
+    {"points", "pins nodes"},
+    {"curves", "curve profile profiles shape shapes contour geometry"},
+    {"mass", "weight m"},
+    {"center_of_mass", "com cog cg center_of_gravity centre_of_mass centre_of_gravity centroid"},
+    {"inertia", "moment_of_inertia mass_moment_of_inertia moi j i izz"},
+    {"angle", "theta phi rotation orientation rot"},
+    // Curves.
+    {"conic", "quadric general implicit"},
+    {"circle", "disc disk roller round ring hole"},
+    {"ellipse", "oval"},
+    {"line", "flat face plane straight flat_face"},
+    {"point", "knife knife_edge edge tip corner"},
+    {"center", "centre position origin middle"},
+    {"radius", "r rad diameter d dia"},
+    {"semi_axes", "a b axes semiaxes semi_axis radii half_axes major minor"},
+    {"rotation", "angle theta phi tilt orientation rot"},
+    {"vertex", "apex"},
+    {"focal_length", "focus f focal focal_distance p parameter"},
+    {"normal", "n outward direction"},
+    {"point", "through origin position"},
+    {"at", "position point location center xy"},
+    {"coefficients", "coeffs equation"},
+    {"near", "branch"},
+    {"inside", "in inner interior convex solid"},
+    {"outside", "out outer exterior concave hole hollow"},
+    // Joints and contacts.
+    {"revolute", "pin hinge pivot rotary rotational rotation turning pinned bearing"},
+    {"prismatic", "slider slide sliding translational translation linear piston guide"},
+    {"slot", "pin_in_slot pin_slot pinslot slotted half_joint"},
+    {"gears", "gear gear_pair gearing"},
+    {"belt", "chain pulley pulleys toothed_belt belt_drive"},
+    {"type", "kind joint_type"},
+    {"between", "bodies connects points links curves pair connect"},
+    {"direction", "axis dir along"},
+    {"ratio", "i gear_ratio transmission"},
+    {"rolling", "roll no_slip noslip"},
+    {"nearest", "closest"},
+    {"+", "plus positive"},
+    {"-", "minus negative"},
+    // Drivers.
+    {"joint", "input crank"},
+    {"start", "from begin first initial start_angle"},
+    {"end", "to stop final last end_angle"},
+    {"samples", "step steps n rows count increment resolution"},
+    {"positions", "angles values"},
+    {"velocity", "speed omega rpm rate angular_velocity"},
+    {"acceleration", "alpha acc accel angular_acceleration"},
+    {"duration", "time t_end end_time total_time t"},
+    {"time_step", "step dt timestep delta_t"},
+    // Loads and springs.
+    {"torque", "moment"},
+    {"body", "local moving on"},
+    {"stiffness", "k c rate constant spring_constant spring_rate"},
+    {"damping", "d damper viscous damping_constant"},
+    {"free_length", "preload l0 length rest_length natural_length unstretched_length"},
+    {"free_angle", "preload rest_angle natural_angle"},
+    // Commands and options.
+    {"analyze", "run simulate motion kinematics positions"},
+    {"step", "time simulate dynamics"},
+    {"forces", "force statics dynamics kinetostatics"},
+    {"branches", "assemblies solutions"},
+    {"mobility", "dof freedom grashof"},
+    {"verify", "check test validate"},
+    {"csv", "output out o"},
+    {"json", "output out o"},
+    {"samples", "rows n"},
+    {"set", "define d override param parameter"},
+    {"quiet", "q silent"},
+    {"tolerance", "eps epsilon tol"},
+    // Units.
+    {"m", "meter meters metre metres"},
+    {"mm", "millimeter millimeters millimetre millimetres"},
+    {"cm", "centimeter centimeters centimetre centimetres"},
+    {"um", "micron microns micrometer micrometre"},
+    {"km", "kilometer kilometre"},
+    {"in", "inch inches"},
+    {"ft", "foot feet"},
+    {"deg", "degree degrees grad"},
+    {"rad", "radian radians"},
+    {"rev", "turn turns revolution revolutions u"},
+    {"rpm", "upm rev_per_min"},
+    {"kg", "kilogram kilograms kilo"},
+    {"g", "gram grams"},
+    {"lb", "pound pounds lbs lbm"},
+    {"s", "sec second seconds"},
+    {"ms", "millisecond milliseconds msec"},
+    {"min", "minute minutes"},
+    {"N", "newton newtons"},
+    {"kN", "kilonewton kilonewtons"},
+    {"lbf", "pound_force"},
+};
+
+std::string normal_word(std::string_view name) {
+  std::string word(name);
+  for (char& c : word) {
+    c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return word;
+}
+
+bool is_among(std::string_view word, std::string_view words) {
+  while (!words.empty()) {
+    const std::string_view next = words.substr(0, words.find(' '));
+    if (next == word) return true;
+    words.remove_prefix(std::min(words.size(), next.size() + 1));
+  }
+  return false;
+}
+
+// The existing names of which `name` is a synonym.
+std::vector<std::string> meant(std::string_view name, const std::vector<std::string>& existing) {
+  const std::string word = normal_word(name);
+  std::vector<std::string> names;
+  for (const Synonyms& synonyms : kSynonyms) {
+    if (is_among(word, synonyms.others) &&
+        std::find(existing.begin(), existing.end(), synonyms.word) != existing.end()) {
+      names.push_back(fmt::format("`{}`", synonyms.word));
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 
@@ -71,13 +217,21 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing) {
+  std::vector<std::string> names = meant(name, existing);
+  if (names.empty()) {
+    names = nearest(name, existing);
+  }
+  return names.empty() ? "" : fmt::format("did you mean {}?", fmt::join(names, " or "));
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string>& existing) {
   if (existing.empty()) {
     return "there is none";
   }
-  const std::vector<std::string> names = nearest(name, existing);
-  if (!names.empty()) {
-    return fmt::format("did you mean {}?", fmt::join(names, " or "));
+  const std::string likely = did_you_mean(name, existing);
+  if (!likely.empty()) {
+    return likely;
   }
   const auto listed = std::min(existing.size(), kMostListed);
   return fmt::format(
@@ -86,4 +240,4 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ex
       listed < existing.size() ? ", …" : "");
 }
 
-}  // namespace higherpair::io_detail
+}  // namespace higherpair

@@ -1,11 +1,12 @@
 #include "table_reader.hpp"
 
+#include "higherpair/io/suggestion.hpp"
 #include "names.hpp"
-#include "suggestion.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include <fmt/format.h>
@@ -24,8 +25,35 @@ bool is_top_level(std::string_view key) {
   return std::find(kTopLevelKeys.begin(), kTopLevelKeys.end(), key) != kTopLevelKeys.end();
 }
 
-void report_kind(Reading& reading, const Item& item, std::string_view what) {
-  report(reading, item, fmt::format("expected {}, found {}", what, kind_of(*item.value)));
+// [30,5, 2] in place of [30.5, 2].
+bool may_be_decimal_commas(const Array& items, std::size_t count) {
+  const auto is_whole = [](const Value& item) { return std::holds_alternative<std::int64_t>(item.content); };
+  const auto is_zero = [](const Value& item) {
+    const auto* number = std::get_if<std::int64_t>(&item.content);
+    return number != nullptr && *number == 0;
+  };
+  return items.size() > count && items.size() <= 2 * count &&
+         std::all_of(items.begin(), items.end(), is_whole) &&
+         !std::all_of(items.begin(), items.end(), is_zero);
+}
+
+// Whether a text would be right without its quotes: one of `words`, or a number.
+bool is_quoted_needlessly(const Item& item, std::initializer_list<std::string_view> words) {
+  const auto* text = std::get_if<std::string>(&item.value->content);
+  if (text == nullptr) {
+    return false;
+  }
+  const Value bare = parse_override_value(*text, 0);
+  const bool is_number =
+      std::holds_alternative<std::int64_t>(bare.content) || std::holds_alternative<double>(bare.content);
+  return words.size() == 0 ? is_number : std::find(words.begin(), words.end(), *text) != words.end();
+}
+
+void report_kind(Reading& reading, const Item& item, std::string_view what,
+                 std::initializer_list<std::string_view> words = {}) {
+  report(reading, item,
+         fmt::format("expected {}, found {}{}", what, kind_of(*item.value),
+                     is_quoted_needlessly(item, words) ? ": leave the quotes out" : ""));
 }
 
 std::string what_number(const Dimension& dimension, const Units& units) {
@@ -107,7 +135,10 @@ void report(Reading& reading, const Item& item, std::string_view rule) {
 
 const Table* as_table(Reading& reading, const Item& item, std::string_view what) {
   const auto* table = std::get_if<Table>(&item.value->content);
-  if (table == nullptr) {
+  const auto* items = std::get_if<Array>(&item.value->content);
+  if (items != nullptr && !items->empty() && std::holds_alternative<Table>(items->front().content)) {
+    report(reading, item, fmt::format("a heading has one pair of brackets: [{}]", item.path));
+  } else if (table == nullptr) {
     report_kind(reading, item, what);
   }
   return table;
@@ -125,7 +156,7 @@ std::optional<bool> as_flag(Reading& reading, const Item& item) {
   if (const auto* flag = std::get_if<bool>(&item.value->content)) {
     return *flag;
   }
-  report_kind(reading, item, "true or false");
+  report_kind(reading, item, "true or false", {"true", "false"});
   return std::nullopt;
 }
 
@@ -170,7 +201,11 @@ std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item,
     return std::nullopt;
   }
   if (count != 0 && items->size() != count) {
-    report(reading, item, fmt::format("expected {}, found {}", what, items->size()));
+    report(
+        reading, item,
+        fmt::format(
+            "expected {}, found {}{}", what, items->size(),
+            may_be_decimal_commas(*items, count) ? ": decimals are written with a point, not a comma" : ""));
     return std::nullopt;
   }
   std::vector<Quantity> list;
@@ -217,7 +252,10 @@ std::optional<std::size_t> as_choice(Reading& reading, const Item& item,
   }
   const auto choice = std::find(choices.begin(), choices.end(), *text);
   if (choice == choices.end()) {
-    report(reading, item, fmt::format("expected one of {}", fmt::join(choices, ", ")));
+    const std::string likely = did_you_mean(*text, choices);
+    report(
+        reading, item,
+        fmt::format("expected one of {}{}{}", fmt::join(choices, ", "), likely.empty() ? "" : "; ", likely));
     return std::nullopt;
   }
   return static_cast<std::size_t>(choice - choices.begin());
@@ -240,8 +278,9 @@ std::optional<Item> TableReader::need(const std::string& key, std::string_view w
 }
 
 void TableReader::refuse(const std::string& key, std::string_view reason) {
-  if (const auto item = take(key)) {
-    report(*reading_, *item, reason);
+  if (const Value* value = find(*table_, key)) {
+    report(*reading_, {value, path_of(key)}, reason);
+    refused_.push_back(key);
   }
 }
 
@@ -274,16 +313,23 @@ bool TableReader::flag(const std::string& key, bool otherwise) {
 }
 
 void TableReader::finish() const {
+  const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   for (const Entry& entry : *table_) {
-    if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) {
+    if (!has(known_, entry.key) && !has(refused_, entry.key)) {
       report_unknown(entry);
     }
   }
 }
 
 void TableReader::report_unknown(const Entry& entry) const {
+  const bool repeated = path_ == entry.key || path_.ends_with("." + entry.key);
   const bool move_up = !path_.empty() && is_top_level(entry.key);
-  const std::string remedy = move_up ? std::string(kMoveUp) : suggestion(entry.key, known_);
+  const std::string remedy =
+      repeated  ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path_, entry.key)
+      : move_up ? std::string(kMoveUp)
+                : suggestion(entry.key, known_);
   reading_->mistakes.push_back(
       {entry.key_mark, fmt::format("{}: unknown key; {}", path_of(entry.key), remedy)});
 }

@@ -107,7 +107,8 @@ private:
   const Table* table_;
   Mark mark_;
   std::string path_;
-  std::vector<std::string> known_;
+  std::vector<std::string> known_;    ///< keys that were asked for
+  std::vector<std::string> refused_;  ///< keys that are present and must not be
 };
 
 /// Calls `read` for every entry of a table of named things (bodies, points, joints, …) whose name is a name.

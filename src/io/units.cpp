@@ -150,12 +150,37 @@ Scaling scaling(const UnitProduct& from, const UnitProduct& to) {
 
 }  // namespace io_detail
 
+namespace {
+
+// Far from where parts of numbers and their products leave the range of a double.
+bool is_splittable(double value) {
+  return std::abs(value) > 0x1p-400 && std::abs(value) < 0x1p400;
+}
+
+// ab - product, exactly, by Dekker's splitting into halves of 26 bits: std::fma is a call where the processor
+// that is compiled for has none.
+double error_of_product(double a, double b, double product) {
+  const auto upper_half = [](double x) {
+    const double shifted = 0x1.0000002p27 * x;
+    return shifted - (shifted - x);
+  };
+  const double a_high = upper_half(a);
+  const double b_high = upper_half(b);
+  const double a_low = a - a_high;
+  const double b_low = b - b_high;
+  return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+}  // namespace
+
 double Scaling::apply(double value) const {
   const double product = value * high_;
-  if (!std::isfinite(product)) {
+  if (low_ == 0 || !std::isfinite(product)) {
     return product;
   }
-  return product + std::fma(value, low_, std::fma(value, high_, -product));
+  const double error = is_splittable(value) && is_splittable(high_) ? error_of_product(value, high_, product)
+                                                                    : std::fma(value, high_, -product);
+  return product + (value * low_ + error);
 }
 
 Scaling to_si(const Dimension& dimension, const Units& units) {

@@ -1,7 +1,7 @@
 #include "higherpair/mechanism/constraint_rows.hpp"
 
 #include "higherpair/contact/details.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
 
 namespace higherpair {
 namespace {
@@ -10,72 +10,47 @@ const BodyMotion& at(const std::vector<BodyMotion>& bodies, int index) {
   return bodies[static_cast<std::size_t>(index)];
 }
 
-// A point of a body as it stands: the arm from the frame's origin and what the body's turning contributes.
-struct Arm {
-  Vector2d r_W;
-  Vector2d p_W;
-  Vector2d v_W;
-  Vector2d centripetal_W;  // acceleration for a = 0, α = 0
-};
-
-Arm arm_to(const BodyMotion& body, const Vector2d& p_W) {
-  const Vector2d r_W = p_W - body.X_WB.p_WB;
-  return {r_W, p_W, body.v_WB + body.omega * perp(r_W), -body.omega * body.omega * r_W};
+template <int N>
+BodyAt<Partials<double, N>> variable(const std::vector<BodyMotion>& bodies, int index, std::size_t first) {
+  const BodyMotion& body = at(bodies, index);
+  return variable<N>(BodyAt<double>{body.X_WB, body.theta}, first);
 }
 
-Arm arm_to_point(const Mechanism& mechanism, const PointRef& ref, const std::vector<BodyMotion>& bodies) {
-  const BodyMotion& body = at(bodies, ref.body);
-  const Vector2d r_W = body.X_WB.R_WB * point_of(mechanism, ref);
-  return {r_W, body.X_WB.p_WB + r_W, body.v_WB + body.omega * perp(r_W), -body.omega * body.omega * r_W};
-}
-
-// Coefficients of direction·(velocity of the point at the arm).
-Eigen::Vector3d along(const Vector2d& direction_W, const Arm& arm) {
-  return {direction_W.x(), direction_W.y(), direction_W.dot(perp(arm.r_W))};
-}
-
-// direction·(p_B - p_A) for a direction that turns with body A. \param shift  subtracted from the value
-ConstraintRow moving_row(const Joint& joint, const Vector2d& direction_W, const Arm& A, const Arm& B,
-                         const BodyMotion& first) {
-  const Vector2d r = B.p_W - A.p_W;
-  const Vector2d across = perp(direction_W);
+template <int N>
+ConstraintRow row_of(const Partials<double, N>& value, const std::array<int, 3>& bodies) {
   ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body, 0};
-  row.coefficient[0] = -along(direction_W, A);
-  row.coefficient[0].z() += r.dot(across);
-  row.coefficient[1] = along(direction_W, B);
-  row.value = r.dot(direction_W);
-  row.gamma = (B.centripetal_W - A.centripetal_W).dot(direction_W) +
-              2 * first.omega * (B.v_W - A.v_W).dot(across) - first.omega * first.omega * r.dot(direction_W);
+  row.body = bodies;
+  row.value = value.c[0];
+  for (std::size_t k = 0; 3 * k + 3 <= N; ++k) {
+    row.coefficient[k] = {value.c[3 * k + 1], value.c[3 * k + 2], value.c[3 * k + 3]};
+  }
   return row;
 }
 
-// The conditions of a pin, along x and along y.
-void append_pin_rows(const Joint& joint, const Arm& A, const Arm& B, std::vector<ConstraintRow>& rows) {
-  const Vector2d apart = B.p_W - A.p_W;
-  const Vector2d gamma = B.centripetal_W - A.centripetal_W;
+// Coefficients of direction·(velocity of the body's material point at p).
+Eigen::Vector3d along(const Vector2d& direction_W, const BodyMotion& body, const Vector2d& p_W) {
+  return {direction_W.x(), direction_W.y(), direction_W.dot(perp(Vector2d(p_W - body.X_WB.p_WB)))};
+}
+
+// What joint_conditions gives for a pin, in a third of the time: most joints are pins, and every row of a run
+// with forces needs them.
+void append_pin_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
+                     std::vector<ConstraintRow>& rows) {
+  const BodyMotion& first = at(bodies, joint.first.body);
+  const BodyMotion& second = at(bodies, joint.second.body);
+  const Vector2d a = first.X_WB.R_WB * point_of(mechanism, joint.first);
+  const Vector2d b = second.X_WB.R_WB * point_of(mechanism, joint.second);
+  const Vector2d apart = second.X_WB.p_WB + b - (first.X_WB.p_WB + a);
   ConstraintRow& along_x = rows.emplace_back();
   along_x.body = {joint.first.body, joint.second.body, 0};
-  along_x.coefficient[0] = {-1, 0, A.r_W.y()};
-  along_x.coefficient[1] = {1, 0, -B.r_W.y()};
+  along_x.coefficient[0] = {-1, 0, a.y()};
+  along_x.coefficient[1] = {1, 0, -b.y()};
   along_x.value = apart.x();
-  along_x.gamma = gamma.x();
   ConstraintRow& along_y = rows.emplace_back();
   along_y.body = {joint.first.body, joint.second.body, 0};
-  along_y.coefficient[0] = {0, -1, -A.r_W.x()};
-  along_y.coefficient[1] = {0, 1, B.r_W.x()};
+  along_y.coefficient[0] = {0, -1, -a.x()};
+  along_y.coefficient[1] = {0, 1, b.x()};
   along_y.value = apart.y();
-  along_y.gamma = gamma.y();
-}
-
-ConstraintRow angle_row(const Joint& joint, const std::vector<BodyMotion>& bodies, double angle,
-                        double size) {
-  ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body, 0};
-  row.coefficient[0].z() = -size;
-  row.coefficient[1].z() = size;
-  row.value = size * (at(bodies, joint.second.body).theta - at(bodies, joint.first.body).theta - angle);
-  return row;
 }
 
 }  // namespace
@@ -91,86 +66,75 @@ double arc_difference(const Mechanism& mechanism, const Contact& contact, const 
 }
 
 int row_count(const Joint& joint) {
-  return joint.type == JointType::kRevolute || joint.type == JointType::kPrismatic ? 2 : 1;
+  return condition_count(joint.type);
 }
 
 int row_count(const Contact& contact) {
   return contact.rolling ? 2 : 1;
 }
 
-ConstraintRow gear_row(const Joint& joint, const std::vector<BodyMotion>& bodies, double size) {
-  ConstraintRow row;
-  row.body = {joint.first.body, joint.second.body, joint.carrier};
-  const double k = joint.turning_ratio;
-  row.coefficient[0].z() = -k * size;
-  row.coefficient[1].z() = size;
-  row.coefficient[2].z() = (k - 1) * size;
-  const double carrier = at(bodies, joint.carrier).theta;
-  row.value = size * ((at(bodies, joint.second.body).theta - carrier) -
-                      k * (at(bodies, joint.first.body).theta - carrier) - joint.relative_angle);
-  return row;
-}
-
 void append_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                  double size, std::vector<ConstraintRow>& rows) {
-  if (couples_turning(joint.type)) {
-    rows.push_back(gear_row(joint, bodies, size));
-    return;
-  }
-  const Arm A = arm_to_point(mechanism, joint.first, bodies);
-  const Arm B = arm_to_point(mechanism, joint.second, bodies);
   if (joint.type == JointType::kRevolute) {
-    append_pin_rows(joint, A, B, rows);
+    append_pin_rows(mechanism, joint, bodies, rows);
     return;
   }
-  const BodyMotion& first = at(bodies, joint.first.body);
-  rows.push_back(moving_row(joint, perp(Vector2d(first.X_WB.R_WB * joint.direction_A)), A, B, first));
-  if (joint.type == JointType::kPrismatic) {
-    rows.push_back(angle_row(joint, bodies, joint.relative_angle, size));
-    // The angles of the poses may be whole turns apart.
-    rows.back().value = size * nearest_turn(rows.back().value / size, 0);
+  const JointDimensions<double> of = joint_dimensions(mechanism, joint);
+  const auto append = [&](const auto& values, int carrier) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(values.count); ++i) {
+      rows.push_back(row_of(values.value[i], {joint.first.body, joint.second.body, carrier}));
+    }
+  };
+  if (couples_turning(joint.type)) {
+    append(joint_conditions(of, variable<9>(bodies, joint.first.body, 1),
+                            variable<9>(bodies, joint.second.body, 4), variable<9>(bodies, joint.carrier, 7),
+                            size),
+           joint.carrier);
+  } else {
+    const auto first = variable<6>(bodies, joint.first.body, 1);
+    append(joint_conditions(of, first, variable<6>(bodies, joint.second.body, 4), first, size), 0);
   }
 }
 
 void append_rows(const Mechanism& mechanism, const Contact& contact, const ContactMotion& motion,
                  const std::vector<BodyMotion>& bodies, std::vector<ConstraintRow>& rows) {
   const CommonNormal& touch = motion.at;
-  const Arm first = arm_to(at(bodies, contact.first.body), touch.p1_W);
-  const Arm second = arm_to(at(bodies, contact.second.body), touch.p2_W);
-  const auto row_along = [&](const Vector2d& direction_W, double value, double relative_acceleration) {
-    ConstraintRow row;
+  const auto append_along = [&](const Vector2d& direction_W, double value) {
+    ConstraintRow& row = rows.emplace_back();
     row.body = {contact.first.body, contact.second.body, 0};
-    row.coefficient[0] = -along(direction_W, first);
-    row.coefficient[1] = along(direction_W, second);
+    row.coefficient[0] = -along(direction_W, at(bodies, contact.first.body), touch.p1_W);
+    row.coefficient[1] = along(direction_W, at(bodies, contact.second.body), touch.p2_W);
     row.value = value;
-    row.gamma = (second.centripetal_W - first.centripetal_W).dot(direction_W) - relative_acceleration;
-    return row;
   };
-  rows.push_back(row_along(touch.n_W, touch.gap(), motion.rates.normal_acceleration));
+  append_along(touch.n_W, touch.gap());
   if (contact.rolling) {
-    // The material points at a contact that rolls have no relative acceleration along t.
-    const double difference = arc_difference(mechanism, contact, motion, bodies);
-    rows.push_back(row_along(perp(touch.n_W), difference - motion.arc_difference, 0));
+    append_along(perp(touch.n_W), arc_difference(mechanism, contact, motion, bodies) - motion.arc_difference);
   }
 }
 
-void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position, double velocity,
-                       double acceleration, const std::vector<BodyMotion>& bodies, double size,
-                       std::vector<ConstraintRow>& rows) {
-  ConstraintRow row;
-  if (joint.type == JointType::kRevolute) {
-    row = angle_row(joint, bodies, position, size);
-    row.rate = size * velocity;
-    row.gamma = -size * acceleration;
-  } else {
-    const BodyMotion& first = at(bodies, joint.first.body);
-    row = moving_row(joint, first.X_WB.R_WB * joint.direction_A, arm_to_point(mechanism, joint.first, bodies),
-                     arm_to_point(mechanism, joint.second, bodies), first);
-    row.value -= position;
-    row.rate = velocity;
-    row.gamma -= acceleration;
+void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position,
+                       const std::vector<BodyMotion>& bodies, double size, std::vector<ConstraintRow>& rows) {
+  if (has_angle(joint.type)) {
+    const double off = at(bodies, joint.second.body).theta - at(bodies, joint.first.body).theta - position;
+    ConstraintRow& row = rows.emplace_back();
+    row.body = {joint.first.body, joint.second.body, 0};
+    row.coefficient[0].z() = -size;
+    row.coefficient[1].z() = size;
+    row.value = size * off;
+    return;
   }
-  rows.push_back(row);
+  rows.push_back(
+      row_of(driver_condition(joint_dimensions(mechanism, joint), variable<6>(bodies, joint.first.body, 1),
+                              variable<6>(bodies, joint.second.body, 4), Partials<double, 6>(position), size),
+             {joint.first.body, joint.second.body, 0}));
+}
+
+ConstraintRow angle_row(const std::vector<BodyMotion>& bodies, int body, double held, double size) {
+  ConstraintRow row;
+  row.body[1] = body;
+  row.coefficient[1].z() = size;
+  row.value = size * (at(bodies, body).theta - held);
+  return row;
 }
 
 }  // namespace higherpair

@@ -1,19 +1,18 @@
 #include "free_assembly.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "numeric/least_norm.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-
 namespace higherpair {
 namespace {
 
-constexpr int kMaxSteps = 80;
-constexpr double kMaxStep = 0.3;   // of an angle [rad], or of the size
+constexpr int kNewtonTurns = 80;
 constexpr double kClosed = 1e-10;  // largest closure error of the size
 constexpr double kRankTolerance = 1e-10;
 
@@ -23,15 +22,8 @@ LinearConditions linear(const SizedMechanism& sized, const std::vector<Constrain
   for (Eigen::Index i = 0; i < n; ++i) {
     const ConstraintRow& row = rows[static_cast<std::size_t>(i)];
     conditions.values(i) = row.value;
-    for (std::size_t k = 0; k < row.body.size(); ++k) {
-      if (row.body[k] == 0) {
-        continue;
-      }
-      const Eigen::Index column = column_of(row.body[k]);
-      conditions.J(i, column) += row.coefficient[k].x();
-      conditions.J(i, column + 1) += row.coefficient[k].y();
-      conditions.J(i, column + 2) += row.coefficient[k].z() / sized.size;
-    }
+    add_coefficients(
+        row, sized.size, [&](std::size_t k) { return column_of(row.body[k]); }, conditions.J.row(i));
   }
   return conditions;
 }
@@ -40,8 +32,8 @@ void append_driver_rows(const SizedMechanism& sized, const std::vector<double>& 
                         const MechanismPosition& at, std::vector<ConstraintRow>& rows) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto joint = static_cast<std::size_t>(sized.mechanism.drivers[i].joint);
-    append_driver_row(sized.mechanism, sized.mechanism.joints[joint], positions[i], 0, 0, at.bodies,
-                      sized.size, rows);
+    append_driver_row(sized.mechanism, sized.mechanism.joints[joint], positions[i], at.bodies, sized.size,
+                      rows);
   }
 }
 
@@ -129,7 +121,7 @@ Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition
 std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
                                                MechanismPosition position) {
   double last = INFINITY;
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kNewtonTurns; ++i) {
     if (!place_contacts(sized.mechanism, position)) {
       return std::nullopt;
     }
@@ -137,20 +129,17 @@ std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, cons
     if (conditions.values.size() == 0) {
       return position;
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(kRankTolerance);
-    solver.compute(conditions.J);
-    Eigen::VectorXd step = solver.solve(-conditions.values);
+    Eigen::VectorXd step = LeastNormSolver(conditions.J, kRankTolerance).solve(-conditions.values);
     if (!step.allFinite()) {
       return std::nullopt;
     }
     const double length = step.size() == 0 ? 0 : step.cwiseAbs().maxCoeff() / sized.size;
-    if (length < 1e-14 || (length < 1e-9 && length >= last / 2)) {
+    if (newton_has_settled(length, last, kNewtonQuadratic, 1e-14)) {
       const double error = conditions.values.cwiseAbs().maxCoeff();
       return error <= kClosed * sized.size ? std::optional(std::move(position)) : std::nullopt;
     }
     last = length;
-    step *= std::min(1.0, kMaxStep / length);
+    step *= std::min(1.0, kNewtonTurn / length);
     add_step(sized, step, position);
   }
   return std::nullopt;

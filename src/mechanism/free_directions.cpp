@@ -1,10 +1,11 @@
 #include "free_directions.hpp"
 
+#include "numeric/product.hpp"
+#include "numeric/singular_values.hpp"
+
 #include <algorithm>
 #include <random>
 #include <vector>
-
-#include <Eigen/SVD>
 
 namespace higherpair {
 namespace {
@@ -55,13 +56,12 @@ NullSpaces null_spaces(const Eigen::MatrixXd& J, double floor) {
   if (J.rows() == 0 || J.cols() == 0) {
     return {0, Eigen::MatrixXd::Identity(J.cols(), J.cols()), Eigen::MatrixXd::Identity(J.rows(), J.rows())};
   }
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  const SingularValues svd = singular_values(J);
   int rank = 0;
-  while (rank < values.size() && values(rank) > floor * std::max(1.0, values(0))) {
+  while (rank < svd.values.size() && svd.values(rank) > floor * std::max(1.0, svd.values(0))) {
     ++rank;
   }
-  return {rank, svd.matrixV().rightCols(J.cols() - rank), svd.matrixU().rightCols(J.rows() - rank)};
+  return {rank, svd.V.rightCols(J.cols() - rank), svd.U.rightCols(J.rows() - rank)};
 }
 
 Moves explore(const SizedMechanism& sized, const MechanismPosition& start) {
@@ -95,12 +95,12 @@ Moves explore(const SizedMechanism& sized, const MechanismPosition& start) {
       moves.at_best = std::move(there);
     }
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(reached, Eigen::ComputeThinU);
+  const SingularValues svd = singular_values(reached);
   Eigen::Index real = 0;
-  while (real < svd.singularValues().size() && svd.singularValues()(real) > kLeadsAway) {
+  while (real < svd.values.size() && svd.values(real) > kLeadsAway) {
     ++real;
   }
-  moves.real = basis * svd.matrixU().leftCols(real);
+  moves.real = product(basis, svd.U.leftCols(real));
   return moves;
 }
 

@@ -2,15 +2,16 @@
 
 #include "free_assembly.hpp"
 #include "free_directions.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "numeric/least_norm.hpp"
+#include "numeric/product.hpp"
 #include "redundancy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include <Eigen/QR>
 
 namespace higherpair {
 namespace {
@@ -24,19 +25,6 @@ struct Freedom {
   double floor = kMoves;
 };
 
-int rank_of(const Eigen::MatrixXd& matrix, double floor) {
-  if (matrix.rows() == 0 || matrix.cols() == 0) {
-    return 0;
-  }
-  // Directions are unit vectors, and rows have coefficients of the order of 1.
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
-  if (qr.maxPivot() <= floor) {
-    return 0;
-  }
-  qr.setThreshold(floor / qr.maxPivot());
-  return static_cast<int>(qr.rank());
-}
-
 Eigen::MatrixXd without_rows(const Eigen::MatrixXd& matrix, Eigen::Index begin, Eigen::Index count) {
   Eigen::MatrixXd rest(matrix.rows() - count, matrix.cols());
   rest << matrix.topRows(begin), matrix.bottomRows(matrix.rows() - begin - count);
@@ -44,10 +32,8 @@ Eigen::MatrixXd without_rows(const Eigen::MatrixXd& matrix, Eigen::Index begin, 
 }
 
 bool is_round_about(const Curve& curve, const Vector2d& p_B, double size) {
-  if (curve.kind == CurveKind::kCircle) {
-    return (center(curve) - p_B).norm() <= 1e-7 * size;
-  }
-  return curve.kind == CurveKind::kPoint && (curve.vertex_B - p_B).norm() <= 1e-7 * size;
+  const auto middle = round_center(curve);
+  return middle && (*middle - p_B).norm() <= 1e-7 * size;
 }
 
 // Whether turning a body about a point of it changes nothing: all that holds it is round about that point.
@@ -83,7 +69,7 @@ std::optional<Eigen::Vector3d> motion_alone(const Freedom& freedom, int body) {
   if (others.right.cols() != 1) {
     return std::nullopt;
   }
-  return Eigen::Vector3d(freedom.directions.middleRows(row, 3) * others.right);
+  return Eigen::Vector3d(freedom.directions.middleRows(row, 3) * others.right.col(0));
 }
 
 std::vector<IdleFreedom> idle_freedoms(const SizedMechanism& sized, const Freedom& freedom,
@@ -111,7 +97,8 @@ std::vector<IdleFreedom> idle_freedoms(const SizedMechanism& sized, const Freedo
   return idle;
 }
 
-// Drivers in their order; one is useless if those before it fix its joint already.
+// Drivers in their order; one is useless if those before it fix its joint already. Directions are unit
+// vectors and rows have coefficients of the order of 1, so that the floor is absolute.
 std::vector<int> useless_drivers(const Eigen::MatrixXd& rates, double floor) {
   std::vector<int> useless;
   Eigen::MatrixXd kept(0, rates.cols());
@@ -137,7 +124,7 @@ std::vector<int> moving_joints(const SizedMechanism& sized, const Freedom& freed
       probe.drivers.push_back({"", static_cast<int>(i)});
     }
   }
-  const Eigen::MatrixXd rates = driver_rows({probe, sized.size}, position) * freedom.directions;
+  const Eigen::MatrixXd rates = product(driver_rows({probe, sized.size}, position), freedom.directions);
   std::vector<int> joints;
   for (Eigen::Index i = 0; i < rates.rows(); ++i) {
     if (rates.row(i).norm() > freedom.floor) {
@@ -155,9 +142,9 @@ bool is_idle(const Mobility& mobility, int body) {
 // What moves with all drivers held.
 void judge_drivers(const SizedMechanism& sized, const Freedom& all, const MechanismPosition& position,
                    Mobility& mobility) {
-  const Eigen::MatrixXd rates = driver_rows(sized, position) * all.directions;
+  const Eigen::MatrixXd rates = product(driver_rows(sized, position), all.directions);
   mobility.useless_drivers = useless_drivers(rates, all.floor);
-  const Freedom left{all.directions * null_spaces(rates, all.floor).right, all.floor};
+  const Freedom left{product(all.directions, null_spaces(rates, all.floor).right), all.floor};
   mobility.idle = idle_freedoms(sized, left, position, mobility.start);
   mobility.missing_drivers =
       static_cast<int>(left.directions.cols()) - static_cast<int>(mobility.idle.size());
@@ -192,10 +179,7 @@ std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const Mobilit
     rates(conditions.J.rows() + i) =
         (question.velocities.empty() ? 1 : question.velocities[driver]) * (turns ? sized.size : 1);
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kRankFloor);
-  solver.compute(J);
-  const Eigen::VectorXd solved = solver.solve(rates);
+  const Eigen::VectorXd solved = LeastNormSolver(J, kRankFloor).solve(rates);
   // A driver at its dead point moves nothing.
   if (!((J * solved - rates).norm() <= 1e-6 * rates.norm())) {
     return {};

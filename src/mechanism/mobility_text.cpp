@@ -1,5 +1,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
+#include "higherpair/mechanism/group_traits.hpp"
+
 #include <algorithm>
 #include <string_view>
 
@@ -227,8 +229,8 @@ std::optional<std::string> driver_objection(const Mechanism& mechanism, const Mo
 std::optional<std::string> surplus_objection(const Mechanism& mechanism, const Plan& plan,
                                              const std::vector<double>& drivers) {
   const bool rolls = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const Group& group) {
-    const auto* pair = std::get_if<TrackedPair>(&group.kind);
-    return pair != nullptr && mechanism.contacts[static_cast<std::size_t>(pair->contact)].rolling;
+    const auto placing = placing_contact(group);
+    return placing && mechanism.contacts[static_cast<std::size_t>(placing->contact)].rolling;
   });
   return plan.surplus == 0 || rolls ? std::nullopt : driver_objection(mechanism, drivers);
 }

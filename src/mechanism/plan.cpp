@@ -1,5 +1,7 @@
 #include "higherpair/mechanism/plan.hpp"
 
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "recognise.hpp"
@@ -14,9 +16,11 @@
 namespace higherpair {
 namespace {
 
-// Of the largest coordinate: points as near as this to each other coincide. Their distance is the rounding of
-// their coordinates, and no length to measure the mechanism by.
-constexpr double kCoincident = 1e-9;
+// Points coincide that are nearer to each other than this fraction of their coordinates: the rounding of the
+// coordinates alone, 1e-16 of them, would be more than the default tolerance, 1e-9 of the distance.
+constexpr double kCoincident = 1e-7;
+
+constexpr double kLeastSize = 1e-12;  // [m], a hundredth of an atom: what is smaller is rounding
 
 using HullPoint = boost::geometry::model::d2::point_xy<double>;
 
@@ -88,14 +92,17 @@ double size_of(const Mechanism& mechanism) {
   for (const Contact& contact : mechanism.contacts) {
     for (const CurveRef& ref : {contact.first, contact.second}) {
       const Curve& curve = curve_of(mechanism, ref);
-      add(ref.body, curve.vertex_B);
-      if (is_conic(curve) && curve.q > 0) {
-        add(ref.body, center(curve));
+      add(ref.body, anchor(curve));
+      if (const auto middle = middle_of(curve)) {
+        add(ref.body, *middle);
       }
     }
   }
   const double size = largest_distance(points);
-  return size > kCoincident * largest ? size : 1;
+  if (size > kCoincident * largest && size > kLeastSize) {
+    return size;
+  }
+  return largest > kLeastSize ? largest : 1;
 }
 
 namespace {
@@ -118,6 +125,21 @@ std::vector<int> phase_bodies(const Mechanism& mechanism) {
   return bodies;
 }
 
+// What depends on the dimensions: the groups, one for each set, and the size.
+void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>& sets) {
+  for (const BodySet& set : sets) {
+    plan.groups.push_back(recognise(mechanism, set, plan.groups));
+  }
+  plan.size = size_of(mechanism);
+  plan.couples = std::any_of(plan.groups.begin(), plan.groups.end(),
+                             [](const Group& group) { return traits_of(group).coupled; });
+  for (Group& group : plan.groups) {
+    if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
+      dyad->size = plan.size;
+    }
+  }
+}
+
 }  // namespace
 
 tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
@@ -134,21 +156,23 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   if (!missing.empty()) {
     return tl::unexpected(too_loose(mechanism, missing));
   }
-  for (const BodySet& set : structure.sets) {
-    plan.groups.push_back(recognise(mechanism, set, plan.groups));
-  }
   plan.surplus = structure.surplus;
   plan.phase_bodies = phase_bodies(mechanism);
-  plan.size = size_of(mechanism);
-  plan.couples = std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
-    return std::holds_alternative<CoupledBodies>(group.kind);
-  });
-  for (Group& group : plan.groups) {
-    if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
-      dyad->size = plan.size;
-    }
-  }
+  fill_in(plan, mechanism, structure.sets);
   return plan;
+}
+
+Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
+  Plan other;
+  other.idle_bodies = plan.idle_bodies;
+  other.phase_bodies = plan.phase_bodies;
+  other.surplus = plan.surplus;
+  std::vector<BodySet> sets;
+  for (const Group& group : plan.groups) {
+    sets.push_back({group.bodies, group.joints, group.contacts, group.drivers});
+  }
+  fill_in(other, mechanism, sets);
+  return other;
 }
 
 }  // namespace higherpair

@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
+#include "numeric/product.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +145,7 @@ std::vector<Redundancy> find_redundancies(const SizedMechanism& sized, const Mec
   const Mechanism& mechanism = sized.mechanism;
   const std::vector<int> owners = owners_of_rows(mechanism);
   const auto count = static_cast<int>(mechanism.joints.size() + mechanism.contacts.size());
-  const Eigen::MatrixXd projector = left * left.transpose();
+  const Eigen::MatrixXd projector = product(left, left.transpose());
   std::vector<int> parent(static_cast<std::size_t>(count));
   std::iota(parent.begin(), parent.end(), 0);
   std::vector<double> weight(static_cast<std::size_t>(count), 0);

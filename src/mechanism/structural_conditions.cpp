@@ -1,5 +1,6 @@
 #include "structural_conditions.hpp"
 
+#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -141,10 +142,8 @@ private:
 
   // A circle about its body's reference pin, or a knife edge there, does not see the body's turning.
   void enter_curve(Condition& condition, const CurveRef& ref) const {
-    const Curve& curve = curve_of(mechanism_, ref);
-    const bool round = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kPoint;
-    const Vector2d middle = curve.kind == CurveKind::kCircle ? center(curve) : curve.vertex_B;
-    if (round && reference_[static_cast<std::size_t>(ref.body)] && is_reference(ref.body, middle)) {
+    const auto middle = round_center(curve_of(mechanism_, ref));
+    if (middle && reference_[static_cast<std::size_t>(ref.body)] && is_reference(ref.body, *middle)) {
       enter(condition, ref.body, {Coordinate::kX, Coordinate::kY});
     } else {
       enter_all(condition, ref.body);

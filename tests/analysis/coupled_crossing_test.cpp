@@ -7,7 +7,7 @@
 namespace higherpair {
 namespace {
 
-using testing::Motion;
+using testing::RunTable;
 using testing::Settings;
 
 // A change-point four-bar 30-80-50-100 driven by its coupler against its crank: three bodies move at once.
@@ -34,7 +34,7 @@ start = -50
 end = 310
 )";
 
-Motion run_with(int samples, const char* rocker) {
+RunTable run_with(int samples, const char* rocker) {
   return testing::analyze(testing::profile_of(
       kDrivenAtTheMovingPin,
       {fmt::format("driver.samples={}", samples), fmt::format("bodies.rocker.points.B.0={}", rocker)}));
@@ -55,7 +55,7 @@ double crank_angle(double driver, double rocker, double side) {
 TEST(CoupledCrossings, ArePassedStraightOnWhateverTheRows) {
   for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
     SCOPED_TRACE(samples);
-    const Motion motion = run_with(samples, "50");
+    const RunTable motion = run_with(samples, "50");
     ASSERT_EQ(motion.failure(), "");
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double driver = motion.radians(k, "driver");
@@ -83,7 +83,7 @@ TEST(CoupledCrossings, AreStartedAt) {
   for (const int samples : {3, 5, 361}) {
     for (const int pose : {180, 175}) {
       SCOPED_TRACE(fmt::format("{} rows, crank posed at {}", samples, pose));
-      const Motion motion = testing::analyze(testing::profile_of(
+      const RunTable motion = testing::analyze(testing::profile_of(
           kDrivenAtTheMovingPin,
           {"driver.start=180", "driver.end=540", fmt::format("driver.samples={}", samples),
            fmt::format("bodies.crank.pose.angle={}", pose), "bodies.rod.pose={x=-30,y=0,angle=360}",
@@ -105,7 +105,7 @@ TEST(CoupledCrossings, BranchesThatNearlyCrossAreKeptApart) {
   for (const char* rocker : {"50.00001", "50.0000001", "50.0000000001"}) {
     for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
       SCOPED_TRACE(fmt::format("{} {}", rocker, samples));
-      const Motion motion = run_with(samples, rocker);
+      const RunTable motion = run_with(samples, rocker);
       ASSERT_EQ(motion.failure(), "");
       EXPECT_EQ(motion.count(RowStatus::kOk), motion.size());
       for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -125,7 +125,7 @@ TEST(CoupledCrossings, ALimitIsFoundWhateverTheRowsAndTheBranchComesBackWithTheD
   const double limit = std::acos((nearest * nearest - 900 - 6400) / 4800);
   for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
     SCOPED_TRACE(samples);
-    const Motion motion = run_with(samples, "49.99999");
+    const RunTable motion = run_with(samples, "49.99999");
     ASSERT_EQ(motion.failure(), "");
     std::vector<double> limits;
     for (const RunEvent& event : motion.events()) {
@@ -139,7 +139,7 @@ TEST(CoupledCrossings, ALimitIsFoundWhateverTheRowsAndTheBranchComesBackWithTheD
     }
   }
   const std::vector<double> positions{-50, 170, 300, 100, 179, 181, 310, 179.9, 181, -300};
-  const Motion motion = testing::analyze(testing::profile_of(
+  const RunTable motion = testing::analyze(testing::profile_of(
       kDrivenAtTheMovingPin, {"bodies.rocker.points.B.0=49.99999",
                               fmt::format("driver.positions=[{}]", fmt::join(positions, ","))}));
   ASSERT_EQ(motion.size(), positions.size()) << motion.failure();

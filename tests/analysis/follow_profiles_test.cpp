@@ -2,6 +2,7 @@
 // the start, contacts in chains, bodies that contacts alone hold. Where it lies does not depend on the rows.
 #include "analysis/reference_follower.hpp"
 #include "analysis/run_testing.hpp"
+#include "higherpair/io/driver_schedule.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,9 @@ std::string objection(const Profile& profile, const Followed& wanted, std::int64
   const DriverSchedule schedule = DriverSchedule::analyze(profile, rows).value();
   const double first = schedule.state(0).profile.position;
   const double range = schedule.state(rows - 1).profile.position - first;
-  const Motion motion = motion_of(profile, schedule, false);
+  RunSettings settings;
+  settings.samples = rows;
+  const RunTable motion(profile, settings);
   if (!motion.failure().empty()) return motion.failure();
   const auto found = std::find_if(motion.events().begin(), motion.events().end(), [](const RunEvent& event) {
     return event.type == EventType::kLimitPosition;

@@ -206,9 +206,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
   const auto expect_alike = [](const std::string& name, testing::Settings settings, const char* column) {
     settings.emplace_back("driver.samples=5");
-    const testing::Motion few = testing::analyze(testing::shipped(name, settings));
+    const testing::RunTable few = testing::analyze(testing::shipped(name, settings));
     settings.back() = "driver.samples=361";
-    const testing::Motion many = testing::analyze(testing::shipped(name, settings));
+    const testing::RunTable many = testing::analyze(testing::shipped(name, settings));
     ASSERT_EQ(few.size(), 5U);
     ASSERT_EQ(many.size(), 361U);
     std::size_t lost = 0;

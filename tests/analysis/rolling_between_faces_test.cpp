@@ -7,7 +7,7 @@
 namespace higherpair {
 namespace {
 
-using testing::Motion;
+using testing::RunTable;
 
 // A planet between a driven sun and a ring that stands, without an arm to carry it: both contacts keep it at
 // the same distance from the centre, so that one condition repeats another.
@@ -36,7 +36,7 @@ samples = 13
 class PlanetBetweenFaces : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(PlanetBetweenFaces, GoesRoundWithAQuarterOfTheSunsSpeed) {
-  const Motion motion = testing::analyze(testing::profile_of(kPlanet, {GetParam()}));
+  const RunTable motion = testing::analyze(testing::profile_of(kPlanet, {GetParam()}));
   ASSERT_EQ(motion.count(RowStatus::kOk), 13U) << motion.failure();
   const double start = std::arg(motion.vector(0, "planet.A."));
   for (std::size_t k = 0; k < motion.size(); ++k) {

@@ -1,17 +1,13 @@
 #pragma once
 
-#include "higherpair/analysis/run.hpp"
-#include "higherpair/io/driver_schedule.hpp"
-#include "higherpair/io/motion_table.hpp"
+#include "higherpair/higherpair.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <map>
+#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,16 +18,29 @@ using Complex = std::complex<double>;
 using Settings = std::vector<std::string>;
 
 /// What a run gives, as its table shows it: in the profile's units, NaN for an empty field.
-class Motion {
+class RunTable {
 public:
-  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  RunTable(const Profile& profile, const RunSettings& settings) {
+    auto model = Model::from(profile.mechanism, profile.units, profile.programs);
+    auto motion = model ? model->run(settings) : tl::unexpected(model.error());
+    if (!motion) {
+      failure_ = motion.error().diagnostics.front().message;
+      return;
+    }
+    motion_ = *std::move(motion);
+    for (const Event& event : motion_->events()) {
+      events_.push_back({event.type, event.driver_si, 0, event.joint, event.contact, event.cause});
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return motion_ ? motion_->size() : 0; }
   [[nodiscard]] double value(std::size_t row, const std::string& column) const {
-    const auto found = columns_.find(column);
-    if (found == columns_.end()) {
-      ADD_FAILURE() << "no column " << column;
+    const auto values = motion_->find_column(column);
+    if (!values) {
+      ADD_FAILURE() << to_string(values.error());
       return NAN;
     }
-    return rows_[row][found->second];
+    return (*values)[row];
   }
   /// An angle or its rates, from degrees.
   [[nodiscard]] double radians(std::size_t row, const std::string& column) const {
@@ -41,65 +50,29 @@ public:
   [[nodiscard]] Complex vector(std::size_t row, const std::string& name) const {
     return {value(row, name + "x"), value(row, name + "y")};
   }
-  [[nodiscard]] const std::vector<double>& row(std::size_t row) const { return rows_[row]; }
   [[nodiscard]] const std::vector<RunEvent>& events() const { return events_; }
   [[nodiscard]] const std::string& failure() const { return failure_; }
   [[nodiscard]] std::size_t count(RowStatus status) const {
-    return static_cast<std::size_t>(std::count(statuses_.begin(), statuses_.end(), status));
+    return motion_ ? static_cast<std::size_t>(
+                         std::count(motion_->statuses().begin(), motion_->statuses().end(), status))
+                   : 0;
   }
-  [[nodiscard]] RowStatus status(std::size_t row) const { return statuses_[row]; }
-
-  friend Motion motion_of(const Profile& profile, const DriverSchedule& schedule, bool timed);
+  [[nodiscard]] RowStatus status(std::size_t row) const { return motion_->statuses()[row]; }
 
 private:
-  std::map<std::string, std::size_t> columns_;
-  std::vector<std::vector<double>> rows_;
-  std::vector<RowStatus> statuses_;
-  std::vector<RunEvent> events_;
-  std::string failure_;  ///< why it could not be started
+  std::optional<higherpair::Motion> motion_;
+  std::vector<RunEvent> events_;  ///< their drivers in SI units
+  std::string failure_;           ///< why it could not be started
 };
 
-inline Motion motion_of(const Profile& profile, const DriverSchedule& schedule, bool timed) {
-  Motion motion;
-  std::vector<DriverState> states(schedule.driver_count());
-  std::vector<DriverMotion> drivers(schedule.driver_count());
-  const auto read = [&](std::int64_t k) {
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      states[i] = schedule.state(k, i);
-      drivers[i] = {states[i].si.position, states[i].si.velocity, states[i].si.acceleration};
-    }
-  };
-  read(0);
-  std::vector<double> first;
-  for (const DriverMotion& driver : drivers) first.push_back(driver.position);
-  auto run = start_run(profile.mechanism, first);
-  if (!run) {
-    motion.failure_ = run.error().reason;
-    return motion;
-  }
-  MotionTable table = MotionTable::make(profile, timed).value();
-  for (std::size_t i = 0; i < table.columns().size(); ++i) motion.columns_[table.columns()[i].name] = i;
-  for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    read(k);
-    move_to(*run, drivers);
-    std::vector<double> row;
-    for (const Cell& cell : table.cells(run->row, states, timed ? schedule.time(k) : 0)) {
-      const auto* number = std::get_if<double>(&cell);
-      row.push_back(number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN());
-    }
-    motion.rows_.push_back(std::move(row));
-    motion.statuses_.push_back(run->row.status);
-    motion.events_.insert(motion.events_.end(), run->events.begin(), run->events.end());
-  }
-  return motion;
-}
-
 /// What the commands `analyze` and `step` write for a profile.
-inline Motion analyze(const Profile& profile) {
-  return motion_of(profile, DriverSchedule::analyze(profile).value(), false);
+inline RunTable analyze(const Profile& profile) {
+  return {profile, {}};
 }
-inline Motion step(const Profile& profile) {
-  return motion_of(profile, DriverSchedule::step(profile).value(), true);
+inline RunTable step(const Profile& profile) {
+  RunSettings settings;
+  settings.in_time = true;
+  return {profile, settings};
 }
 
 /// A profile of the folder profiles/, with settings "PATH=VALUE".
@@ -123,7 +96,7 @@ inline Profile profile_of(const std::string& text, const Settings& settings = {}
 }
 
 /// Every row has the status `ok`.
-inline void expect_all_ok(const Motion& motion) {
+inline void expect_all_ok(const RunTable& motion) {
   EXPECT_EQ(motion.failure(), "");
   EXPECT_GT(motion.size(), 0U);
   EXPECT_EQ(motion.count(RowStatus::kOk), motion.size());

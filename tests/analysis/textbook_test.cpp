@@ -30,12 +30,12 @@ Settings operator+(Settings a, const Settings& b) {
   return a;
 }
 
-double angle_error_at(const Motion& motion, std::size_t row, const std::string& column,
+double angle_error_at(const RunTable& motion, std::size_t row, const std::string& column,
                       const json& expected) {
   return angle_error(motion.radians(row, column), number(expected));
 }
 
-double rate_error(const Motion& motion, std::size_t row, const std::string& column, const json& expected) {
+double rate_error(const RunTable& motion, std::size_t row, const std::string& column, const json& expected) {
   return relative_error(motion.radians(row, column), number(expected));
 }
 
@@ -90,7 +90,7 @@ TEST(TextbookFourBar, HasThePositionsVelocitiesAndAccelerationsOfTheChapterInBot
     const Profile profile = shipped(
         "four_bar", driver(theta2, number(row["omega2"]), number(row["alpha2"]), "rad") +
                         four_bar_poses(theta2, number(place["theta3_rad"]), number(place["theta4_rad"])));
-    const Motion motion = analyze(profile);
+    const RunTable motion = analyze(profile);
     ASSERT_EQ(motion.count(RowStatus::kOk), 1U) << motion.failure();
     angles.see(angle_error_at(motion, 0, "coupler.angle", place["theta3_rad"]));
     angles.see(angle_error_at(motion, 0, "rocker.angle", place["theta4_rad"]));
@@ -106,7 +106,7 @@ TEST(TextbookFourBar, HasThePositionsVelocitiesAndAccelerationsOfTheChapterInBot
 
 TEST(TextbookFourBar, PassesThroughTheChaptersPositionsInATurn) {
   const json table = textbook("fourbar_000_table");
-  const Motion motion = analyze(shipped("four_bar"));
+  const RunTable motion = analyze(shipped("four_bar"));
   expect_all_ok(motion);
   for (const json& row : table) {
     if (row["sigma"] != 1) continue;
@@ -122,7 +122,7 @@ TEST(TextbookFourBar, PassesThroughTheChaptersPositionsInATurn) {
 // Printed: a_E = (-475.76, -912.56), from a rounded alpha3.
 TEST(TextbookFourBar, HasTheMotionOfThePointE) {
   const json expected = textbook("fourbar_000_pointE");
-  const Motion motion = analyze(shipped("four_bar", {"driver.samples=1"}));
+  const RunTable motion = analyze(shipped("four_bar", {"driver.samples=1"}));
   ASSERT_EQ(motion.count(RowStatus::kOk), 1U);
   const Complex v(number(expected["v"][0]), number(expected["v"][1]));
   const Complex a(number(expected["a"][0]), number(expected["a"][1]));
@@ -140,7 +140,7 @@ TEST(TextbookFourBar, CanBeDrivenByItsCouplersAngle) {
         profile_of(text, Settings{"driver.joint=dial_pivot"} +
                              driver(theta3, number(expected["omega3"]), number(expected["alpha3"]), "rad") +
                              four_bar_poses(number(row["theta2"]), theta3, number(row["theta4"])));
-    const Motion motion = analyze(profile);
+    const RunTable motion = analyze(profile);
     ASSERT_EQ(motion.count(RowStatus::kOk), 1U) << motion.failure();
     angles.see(angle_error_at(motion, 0, "crank.angle", row["theta2"]));
     angles.see(angle_error_at(motion, 0, "rocker.angle", row["theta4"]));
@@ -178,7 +178,7 @@ Settings slider_crank_poses(const SliderCrankRow& row) {
 TEST(TextbookSliderCrank, HasTheNumbersOfEveryRowInBothAssemblies) {
   Worst worst;
   for (const SliderCrankRow& row : slider_crank_rows()) {
-    const Motion motion =
+    const RunTable motion =
         analyze(shipped("slider_crank", driver(row.theta2, 3, -2, "rad") + slider_crank_poses(row)));
     ASSERT_EQ(motion.count(RowStatus::kOk), 1U) << motion.failure();
     worst.see(angle_error(motion.radians(0, "rod.angle"), row.theta3));
@@ -197,9 +197,9 @@ TEST(TextbookSliderCrank, GivesTheCrankBackWhenDrivenByItsPiston) {
     // Towards the ends of the stroke the crank is the less determined, the slower the piston is; the input
     // has an error of its own of one rounding.
     const double condition = std::pow(6 / std::abs(row.r1_dot), 3);
-    const Motion motion = analyze(shipped("slider_crank", Settings{"driver.joint=slide"} +
-                                                              driver(row.r1, row.r1_dot, row.r1_ddot, "cm") +
-                                                              slider_crank_poses(row)));
+    const RunTable motion = analyze(
+        shipped("slider_crank", Settings{"driver.joint=slide"} +
+                                    driver(row.r1, row.r1_dot, row.r1_ddot, "cm") + slider_crank_poses(row)));
     ASSERT_EQ(motion.count(RowStatus::kOk), 1U) << motion.failure();
     worst.see(angle_error(motion.radians(0, "crank.angle"), row.theta2) / condition);
     worst.see(angle_error(motion.radians(0, "rod.angle"), row.theta3) / condition);
@@ -215,9 +215,9 @@ TEST(TextbookSliderCrank, GivesTheCrankBackWhenDrivenByItsRodsAngle) {
   for (const SliderCrankRow& row : slider_crank_rows()) {
     const double condition = std::pow(1.2 / std::abs(row.omega3), 3);
     const std::string text = text_of("slider_crank") + dial("rod", row.theta3 / kDegree);
-    const Motion motion = analyze(profile_of(text, Settings{"driver.joint=dial_pivot"} +
-                                                       driver(row.theta3, row.omega3, row.alpha3, "rad") +
-                                                       slider_crank_poses(row)));
+    const RunTable motion = analyze(profile_of(text, Settings{"driver.joint=dial_pivot"} +
+                                                         driver(row.theta3, row.omega3, row.alpha3, "rad") +
+                                                         slider_crank_poses(row)));
     ASSERT_EQ(motion.count(RowStatus::kOk), 1U) << motion.failure();
     worst.see(angle_error(motion.radians(0, "crank.angle"), row.theta2) / condition);
     worst.see(relative_error(motion.value(0, "slide.position"), row.r1) / condition);
@@ -231,7 +231,7 @@ TEST(TextbookSliderCrank, GivesTheCrankBackWhenDrivenByItsRodsAngle) {
 // s, right is 0.96544.
 TEST(TextbookSixBarWithSlider, HasTheWholeTable) {
   const json table = textbook("sixbar_002")["table"];
-  const Motion motion = step(shipped("sixbar_slider"));
+  const RunTable motion = step(shipped("sixbar_slider"));
   expect_all_ok(motion);
   ASSERT_EQ(motion.size(), table.size());
   Worst angles, rates;
@@ -261,7 +261,7 @@ Settings watt_poses(const json& row) {
   return {pose("link5", place("D"), number(row["theta5"])), pose("link6", place("D"), number(row["theta6"]))};
 }
 
-void compare_watt_row(const Motion& motion, std::size_t i, const json& row, Worst& worst) {
+void compare_watt_row(const RunTable& motion, std::size_t i, const json& row, Worst& worst) {
   for (const char* link : {"3", "4", "5", "6"}) {
     const std::string body = std::string("link") + link;
     worst.see(angle_error_at(motion, i, body + ".angle", row[std::string("theta") + link]));
@@ -281,7 +281,7 @@ TEST(TextbookWattSixBar, HasTheMotionOfBothAssembliesOverTwoTurns) {
   for (const json& branch : branches) {
     if (branch["full_rotation"] == false) continue;
     const json& rows = branch["rows"];
-    const Motion motion = analyze(shipped("watt_sixbar", watt_poses(rows[0])));
+    const RunTable motion = analyze(shipped("watt_sixbar", watt_poses(rows[0])));
     expect_all_ok(motion);
     ASSERT_EQ(motion.size(), 2 * rows.size() - 1);
     Worst worst;
@@ -304,7 +304,7 @@ TEST(TextbookWattSixBar, TakesEachOfTheFourAssembliesThatThePosesShow) {
       ++assembled;
       const double theta2 = row["theta2_deg"].get<double>() * kDegree;
       const Complex C(number(row["C"][0]) * 1000, number(row["C"][1]) * 1000);
-      const Motion motion = analyze(
+      const RunTable motion = analyze(
           shipped("watt_sixbar", driver(theta2, 1, 0, "rad") + watt_poses(row) +
                                      Settings{pose("link2", 0, theta2),
                                               pose("link3", 40.0 * direction(theta2), number(row["theta3"])),
@@ -320,7 +320,7 @@ TEST(TextbookWattSixBar, TakesEachOfTheFourAssembliesThatThePosesShow) {
 // Arms of 7 on a frame of 10 with a coupler of 1: a <= d and a + d <= c, so that the coupler turns fully.
 TEST(TextbookDoubleRocker, TurnsItsCouplerFullyAndSwingsItsArmsInTheTextsRange) {
   const json expected = textbook("exercise3_000");
-  const Motion motion = analyze(shipped("double_rocker"));
+  const RunTable motion = analyze(shipped("double_rocker"));
   expect_all_ok(motion);
   EXPECT_NEAR(motion.value(360, "coupler.angle") - motion.value(0, "coupler.angle"), 360, 1e-10);
   double low = 1e9, high = 0;
@@ -328,7 +328,7 @@ TEST(TextbookDoubleRocker, TurnsItsCouplerFullyAndSwingsItsArmsInTheTextsRange) 
   for (const RunEvent& event : motion.events()) {
     if (event.type != EventType::kStrokeEnd) continue;
     ++ends;
-    const Motion there = analyze(shipped("double_rocker", driver(event.driver, 1, 0, "rad")));
+    const RunTable there = analyze(shipped("double_rocker", driver(event.driver, 1, 0, "rad")));
     low = std::min(low, there.radians(0, "left_arm.angle"));
     high = std::max(high, there.radians(0, "left_arm.angle"));
   }
@@ -339,13 +339,13 @@ TEST(TextbookDoubleRocker, TurnsItsCouplerFullyAndSwingsItsArmsInTheTextsRange) 
 }
 
 TEST(TextbookDoubleRocker, MovesTheSameWhenTheCouplersAngleAgainstGroundIsDriven) {
-  const Motion motion = analyze(shipped("double_rocker"));
+  const RunTable motion = analyze(shipped("double_rocker"));
   Worst worst;
   for (std::size_t i = 0; i < motion.size(); i += 7) {
     const double angle = motion.radians(i, "coupler.angle");
     const Complex A = motion.vector(i, "coupler.A.");
     const std::string text = text_of("double_rocker") + dial("coupler", angle / kDegree);
-    const Motion other = analyze(profile_of(
+    const RunTable other = analyze(profile_of(
         text,
         Settings{"driver.joint=dial_pivot"} +
             driver(angle, motion.radians(i, "coupler.omega"), motion.radians(i, "coupler.alpha"), "rad") +
@@ -366,7 +366,7 @@ TEST(TextbookChain, HasTheMotionOfBothFollowersOfTwoContactsInSeries) {
   const json reference = read_data("chain/pub14_chain_circles.json");
   std::string positions;
   for (const json& row : reference["rows"]) positions += row["th1_deg"].dump() + ", ";
-  const Motion motion = analyze(shipped("cam_chain", {"driver.positions=[" + positions + "]"}));
+  const RunTable motion = analyze(shipped("cam_chain", {"driver.positions=[" + positions + "]"}));
   expect_all_ok(motion);
   ASSERT_EQ(motion.size(), reference["rows"].size());
   Worst worst;

@@ -1,3 +1,4 @@
+#include "higherpair/contact/certify.hpp"
 #include "io/cam_lever_tappet.hpp"
 
 #include <cmath>
@@ -68,6 +69,7 @@ TEST(Branches, AtADeadPointAreOneAssembly) {
 }
 
 TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
+  if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
   // Disc of radius 30 about (10, 0), the edge above the origin: at ±sqrt(30² - 10²).
   const auto json =
       nlohmann::json::parse(output_of(profile("knife_edge.toml") + " --certify --quiet --json -"));
@@ -79,8 +81,24 @@ TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
 }
 
 TEST(Branches, SayWhatIsCertified) {
+  if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
   EXPECT_THAT(output_of(profile("disc_in_ring.toml") + " --certify"),
               ::testing::HasSubstr("certified: exactly these contacts exist"));
+}
+
+TEST(Branches, AreNotCertifiedByABuildWithoutExactArithmetic) {
+  if (higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has exact arithmetic";
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + profile("knife_edge.toml") +
+                              " --certify 2>&1 >/dev/null; echo $?";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
+    text += static_cast<char>(c);
+  }
+  pclose(pipe);
+  EXPECT_EQ(text,
+            "higherpair: --certify: this build has no exact arithmetic; configure it with "
+            "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n2\n");
 }
 
 TEST(Branches, AreTextWithUnitsWhereNoFileIsAskedFor) {
@@ -96,6 +114,7 @@ TEST(Branches, AsCsvHaveAHeadWithUnits) {
 }
 
 TEST(Branches, AsCsvHaveAColumnForEachUnitOfAPosition) {
+  if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
   const std::string path =
       (std::filesystem::temp_directory_path() / ("higherpair-units-" + std::to_string(getpid()) + ".toml"))
           .string();

@@ -139,6 +139,42 @@ TEST_F(Program, SummarisesARunWithJerk) {
   EXPECT_THAT(outcome.out, HasSubstr("follower.jerk"));
 }
 
+TEST_F(Program, EndsWithExitCodeFourWhereThePathIsNotGoodBetweenRowsThatAre) {
+  const Outcome lock_up =
+      run("analyze " + profile("lock_up.toml") + " --set driver.positions=[0,359] --json - --summary");
+  EXPECT_EQ(lock_up.code, 4);
+  EXPECT_THAT(lock_up.out, HasSubstr("\"ok\": false}"));
+  EXPECT_THAT(lock_up.out, HasSubstr("rows: 2 ok\npath: not ok, 2 limit_position"));
+  const Outcome opens = run("forces " + profile("cam_with_return_spring.toml") +
+                            " --set driver.velocity='\"900 rpm\"' --samples 3");
+  EXPECT_EQ(opens.code, 4);
+  EXPECT_THAT(opens.err, HasSubstr("contact_open at driver = "));
+  const Outcome good = run("analyze " + profile("lock_up.toml") + " --set driver.positions=[0,30] --json -");
+  EXPECT_EQ(good.code, 0);
+  EXPECT_EQ(nlohmann::json::parse(good.out).at("ok"), true);
+}
+
+TEST_F(Program, WritesTheColumnsAskedFor) {
+  const std::string command = "analyze " + profile("ellipse_cam_roller.toml") + " --samples 3 ";
+  const Outcome csv = run(command + "--columns 'driver,follower.a*' --columns touch.linkage,status");
+  EXPECT_EQ(csv.code, 0) << csv.err;
+  EXPECT_EQ(csv.out.substr(0, csv.out.find('\n')),
+            "driver[deg],follower.angle[deg],follower.ax[mm/s^2],follower.ay[mm/s^2],follower.alpha[deg/s^2],"
+            "touch.linkage,status");
+  EXPECT_THAT(csv.out, HasSubstr(",four-bar,ok\n"));
+  const Outcome json = run(command + "--columns driver,status --json -");
+  EXPECT_EQ(nlohmann::json::parse(json.out).at("rows").at(0), nlohmann::json::parse("[0, \"ok\"]"));
+  const Outcome summary = run(command + "--columns follower.omega --summary");
+  EXPECT_THAT(summary.out, HasSubstr("follower.omega"));
+  EXPECT_THAT(summary.out, ::testing::Not(HasSubstr("follower.alpha")));
+  EXPECT_THAT(summary.out, HasSubstr("rows: 3 ok"));
+  const Outcome wrong = run(command + "--columns driver,folower.omega --csv " + (folder_ / "table").string());
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--columns folower.omega: no column of this run has such a name; did you "
+                                   "mean `follower.omega`"));
+  EXPECT_FALSE(fs::exists(folder_ / "table"));
+}
+
 TEST_F(Program, SaysWhereTheFileIsWrongAndWritesNothing) {
   const fs::path table = folder_ / "table.csv";
   const Outcome outcome = run("analyze " + profile("knife_edge.toml") +
@@ -205,6 +241,20 @@ TEST_F(Program, CanBeInterruptedWhileNobodyReads) {
                               " analyze " + profile("ellipse_cam_roller.toml") + " --csv " + pipe +
                               " 2>/dev/null; test $? = 124";
   EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+// A row of a thousand million degrees takes minutes.
+TEST_F(Program, CanBeInterruptedWithinALongRow) {
+  const fs::path folder = folder_ / "long";
+  fs::create_directories(folder);
+  for (const std::string signal : {"INT", "TERM"}) {
+    const std::string command =
+        "timeout --preserve-status -s " + signal + " 0.5 " + std::string(HIGHERPAIR_PROGRAM) + " analyze " +
+        profile("ellipse_cam_roller.toml") + " --set driver.end=1e9 --samples 2 --csv " +
+        (folder / "table").string() + " 2>/dev/null; test $? = 130";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_TRUE(fs::is_empty(folder));
+  }
 }
 
 TEST_F(Program, LeavesNoPartFileWhereAReaderHasReadEnough) {
@@ -309,6 +359,23 @@ TEST_F(Program, SaysWhereAContactOpensAndWhatWouldKeepItClosed) {
   const auto status = json.at("rows").at(0).size() - 2;
   EXPECT_EQ(json.at("rows").at(56).at(status), "ok");
   EXPECT_EQ(json.at("rows").at(57).at(status), "contact_open");
+}
+
+TEST_F(Program, SeesAContactOpenBetweenTwoRowsThatAreClosed) {
+  for (const std::string samples : {"2", "3", "5"}) {
+    const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
+                                " --set 'driver.velocity=\"900 rpm\"' --summary --json " +
+                                (folder_ / "forces.json").string() + " --samples " + samples);
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.err, HasSubstr("contact_open at driver = 35.931747207774"));
+    EXPECT_THAT(outcome.out, HasSubstr("smallest force of touch: -7.704"));
+    EXPECT_THAT(outcome.out, HasSubstr("N at driver = 90 deg"));
+    EXPECT_THAT(outcome.out, HasSubstr("contacts stay closed up to 0.84312 times the speed"));
+    const nlohmann::json json = nlohmann::json::parse(read_file(folder_ / "forces.json"));
+    EXPECT_EQ(std::count_if(json.at("events").begin(), json.at("events").end(),
+                            [](const nlohmann::json& one) { return one.at("type") == "contact_open"; }),
+              1);
+  }
 }
 
 TEST_F(Program, CountsOpenRowsInTheSummaryOfForces) {

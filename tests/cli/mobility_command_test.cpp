@@ -154,6 +154,30 @@ TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
               1e-12);
 }
 
+// The lever's limits in the table are a slow and a fast stroke apart; 2 asin(4/9) is its swing.
+TEST_F(MobilityCommand, NamesThePartsOfAShaperAndItsTimeRatio) {
+  const std::string profile = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/quick_return.toml";
+  const Outcome outcome = run(read_file(profile), "--json -");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json parts =
+      nlohmann::json::parse(outcome.out).at("slider_cranks").at(0).at("quick_return");
+  EXPECT_EQ(parts.at("frame"), "ground");
+  EXPECT_EQ(parts.at("crank"), "crank");
+  EXPECT_EQ(parts.at("lever"), "lever");
+  EXPECT_TRUE(parts.at("ram").is_null());
+  const double swing = 2 * std::asin(4.0 / 9);
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(parts.at("swing").get<double>(), swing * 180 / pi, 1e-12);
+  EXPECT_NEAR(parts.at("time_ratio").get<double>(), (pi + swing) / (pi - swing), 1e-14);
+  EXPECT_THAT(
+      run(read_file(profile)).out,
+      AllOf(
+          HasSubstr("Quick return 1: frame ground, crank crank, slotted lever lever\n"
+                    "  frame 90, crank 40, offset of the slot 0 mm\n"
+                    "  the lever swings by 52.7756 deg; time ratio 1.829646 of its slow stroke to the fast"),
+          ::testing::Not(HasSubstr("Slider-crank"))));
+}
+
 TEST_F(MobilityCommand, ExplainsAMissingDriverAndExitsWithThree) {
   const Outcome outcome = run(std::string(kFourBar) + "[drivers]\n");
   EXPECT_EQ(outcome.code, 3);

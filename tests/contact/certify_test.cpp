@@ -162,6 +162,31 @@ TEST(Certify, SaysAtALimitWhereADoubleRootDependsOnRounding) {
   }
 }
 
+// A disc of any radius has a line of each sense of the normal on either side; as it shrinks the two become
+// one.
+TEST(Certify, AgreesWithTheListOnDiscsThatAreAlmostPoints) {
+  for (const double radius : {1e-20, 1e-30, 1e-45, 1e-60, 1e-120, 1e-250}) {
+    for (const bool first : {true, false}) {
+      const Curve disc = make_circle({0.008, 0.001}, radius).value();
+      const Curve face = make_line({0, 0.003}, {0, -1}).value();
+      ContactPair pair = {first ? disc : face, {}, first ? face : disc, {}};
+      pair.motion2.p_WO = {0.06, 0};
+      const Both result = both(pair);
+      EXPECT_EQ(result.certificate.status, CertificateStatus::kCertified) << radius;
+      ASSERT_EQ(result.list.contacts.size(), 4U) << radius;
+      const auto opposed = [](const CurveContact& contact) { return contact.opposed; };
+      EXPECT_EQ(std::count_if(result.list.contacts.begin(), result.list.contacts.end(), opposed), 2);
+      pair.curve1 = first ? make_point({0.008, 0.001}).value() : face;
+      pair.curve2 = first ? face : make_point({0.008, 0.001}).value();
+      const CurveContacts of_point = find_curve_contacts(pair, 0);
+      ASSERT_EQ(of_point.contacts.size(), 2U);
+      for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(result.list.contacts[i].q, of_point.contacts[i / 2].q, 1e-15);
+      }
+    }
+  }
+}
+
 TEST(Certify, DecidesHalfATurnByAnotherChart) {
   // A point on a circle about the pivot crosses the ellipse x²/4 + y² = 1 at q = π exactly, and once more.
   ContactPair pair;

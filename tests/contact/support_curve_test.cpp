@@ -1,7 +1,6 @@
-#include "higherpair/contact/support_curve.hpp"
-
 #include "contact/random_pair.hpp"
 #include "contact/support_curves.hpp"
+#include "higherpair/contact/subdivision.hpp"
 #include "higherpair/geometry/support.hpp"
 
 #include <random>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/contact/support_curve.hpp"
+#include "higherpair/geometry/support_curve.hpp"
 #include "higherpair/geometry/vector.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ public:
     const double s = ring_ ? -1 : 1;
     const double error = 1e-15 * (a_ + 5 * std::abs(b_) * (1 + std::abs(phi)));
     return {s * a_ + b_ * std::cos(3 * phi), -3 * b_ * std::sin(3 * phi), s * a_ - 8 * b_ * std::cos(3 * phi),
-            error};
+            24 * b_ * std::sin(3 * phi), error};
   }
   [[nodiscard]] Bounds radius(std::size_t, const Bounds& phi) const override {
     const Bounds c = cosine_over(3 * phi.low, 3 * phi.high);
@@ -47,6 +47,40 @@ private:
   std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
 };
 
+/// An ellipse by its support, with none of the closed forms of the library's own: with g² = a² cos²ψ +
+/// b² sin²ψ, ψ = φ - rotation, h = c·n ± g and ρ = ±a²b²/g³, + for the inside.
+class EllipseBySupport final : public SupportCurve {
+public:
+  EllipseBySupport(const Vector2d& center, double a, double b, double rotation, bool outside = false)
+      : center_(center), a_(a), b_(b), rotation_(rotation), s_(outside ? -1 : 1) {}
+
+  [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
+  [[nodiscard]] SupportValue at(std::size_t, double phi) const override {
+    const Vector2d n = unit_vector(phi);
+    const Vector2d m = unit_vector(phi - rotation_);
+    const double g = std::hypot(a_ * m.x(), b_ * m.y());
+    const double dg = (b_ * b_ - a_ * a_) * m.x() * m.y() / g;
+    const double rho = s_ * a_ * a_ * b_ * b_ / (g * g * g);
+    const double error = 1e-15 * (center_.norm() + 4 * a_ + 4 * b_) * (1 + std::abs(phi));
+    return {center_.dot(n) + s_ * g, center_.dot(perp(n)) + s_ * dg, rho, -3 * rho * dg / g, error};
+  }
+  [[nodiscard]] Bounds radius(std::size_t, const Bounds& phi) const override {
+    // g² = (a² + b²)/2 + (a² - b²)/2 cos 2ψ
+    const Bounds c = cosine_over(2 * (phi.low - rotation_), 2 * (phi.high - rotation_));
+    const auto rho = [&](double cosine) {
+      const double g = std::sqrt((a_ * a_ + b_ * b_ + (a_ * a_ - b_ * b_) * cosine) / 2);
+      return s_ * a_ * a_ * b_ * b_ / (g * g * g);
+    };
+    const auto [low, high] = std::minmax({rho(c.low), rho(c.high)});
+    return {low - 1e-13 * std::abs(low), high + 1e-13 * std::abs(high)};
+  }
+
+private:
+  Vector2d center_;
+  double a_, b_, rotation_, s_;
+  std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
+};
+
 /// An involute of the circle of radius r about the origin, h = r φ: its normals touch the circle (h′ = r).
 class Involute final : public SupportCurve {
 public:
@@ -54,7 +88,7 @@ public:
 
   [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
   [[nodiscard]] SupportValue at(std::size_t, double phi) const override {
-    return {r_ * phi, r_, r_ * phi, 1e-15 * r_ * (1 + std::abs(phi))};
+    return {r_ * phi, r_, r_ * phi, r_, 1e-15 * r_ * (1 + std::abs(phi))};
   }
   [[nodiscard]] Bounds radius(std::size_t, const Bounds& phi) const override {
     return {r_ * phi.low * (1 - 1e-15), r_ * phi.high * (1 + 1e-15)};
@@ -85,9 +119,9 @@ public:
     if (pieces_[piece].kind == PieceKind::kFace) {
       // The flat's middle (0, ±r), as a corner.
       const double y = piece == 1 ? r_ : -r_;
-      return {y * std::sin(phi), y * std::cos(phi), 0, error};
+      return {y * std::sin(phi), y * std::cos(phi), 0, 0, error};
     }
-    return {x * std::cos(phi) + r_, -x * std::sin(phi), r_, error};
+    return {x * std::cos(phi) + r_, -x * std::sin(phi), r_, 0, error};
   }
   [[nodiscard]] Bounds radius(std::size_t piece, const Bounds&) const override {
     const double rho = pieces_[piece].kind == PieceKind::kFace ? 0 : r_;

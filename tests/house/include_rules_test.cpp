@@ -64,6 +64,29 @@ TEST(IncludeRules, APrivateHeaderIsFoundByAnyOfItsNames) {
                           "a public header includes a private one"));
 }
 
+TEST(IncludeRules, APrivateHeaderIsForItsOwnRoom) {
+  for (const std::string header : {"analysis/step.hpp", "../analysis/step.hpp"}) {
+    EXPECT_THAT(
+        include_violations("src/dynamics/reactions.cpp", "#include \"" + header + "\"\n"),
+        ElementsAre("src/dynamics/reactions.cpp:1: " + header + ": this header is private to analysis"));
+  }
+  EXPECT_THAT(include_violations("src/contact/exact/exact_pair.hpp", "#include \"../extended.hpp\"\n"),
+              IsEmpty());
+}
+
+TEST(IncludeRules, PrivateHeadersOfNumericAreForAllRooms) {
+  EXPECT_THAT(include_violations("src/dynamics/statics.cpp", "#include \"numeric/least_norm.hpp\"\n"),
+              IsEmpty());
+  EXPECT_THAT(
+      include_violations("include/higherpair/linkage/dyad.hpp", "#include \"numeric/least_norm.hpp\"\n"),
+      ElementsAre("include/higherpair/linkage/dyad.hpp:1: numeric/least_norm.hpp: "
+                  "a public header includes a private one"));
+  EXPECT_THAT(
+      include_violations("src/numeric/least_norm.hpp", "#include \"higherpair/geometry/pose.hpp\"\n"),
+      ElementsAre(
+          "src/numeric/least_norm.hpp:1: higherpair/geometry/pose.hpp: numeric may not use geometry"));
+}
+
 TEST(IncludeRules, TheLibraryDoesNotIncludeTestsOrTools) {
   EXPECT_THAT(include_violations("src/io/csv.cpp", "#include \"../../tests/house/tree.hpp\"\n"),
               ElementsAre("src/io/csv.cpp:1: ../../tests/house/tree.hpp: "
@@ -96,6 +119,9 @@ TEST(IncludeRules, ALibraryStaysInItsRoom) {
 TEST(IncludeRules, AFileOrHeaderInNoRoomIsFound) {
   EXPECT_THAT(include_violations("include/higherpair/everything.hpp", ""),
               ElementsAre("include/higherpair/everything.hpp: the file stands in no room that we know"));
+  EXPECT_THAT(
+      include_violations("include/higherpair/higherpair.hpp", "#include \"higherpair/front/model.hpp\"\n"),
+      IsEmpty());
   EXPECT_THAT(include_violations("src/attic/box.cpp", ""),
               ElementsAre("src/attic/box.cpp: the file stands in no room that we know"));
   EXPECT_THAT(include_violations("src/io/csv.cpp", "#include \"higherpair/everything.hpp\"\n"),

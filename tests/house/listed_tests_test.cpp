@@ -18,7 +18,10 @@ TEST(ListedTests, EveryTestFileIsBuilt) {
       continue;
     }
     const std::string list = read_file(file.parent_path() / "CMakeLists.txt");
-    EXPECT_NE(list.find(fmt::format(" {}", file.filename().string())), std::string::npos) << file;
+    const std::string name = file.filename().string();
+    // Tests of exact arithmetic are listed under a condition.
+    EXPECT_TRUE(list.find(" " + name) != std::string::npos || list.find(":" + name) != std::string::npos)
+        << file;
     ++count;
   }
   EXPECT_GT(count, 50);

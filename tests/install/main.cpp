@@ -1,23 +1,31 @@
-// The centre of an eccentric disc cam that turns at a constant speed.
-#include <higherpair/geometry/curve.hpp>
-#include <higherpair/geometry/motion.hpp>
+// The motion of a cam mechanism that a profile describes.
+#include <higherpair/higherpair.hpp>
 
+#include <algorithm>
 #include <iostream>
 
-int main() {
-  using higherpair::Vector2d;
+using namespace higherpair;
 
-  // Lengths in metres, angles in radians: a disc of radius 20 mm, its centre 10 mm off the pivot.
-  const higherpair::CurveResult disc = higherpair::make_circle(Vector2d(0.010, 0), 0.020);
-  if (!disc) {
-    std::cerr << "the disc " << describe(disc.error()) << '\n';
-    return 1;
+int main() {
+  const Result<Model> model = Model::open("profiles/eccentric_disc_oscillating_roller.toml");
+  if (!model) {
+    std::cerr << to_string(model.error()) << '\n';
+    return 2;
+  }
+  const Result<Motion> motion = model->run();
+  if (!motion) {
+    std::cerr << to_string(motion.error()) << '\n';
+    return 3;
   }
 
-  higherpair::BodyMotion cam;
-  cam.X_WB.R_WB = higherpair::Rotation<double>::from_angle(higherpair::kPi / 6);
-  cam.omega = 4;
-  const higherpair::PointMotion center = point_motion(cam, higherpair::center(*disc));
-
-  std::cout << "speed " << center.v_W.norm() << " m/s, acceleration " << center.a_W.norm() << " m/s^2\n";
+  const ColumnValues driver = motion->column("driver");
+  const ColumnValues angle = motion->column("follower.angle");
+  const auto highest = std::max_element(angle.begin(), angle.end()) - angle.begin();
+  const auto row = static_cast<std::size_t>(highest);
+  std::cout << motion->size() << " rows, the whole path is " << (motion->good() ? "good" : "not good") << '\n'
+            << "highest at driver = " << driver[row] << ' ' << driver.unit << ": " << angle[row] << ' '
+            << angle.unit << '\n';
+  for (const Event& event : motion->events()) {
+    std::cout << name_of(event.type) << " at driver = " << event.driver << ": " << event.cause << '\n';
+  }
 }

@@ -65,7 +65,9 @@ TEST(Override, IsThePlaceOfItsMistakes) {
       ElementsAre(
           "--set bodies.cam.curves.disc.radius=-12: bodies.cam.curves.disc.radius = -12 mm: must be > 0"));
   EXPECT_THAT(messages(kCamProfile, {"driver.speed=3"}),
-              ElementsAre(HasSubstr("--set driver.speed=3: driver.speed: unknown key; there are joint, ")));
+              ElementsAre("--set driver.speed=3: driver.speed: unknown key; did you mean `velocity`?"));
+  EXPECT_THAT(messages(kCamProfile, {"driver.qqqqqq=3"}),
+              ElementsAre(HasSubstr("--set driver.qqqqqq=3: driver.qqqqqq: unknown key; there are joint, ")));
 }
 
 TEST(Override, MistakesComeBehindThoseOfTheFile) {

@@ -95,7 +95,7 @@ TEST(ProfileText, ThatIsEmptyLacksADriver) {
 }
 
 TEST(ProfileText, WithAMistakeOfSyntaxReportsTheFirstOne) {
-  EXPECT_THAT(messages("title = \"x\n[bodies\n"), ElementsAre(HasSubstr("test.toml:1:11: ")));
+  EXPECT_THAT(messages("title = \"x\n[bodies\n"), ElementsAre(HasSubstr("test.toml:1:9: ")));
   EXPECT_THAT(messages(crank_profile("[joints.pivot]\n")), ElementsAre(HasSubstr("test.toml:12:")));
 }
 

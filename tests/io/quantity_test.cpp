@@ -121,7 +121,7 @@ TEST(Quantity, MistakesOfSpellingAreNamed) {
   EXPECT_THAT(error("3 *m", dimension::kLength), HasSubstr("`*` without a unit before it"));
   EXPECT_THAT(error("3 m/", dimension::kLength), HasSubstr("ends where a unit is expected"));
   EXPECT_THAT(error("3 m*/s", dimension::kVelocity), HasSubstr("has `/s` where a unit is expected"));
-  EXPECT_THAT(error("3 °", dimension::kAngle), HasSubstr("where a unit is expected"));
+  EXPECT_THAT(error("3 °", dimension::kAngle), HasSubstr("has the sign °: write deg"));
   EXPECT_THAT(error("mm", dimension::kLength), HasSubstr("does not begin with a number"));
   EXPECT_THAT(error("", dimension::kLength), HasSubstr("does not begin with a number"));
   EXPECT_THAT(error("1_000 mm", dimension::kLength), HasSubstr("where a unit is expected"));

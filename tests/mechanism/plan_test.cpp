@@ -172,18 +172,19 @@ TEST(Plan, MeasuresTheLargestDistanceOfJointPointsAndCurveCenters) {
   EXPECT_NEAR(plan->size, std::hypot(3, 5), 1e-15 * 6);
 }
 
-// A slide or crank alone, whose points are one but for rounding.
-TEST(Plan, TakesNoRoundingForASize) {
-  for (const double off : {0.0, 1e-16, 1e-14}) {
+TEST(Plan, MeasuresByTheCoordinatesWhereAllPointsCoincide) {
+  for (const double off : {0.0, 1e-16, 1e-14, 1e-9}) {
     Builder b;
     const int slide = b.body("slide", {-0.2, 0.4}, -2.3);
     b.drive(b.prismatic(0, slide, {-0.8, -0.5}, {0.6, 0.8}, off));
-    EXPECT_EQ(size_of(b.mechanism), 1) << off;
+    const auto plan = make_plan(b.mechanism);
+    ASSERT_TRUE(plan) << plan.error();
+    EXPECT_NEAR(plan->size, std::hypot(0.6, 0.9), 1e-8) << off;
   }
   Builder b;
-  const int slide = b.body("slide", {-0.2, 0.4}, -2.3);
-  b.drive(b.prismatic(0, slide, {-0.8, -0.5}, {0.6, 0.8}, 1e-6));
-  EXPECT_NEAR(size_of(b.mechanism), 1e-6, 1e-12);
+  const int crank = b.body("crank", {0, 1e-14}, 0);
+  b.drive(b.revolute(0, crank, {0, 0}));
+  EXPECT_EQ(make_plan(b.mechanism)->size, 1);
 }
 
 TEST(Plan, SaysWhatIsLoose) {

@@ -76,6 +76,14 @@ const ContactPair& Case::pair() const {
   return track_of(run).pair;
 }
 
+ColumnSet table_of(const Profile& profile) {
+  ColumnSet table(profile.units, {});
+  add_motion_columns(table, profile, profile.units, false);
+  add_status_columns(table);
+  require(table.finish("bench").has_value(), "two columns of one name");
+  return table;
+}
+
 void require(bool condition, const std::string& message) {
   if (!condition) {
     fmt::print(stderr, "bench: {}\n", message);

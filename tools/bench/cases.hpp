@@ -1,5 +1,6 @@
 #pragma once
 
+#include "front/column_set.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/io/profile.hpp"
 
@@ -40,6 +41,9 @@ struct Case {
 /// Circle on circle, ellipse on circle, ellipse on ellipse (turning followers), and ellipse on a sliding flat
 /// face.
 [[nodiscard]] std::vector<Case> make_cases();
+
+/// All columns of its motion.
+[[nodiscard]] ColumnSet table_of(const Profile& profile);
 
 /// Ends the program with a message unless the condition holds.
 void require(bool condition, const std::string& message);

@@ -1,7 +1,6 @@
 #include "checks.hpp"
 
 #include "higherpair/contact/details.hpp"
-#include "higherpair/io/motion_table.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 
 #include <cmath>
@@ -179,8 +178,8 @@ void check_tracking(const Case& reference) {
 
 void check_rows(const Case& reference) {
   Run run = reference.run;
-  auto table = MotionTable::make(reference.profile, false);
-  require(table.has_value(), table ? "" : table.error());
+  ColumnSet table = table_of(reference.profile);
+  Row row;
   for (int step = 0; step < kStepsPerTurn; step += 100) {
     const double u = driver_position(step);
     move_to(run, {{u, 1, 0}});
@@ -191,13 +190,13 @@ void check_rows(const Case& reference) {
     require((follower.X_WB.p_WB - wanted.X_WB.p_WB).norm() <= 1e-15 && follower.theta == wanted.theta &&
                 std::abs(follower.omega - wanted.omega) <= 1e-14 * (1 + std::abs(wanted.omega)),
             reference.name + ": the row differs from the track");
-    const DriverState driver{{step * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
-    const std::vector<Cell>& cells = table->cells(run.row, {driver}, 0);
+    const std::vector<DriverState> drivers{{{step * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}}};
+    table.fill({run, drivers}, row.values);
     std::string text;
-    append_csv_row(cells, text);
+    append_csv_row(table.columns(), row, text);
     // The first number of the line is the driver's position.
-    require(cells.size() == table->columns().size() &&
-                std::strtod(text.c_str(), nullptr) == driver.profile.position,
+    require(row.values.size() == table.columns().size() &&
+                std::strtod(text.c_str(), nullptr) == drivers.front().profile.position,
             reference.name + ": the text of a row is wrong");
   }
 }

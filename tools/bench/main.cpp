@@ -1,9 +1,9 @@
 // Time of one step, next to the time of a four-bar written by hand, measured in the same run. Answers are
 // checked before anything is timed.
 #include "checks.hpp"
+#include "front/column_set.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/dynamics/reactions.hpp"
-#include "higherpair/io/motion_table.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "linkages.hpp"
 
@@ -110,7 +110,8 @@ void register_tracking(const Case& reference, double floor) {
 // Rows as the program makes them: `level` 0 the motion, 1 also the cells of the table, 2 also the text.
 void run_rows(benchmark::State& state, const Case& reference, double floor, int level) {
   Run run = reference.run;
-  MotionTable table = MotionTable::make(reference.profile, false).value();
+  ColumnSet table = table_of(reference.profile);
+  Row row;
   std::string text;
   std::vector<DriverMotion> motions(1);
   std::vector<DriverState> drivers(1);
@@ -123,13 +124,13 @@ void run_rows(benchmark::State& state, const Case& reference, double floor, int 
       return;
     }
     drivers[0] = {{k * 360.0 / kStepsPerTurn, 1, 0}, {u, 1, 0}};
-    const std::vector<Cell>& cells = table.cells(run.row, drivers, 0);
-    benchmark::DoNotOptimize(cells.data());
+    table.fill({run, drivers}, row.values);
+    benchmark::DoNotOptimize(row.values.data());
     if (level == 2) {
       if (text.size() > 1 << 16) {
         text.clear();
       }
-      append_csv_row(cells, text);
+      append_csv_row(table.columns(), row, text);
       benchmark::DoNotOptimize(text.data());
     }
   };

@@ -5,6 +5,7 @@
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "unknown_argument.hpp"
 #include "verify_command.hpp"
 
 #include <cstdio>
@@ -26,7 +27,8 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
                           RunOptions& options) {
   CLI::App* command = app.add_subcommand(name, text);
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, {"the table", options.csv}, {"the table and the events", options.json});
+  add_output_options(*command, options.profile, {"the table", options.csv},
+                     {"the table and the events", options.json});
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
@@ -35,13 +37,18 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
       ->add_option("--tolerance", options.tolerance,
                    "largest closure error of an ok row, relative to the size")
       ->check(higherpair::cli::positive_number());
-  command->add_flag("--quiet", options.quiet, "no events and no progress on standard error");
+  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
   command->add_flag("--jerk", options.jerk,
                     "columns of the true jerk, and of that of the frozen equivalent linkage");
   command
       ->add_option("--derivatives", options.derivatives,
                    "columns of all time derivatives of bodies and points from the third to this one")
       ->check(CLI::Range(3, higherpair::kHighestDerivative));
+  command
+      ->add_option("--columns", options.columns,
+                   "GLOB[,GLOB]: only these columns, such as follower.*,touch.rho*; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_flag("--summary", options.summary, "print the range of every column on standard output");
   return command;
 }
@@ -50,14 +57,14 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
   CLI::App* command = app.add_subcommand(
       "branches", "every contact of the two curves at the first driver position, free or not");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, {"the list", options.csv}, {"the list", options.json});
+  add_output_options(*command, options.profile, {"the list", options.csv}, {"the list", options.json});
   higherpair::cli::add_unused_samples(*command);
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
       ->check(higherpair::cli::positive_number());
-  command->add_flag("--quiet", options.quiet, "no remarks on standard error");
+  command->add_flag("--quiet", options.quiet, "no notes and remarks on standard error");
   command->add_flag("--certify", options.certify, "decide every contact in exact arithmetic");
   return command;
 }
@@ -72,6 +79,12 @@ CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options) {
   command->add_option("--bound", options.bound, "largest error, relative to a column's largest value")
       ->check(higherpair::cli::positive_number());
   command->add_flag("--quiet", options.quiet, "print only what fails");
+  command->final_callback([&options] {
+    std::vector<higherpair::cli::NamedFile> inputs;
+    if (options.profile) inputs.push_back({"PROFILE", *options.profile});
+    if (options.table) inputs.push_back({"TABLE", *options.table});
+    if (options.json) higherpair::cli::refuse_shared_files(inputs, {{"--json", *options.json}});
+  });
   return command;
 }
 
@@ -106,11 +119,17 @@ int run(int argc, char** argv) {
     known = known || command->check_name(argv[1]);
   }
   if (!known) {
-    fmt::print(stderr, "higherpair: there is no command {}; see higherpair --help\n", argv[1]);
+    fmt::print(stderr, "higherpair: {}; see higherpair --help\n",
+               higherpair::cli::unknown_command(app, argv[1]));
     return higherpair::cli::kExitInput;
   }
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    for (const CLI::App* command : app.get_subcommands()) {
+      fmt::print(stderr, "higherpair: {}\n", higherpair::cli::unknown_argument(*command));
+    }
+    return higherpair::cli::kExitInput;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? higherpair::cli::kExitOk : higherpair::cli::kExitInput;
   }

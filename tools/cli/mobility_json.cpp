@@ -2,11 +2,11 @@
 #include "higherpair/linkage/grashof.hpp"
 #include "higherpair/linkage/instant_centers.hpp"
 #include "higherpair/linkage/piston.hpp"
+#include "higherpair/linkage/quick_return.hpp"
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 #include "higherpair/mechanism/loops.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/pins.hpp"
-#include "higherpair/mechanism/plan_text.hpp"
 #include "json_text.hpp"
 #include "mobility_report.hpp"
 
@@ -51,13 +51,43 @@ const char* inversion_of(const SliderCrankInMechanism& loop) {
   return "on moving bodies";
 }
 
+bool are_joined(const Mechanism& mechanism, int a, int b) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return (joint.first.body == a && joint.second.body == b) ||
+           (joint.first.body == b && joint.second.body == a);
+  });
+}
+
+bool slides_on_ground(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::kPrismatic && (joint.first.body == 0 || joint.second.body == 0) &&
+           (joint.first.body == body || joint.second.body == body);
+  });
+}
+
+// The body that the lever moves to and fro on ground, joined to it or by one link; none if there is no such
+// body.
+std::optional<int> ram_of(const Mechanism& mechanism, int lever, int crank) {
+  const int count = static_cast<int>(mechanism.bodies.size());
+  for (int ram = 1; ram < count; ++ram) {
+    if (ram == lever || ram == crank || !slides_on_ground(mechanism, ram)) continue;
+    bool joined = are_joined(mechanism, ram, lever);
+    for (int link = 1; link < count; ++link) {
+      joined =
+          joined || (link != crank && are_joined(mechanism, ram, link) && are_joined(mechanism, link, lever));
+    }
+    if (joined) return ram;
+  }
+  return std::nullopt;
+}
+
 class Writer {
 public:
   explicit Writer(const MobilityFindings& findings)
       : findings_(findings),
-        mechanism_(findings.profile.mechanism),
-        length_(from_si(dimension::kLength, findings.profile.units)),
-        angle_(from_si(dimension::kAngle, findings.profile.units)) {}
+        mechanism_(findings.model.mechanism()),
+        length_(from_si(dimension::kLength, findings.model.units())),
+        angle_(from_si(dimension::kAngle, findings.model.units())) {}
 
   [[nodiscard]] Json all() const {
     const Mobility& mobility = findings_.mobility;
@@ -190,10 +220,8 @@ private:
 
   [[nodiscard]] Json plan() const {
     Json json = Json::array();
-    if (findings_.plan) {
-      for (const Group& group : findings_.plan->groups) {
-        json.push_back({{"bodies", bodies(group.bodies)}, {"text", describe(mechanism_, group)}});
-      }
+    for (const PlanStep& step : findings_.plan) {
+      json.push_back({{"bodies", bodies(step.bodies)}, {"text", step.text}});
     }
     return json;
   }
@@ -246,6 +274,36 @@ private:
     return {{"crank", angle_.apply(at.theta2)}, {"slider", length_.apply(at.r1)}};
   }
 
+  // Of a slider-crank whose guide moves: its parts by the names that they have then.
+  [[nodiscard]] Json quick_return_of(const SliderCrankInMechanism& loop) const {
+    const bool turning = loop.inversion == SliderCrankInversion::kCrank;
+    if (!turning && loop.inversion != SliderCrankInversion::kCoupler) {
+      return nullptr;
+    }
+    const int crank = turning ? loop.coupler : loop.crank;
+    const int lever = turning ? loop.guide : loop.slider;
+    const double r1 = turning ? loop.linkage.r2 : loop.linkage.r3;
+    const double r2 = turning ? loop.linkage.r3 : loop.linkage.r2;
+    Json json = {{"frame", body(0)},
+                 {"crank", body(crank)},
+                 {"lever", lever < 0 ? Json() : Json(body(lever))},
+                 {"ram", nullptr},
+                 {"frame_length", length_.apply(r1)},
+                 {"crank_length", length_.apply(r2)},
+                 {"lever_turns", nullptr},
+                 {"swing", nullptr},
+                 {"time_ratio", nullptr}};
+    if (const auto ram = ram_of(mechanism_, lever, crank)) {
+      json["ram"] = body(*ram);
+    }
+    if (const auto result = quick_return({r1, r2, loop.linkage.r4, 0})) {
+      json["lever_turns"] = result->lever_turns;
+      json["swing"] = result->lever_turns ? Json() : Json(angle_.apply(result->swing));
+      json["time_ratio"] = result->time_ratio;
+    }
+    return json;
+  }
+
   [[nodiscard]] Json slider_crank(const SliderCrankInMechanism& loop) const {
     const SliderCrank& linkage = loop.linkage;
     Json json = {{"guide", body(loop.guide)},
@@ -258,7 +316,8 @@ private:
                  {"r3", length_.apply(linkage.r3)},
                  {"offset", length_.apply(linkage.r4)},
                  {"stroke", nullptr},
-                 {"harmonic", nullptr}};
+                 {"harmonic", nullptr},
+                 {"quick_return", quick_return_of(loop)}};
     const auto mode =
         findings_.mobility.assembled ? mode_of(loop, findings_.mobility.start.bodies) : AssemblyMode::kPlus;
     if (const auto stroke = slider_crank_stroke(linkage, mode)) {

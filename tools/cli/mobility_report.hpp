@@ -1,22 +1,12 @@
 #pragma once
 
-#include "higherpair/io/profile.hpp"
-#include "higherpair/mechanism/mobility.hpp"
-#include "higherpair/mechanism/plan.hpp"
+#include "higherpair/front/mobility.hpp"
 
-#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 namespace higherpair::cli {
-
-/// What `mobility` has found out, for its two writers.
-struct MobilityFindings {
-  const Profile& profile;
-  Mobility mobility;
-  std::optional<Plan> plan;  ///< none where the drivers do not place all bodies
-};
 
 /// The findings as JSON, lengths and angles in the profile's units. Keys:
 /// - `format` 1, `title`; `mobility` (by rank) and `useful` (without idle freedoms), null if not assembled
@@ -39,9 +29,13 @@ struct MobilityFindings {
 ///   `at_largest`}; all angles from the line of the ground pivots
 /// - `slider_cranks` [{`guide`, `crank`, `coupler`, `slider` (null: a slot), `joint`, `inversion`, `r2`,
 /// `r3`,
-///   `offset`, `stroke`, `harmonic`}]: `stroke` null or {`length`, `time_ratio`, `turn_in`, `outer`, `inner`
+///   `offset`, `stroke`, `harmonic`, `quick_return`}]: `stroke` null or {`length`, `time_ratio`, `turn_in`,
+///   `outer`, `inner`
 ///   {`crank`, `slider`}}, crank angles from the line of sliding; `harmonic` null (with an offset) or the
-///   largest errors {`position`, `velocity`, `acceleration`} in units of r, rω, rω²
+///   largest errors {`position`, `velocity`, `acceleration`} in units of r, rω, rω²; `quick_return` null
+///   unless ground is the crank or coupler of the loop, then by what its parts are called in that inversion:
+///   `frame`, `crank`, `lever` (null: a slot in the rod), `ram` (null if there is none), `frame_length`,
+///   `crank_length`, and null where the crank does not turn fully: `lever_turns`, `swing`, `time_ratio`
 /// - `instant_centers` [{`bodies` [two], `kind` `point` | `at_infinity` | `undefined`, `x`, `y` (for
 /// `at_infinity`
 ///   the unit direction)}], empty where the drivers do not set all velocities

@@ -18,12 +18,12 @@ public:
   explicit TextWriter(const MobilityFindings& findings)
       : findings_(findings),
         json_(mobility_json(findings)),
-        length_(unit_text(dimension::kLength, findings.profile.units)),
-        angle_(unit_text(dimension::kAngle, findings.profile.units)) {}
+        length_(unit_text(dimension::kLength, findings.model.units())),
+        angle_(unit_text(dimension::kAngle, findings.model.units())) {}
 
   std::string all() {
-    if (!findings_.profile.mechanism.title.empty()) {
-      add("{}\n", findings_.profile.mechanism.title);
+    if (!findings_.model.mechanism().title.empty()) {
+      add("{}\n", findings_.model.mechanism().title);
     }
     counting();
     drivers();
@@ -82,7 +82,7 @@ private:
     for (const Json& idle : json_["idle"]) {
       add("Idle:  {}, at ({}, {}) {}", word(idle["text"]), number(idle["x"]), number(idle["y"]), length_);
     }
-    if (!mobility.drivers_held && !findings_.profile.mechanism.drivers.empty()) {
+    if (!mobility.drivers_held && !findings_.model.mechanism().drivers.empty()) {
       add("       (assembled near its poses: it cannot be with the drivers at their first positions)");
     }
   }
@@ -153,7 +153,40 @@ private:
     }
   }
 
+  void quick_return(int index, const Json& loop) {
+    const Json& parts = loop["quick_return"];
+    const bool oscillating = loop["inversion"].get<std::string>().starts_with("coupler");
+    std::string names = fmt::format("frame {}, crank {}", word(parts["frame"]), word(parts["crank"]));
+    if (oscillating) {
+      names += fmt::format(", oscillating cylinder {}, rod {}",
+                           parts["lever"].is_null() ? "-" : word(parts["lever"]), word(loop["guide"]));
+    } else {
+      names += ", slotted lever " + word(parts["lever"]);
+      names += loop["slider"].is_null() ? "" : ", block " + word(loop["slider"]);
+    }
+    names += parts["ram"].is_null() ? "" : ", ram " + word(parts["ram"]);
+    add("\nQuick return {}: {}", index, names);
+    add("  frame {}, crank {}, offset of the slot {} {}", number(parts["frame_length"]),
+        number(parts["crank_length"]), number(loop["offset"]), length_);
+    if (parts["time_ratio"].is_null()) {
+      add("  the crank does not turn fully: of frame and crank the longer must exceed the shorter and the "
+          "offset");
+    } else if (parts["lever_turns"].get<bool>()) {
+      add("  the lever turns fully (Whitworth); time ratio {} of its half turns between the positions square "
+          "to the "
+          "frame",
+          number(parts["time_ratio"]));
+    } else {
+      add("  the lever swings by {}; time ratio {} of its slow stroke to the fast one", angle(parts["swing"]),
+          number(parts["time_ratio"]));
+    }
+  }
+
   void slider_crank(int index, const Json& loop) {
+    if (!loop["quick_return"].is_null()) {
+      quick_return(index, loop);
+      return;
+    }
     add("\nSlider-crank {}: guide {}, crank {}, coupler {}, {}; {}", index, word(loop["guide"]),
         word(loop["crank"]), word(loop["coupler"]),
         loop["slider"].is_null() ? "slot " + word(loop["joint"]) : "slider " + word(loop["slider"]),

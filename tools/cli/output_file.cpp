@@ -13,9 +13,6 @@ namespace higherpair::cli {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-// The file that a chain of links names, whether it exists or not; empty where the links go round.
 std::string target_of(std::string path) {
   constexpr int kMostLinks = 40;
   std::error_code code;
@@ -28,8 +25,6 @@ std::string target_of(std::string path) {
   }
   return "";
 }
-
-}  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (path == "-") {

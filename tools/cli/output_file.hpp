@@ -9,6 +9,9 @@
 
 namespace higherpair::cli {
 
+/// The file that a chain of links names, whether it exists or not; empty where the links form a loop.
+[[nodiscard]] std::string target_of(std::string path);
+
 /// Where a table goes: standard output ("-"), a device or pipe (written directly), or a regular file, which
 /// is written beside its place and renamed by commit(): what is not committed leaves no trace. Several
 /// outputs of one command are finished first and committed when all are good.

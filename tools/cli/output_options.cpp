@@ -1,5 +1,7 @@
 #include "output_options.hpp"
 
+#include "output_file.hpp"
+
 #include <filesystem>
 
 namespace higherpair::cli {
@@ -7,29 +9,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Devices and pipes may well take both.
+// Whether both name one regular file, which need not exist yet. Standard output may be sent into a file.
 bool is_same_file(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") {
-    return a == b;
-  }
+  const auto opened = [](const std::string& path) { return path == "-" ? "/dev/stdout" : target_of(path); };
   std::error_code code;
-  const fs::file_status status = fs::status(a, code);
-  const bool device = fs::exists(status) && !fs::is_regular_file(status);
-  const auto place = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path), code); };
-  return !device && place(a) == place(b);
+  if (fs::exists(opened(a), code) && fs::exists(opened(b), code)) {
+    return fs::is_regular_file(opened(a), code) && fs::equivalent(opened(a), opened(b), code);
+  }
+  const auto place = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(opened(path)), code);
+  };
+  return place(a) == place(b);
 }
 
 }  // namespace
 
-void add_output_options(CLI::App& command, const Output& csv, const Output& json) {
+void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const NamedFile& output = outputs[i];
+    for (const NamedFile& input : inputs) {
+      if (is_same_file(output.path, input.path)) {
+        throw CLI::ValidationError(output.name, output.path + " is the file that is read as " + input.name +
+                                                    "; give the output a name of its own");
+      }
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      const std::string& other = outputs[k].path;
+      if ((output.path == "-" && other == "-") || is_same_file(output.path, other)) {
+        throw CLI::ValidationError(outputs[k].name + " and " + output.name,
+                                   "both name " + output.path + "; give each a file of its own");
+      }
+    }
+  }
+}
+
+void add_output_options(CLI::App& command, const std::string& profile, const Output& csv,
+                        const Output& json) {
   command.add_option("--csv", csv.path, "write " + csv.what + " as CSV to this file (-: standard output)");
   command.add_option("--json", json.path,
                      "write " + json.what + " as JSON to this file (-: standard output)");
-  command.final_callback([&csv_path = csv.path, &json_path = json.path] {
-    if (csv_path && json_path && is_same_file(*csv_path, *json_path)) {
-      throw CLI::ValidationError("--csv and --json",
-                                 "both name " + *csv_path + "; give each a file of its own");
-    }
+  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path] {
+    std::vector<NamedFile> outputs;
+    if (csv_path) outputs.push_back({"--csv", *csv_path});
+    if (json_path) outputs.push_back({"--json", *json_path});
+    if (outputs.empty()) outputs.push_back({"standard output", "-"});
+    refuse_shared_files({{"FILE", profile}}, outputs);
   });
 }
 

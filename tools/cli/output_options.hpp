@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -13,8 +14,19 @@ struct Output {
   std::optional<std::string>& path;
 };
 
-/// Adds --csv and --json to a command. Both into one file, or both to standard output, are refused.
-void add_output_options(CLI::App& command, const Output& csv, const Output& json);
+/// Adds --csv and --json to a command that reads `profile`. Both into one file, or both to standard output,
+/// are refused, and so is either into the profile.
+void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json);
+
+/// A file that the command line names, and what names it there.
+struct NamedFile {
+  std::string name;  ///< "--csv", "FILE"
+  std::string path;  ///< "-": standard output
+};
+
+/// Throws CLI::ValidationError where an output is an input, or two outputs are one, by whatever path or link:
+/// writing would destroy what was to be read. Devices and pipes may be named twice.
+void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// Adds --samples to a command that looks at one position only, as all commands take it.
 void add_unused_samples(CLI::App& command);

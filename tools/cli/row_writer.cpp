@@ -1,7 +1,9 @@
 #include "row_writer.hpp"
 
 #include <charconv>
+#include <cmath>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace higherpair::cli {
@@ -25,6 +27,7 @@ void RowWriter::flush(std::size_t limit) {
 }
 
 void RowWriter::begin(const std::string& title, const std::vector<Column>& columns) {
+  columns_ = columns;
   if (format_ == Format::kCsv) {
     append_csv_header(columns, buffer_);
     return;
@@ -38,48 +41,46 @@ void RowWriter::begin(const std::string& title, const std::vector<Column>& colum
   buffer_ += "],\n\"rows\": [";
 }
 
-void RowWriter::append_json_row(const std::vector<Cell>& cells) {
-  buffer_ += first_row_ ? "\n  [" : ",\n  [";
-  first_row_ = false;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0) {
-      buffer_ += ", ";
-    }
-    if (const auto* number = std::get_if<double>(&cells[i])) {
-      char text[32];
-      buffer_.append(text, std::to_chars(text, text + sizeof text, *number == 0 ? 0.0 : *number).ptr);
-    } else if (const auto* word = std::get_if<std::string_view>(&cells[i])) {
-      buffer_ += json_text(*word);
-    } else {
+void RowWriter::append_json_row(const Row& row) {
+  buffer_ += row.number == 0 ? "\n  [" : ",\n  [";
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    buffer_ += i > 0 ? ", " : "";
+    const double value = row.values[i];
+    if (std::isnan(value)) {
       buffer_ += "null";
+    } else if (!columns_[i].words.empty()) {
+      buffer_ += json_text(word_of(columns_[i], value));
+    } else {
+      char text[32];
+      buffer_.append(text, std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr);
     }
   }
   buffer_ += ']';
 }
 
-void RowWriter::row(const std::vector<Cell>& cells) {
+void RowWriter::row(const Row& row) {
   if (format_ == Format::kCsv) {
-    append_csv_row(cells, buffer_);
+    append_csv_row(columns_, row, buffer_);
   } else {
-    append_json_row(cells);
+    append_json_row(row);
   }
   flush(1 << 16);
 }
 
-void RowWriter::end(const std::vector<Event>& events) {
+void RowWriter::end(const std::vector<Event>& events, bool good) {
   if (format_ == Format::kJson) {
     buffer_ += "],\n\"events\": [";
     for (std::size_t i = 0; i < events.size(); ++i) {
       const Event& event = events[i];
       const nlohmann::ordered_json json = {
-          {"type", event.type},
+          {"type", name_of(event.type)},
           {"driver", event.driver},
           {"time", event.time ? nlohmann::json(*event.time) : nlohmann::json()},
           {"item", event.item.empty() ? nlohmann::json() : nlohmann::json(event.item)},
           {"cause", event.cause}};
       buffer_ += (i > 0 ? ",\n  " : "\n  ") + json.dump();
     }
-    buffer_ += "]}\n";
+    buffer_ += fmt::format("],\n\"ok\": {}}}\n", good);
   }
   flush(0);
   file_->finish();

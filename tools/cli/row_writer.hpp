@@ -1,23 +1,13 @@
 #pragma once
 
-#include "higherpair/io/motion_table.hpp"
+#include "higherpair/front/motion.hpp"
 #include "output_file.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace higherpair::cli {
-
-/// An event of a run in the profile's units.
-struct Event {
-  std::string type;
-  double driver = 0;
-  std::optional<double> time;
-  std::string item;  ///< empty: none
-  std::string cause;
-};
 
 /// Writes a motion table row by row, as CSV or as JSON.
 class RowWriter {
@@ -27,20 +17,20 @@ public:
   RowWriter(const std::string& path, Format format);
 
   void begin(const std::string& title, const std::vector<Column>& columns);
-  void row(const std::vector<Cell>& cells);
+  void row(const Row& row);
   /// Nothing is written after this.
-  void end(const std::vector<Event>& events);
+  void end(const std::vector<Event>& events, bool good);
 
   [[nodiscard]] OutputFile& file() const { return *file_; }
 
 private:
   void flush(std::size_t limit);
-  void append_json_row(const std::vector<Cell>& cells);
+  void append_json_row(const Row& row);
 
   Format format_;
   std::unique_ptr<OutputFile> file_;
   std::string buffer_;
-  bool first_row_ = true;
+  std::vector<Column> columns_;
 };
 
 }  // namespace higherpair::cli

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "higherpair/io/diagnostic.hpp"
-#include "higherpair/io/profile.hpp"
+#include "higherpair/higherpair.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -28,16 +27,20 @@ struct RunOptions {
   double tolerance = 1e-9;
   bool quiet = false;
   bool summary = false;
-  bool jerk = false;               ///< columns of jerk behind those of the motion
-  std::optional<int> derivatives;  ///< columns of the third to this derivative behind them
+  std::vector<std::string> columns;  ///< names or globs; empty: all
+  bool jerk = false;                 ///< columns of jerk behind those of the motion
+  std::optional<int> derivatives;    ///< columns of the third to this derivative behind them
 };
 
-/// Prints what is wrong with the input on standard error; returns the exit code.
-[[nodiscard]] int report_input(const Diagnostics& diagnostics);
+/// Prints what is wrong on standard error; returns the exit code.
+[[nodiscard]] int report_error(const Error& error);
 
-/// The exit code of a mechanism that nothing drives, which is all the same for `mobility` only; says why on
-/// standard error.
-[[nodiscard]] std::optional<int> refuse_without_driver(const std::string& path, const Profile& profile);
+/// Prints notes on standard error, unless `quiet`.
+void print_notes(const Diagnostics& notes, bool quiet);
+
+/// The model of a profile file, its notes printed unless `quiet`.
+[[nodiscard]] Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides,
+                                       bool quiet);
 
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

@@ -1,25 +1,24 @@
 #pragma once
 
-#include "higherpair/io/motion_table.hpp"
+#include "higherpair/front/motion.hpp"
 
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace higherpair::cli {
 
-/// Smallest and largest value of every column, and how many rows have which status.
+/// Smallest and largest value of every column, how many rows have which status, and whether the whole path is
+/// good.
 class Summary {
 public:
-  /// \param status  the column that holds the status of a row
-  explicit Summary(std::size_t status) : status_(status) {}
-
-  void add(const std::vector<Cell>& cells);
+  void add(const Row& row);
 
   /// Prints them on standard output.
-  void print(const std::string& title, const std::vector<Column>& columns) const;
+  void print(const std::string& title, const Analysis& analysis) const;
 
 private:
   struct Range {
@@ -27,9 +26,8 @@ private:
     double high = -std::numeric_limits<double>::infinity();
   };
 
-  std::size_t status_;
   std::vector<Range> ranges_;
-  std::map<std::string, std::int64_t> statuses_;
+  std::map<std::string_view, std::int64_t> statuses_;
 };
 
 }  // namespace higherpair::cli

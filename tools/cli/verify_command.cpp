@@ -1,6 +1,5 @@
 #include "verify_command.hpp"
 
-#include "higherpair/io/profile_reader.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "run_command.hpp"
@@ -111,12 +110,12 @@ int verify_command(const VerifyOptions& options) {
   if (!profile || !table) {
     return kExitInput;
   }
-  const auto read = read_profile_text(*profile, *options.profile);
-  if (!read) {
-    return report_input(read.error());
+  const auto model = Model::from_text(*profile, *options.profile);
+  if (!model) {
+    return report_error(model.error());
   }
-  if (const auto code = refuse_without_driver(*options.profile, *read)) {
-    return *code;
+  if (model->mechanism().drivers.empty()) {
+    return report_error(model->start().error());
   }
   verdicts.push_back(verify({*options.profile, *profile, *table}));
   return report(verdicts, options);

@@ -23,6 +23,7 @@ CurveResult curve_of(const Shape& s) {
     case CurveKind::kLine:
       return make_line({s.x, s.y}, unit_vector(s.angle));
     case CurveKind::kPoint:
+    case CurveKind::kSupport:
       break;
   }
   return make_point({s.x, s.y});
@@ -57,27 +58,6 @@ std::vector<double*> lengths(Case& one) {
     all.insert(all.end(), {&one.crank->x, &one.crank->y, &one.crank->length, &one.crank->cx, &one.crank->cy});
   }
   return all;
-}
-
-std::string curve_text(const Shape& s) {
-  const char* side = s.side == Side::kOutside ? R"(, side = "outside")" : "";
-  switch (s.kind) {
-    case CurveKind::kCircle:
-      return fmt::format(R"({{ type = "circle", center = [{}, {}], radius = {}{} }})", s.x, s.y, s.a, side);
-    case CurveKind::kEllipse:
-    case CurveKind::kHyperbola:
-      return fmt::format(R"({{ type = "{}", center = [{}, {}], semi_axes = [{}, {}], rotation = {}{} }})",
-                         s.kind == CurveKind::kEllipse ? "ellipse" : "hyperbola", s.x, s.y, s.a, s.b, s.angle,
-                         side);
-    case CurveKind::kParabola:
-      return fmt::format(R"({{ type = "parabola", vertex = [{}, {}], focal_length = {}, rotation = {}{} }})",
-                         s.x, s.y, s.a, s.angle, side);
-    case CurveKind::kLine:
-      return fmt::format(R"({{ type = "line", point = [{}, {}], normal = {} }})", s.x, s.y, s.angle);
-    case CurveKind::kPoint:
-      break;
-  }
-  return fmt::format(R"({{ type = "point", at = [{}, {}] }})", s.x, s.y);
 }
 
 std::string point_text(const std::string& name, double x, double y) {
@@ -117,6 +97,28 @@ std::string crank_text(const Case& one) {
 }
 
 }  // namespace
+
+std::string curve_text(const Shape& s) {
+  const char* side = s.side == Side::kOutside ? R"(, side = "outside")" : "";
+  switch (s.kind) {
+    case CurveKind::kCircle:
+      return fmt::format(R"({{ type = "circle", center = [{}, {}], radius = {}{} }})", s.x, s.y, s.a, side);
+    case CurveKind::kEllipse:
+    case CurveKind::kHyperbola:
+      return fmt::format(R"({{ type = "{}", center = [{}, {}], semi_axes = [{}, {}], rotation = {}{} }})",
+                         s.kind == CurveKind::kEllipse ? "ellipse" : "hyperbola", s.x, s.y, s.a, s.b, s.angle,
+                         side);
+    case CurveKind::kParabola:
+      return fmt::format(R"({{ type = "parabola", vertex = [{}, {}], focal_length = {}, rotation = {}{} }})",
+                         s.x, s.y, s.a, s.angle, side);
+    case CurveKind::kLine:
+      return fmt::format(R"({{ type = "line", point = [{}, {}], normal = {} }})", s.x, s.y, s.angle);
+    case CurveKind::kPoint:
+    case CurveKind::kSupport:  // no profile has one
+      break;
+  }
+  return fmt::format(R"({{ type = "point", at = [{}, {}] }})", s.x, s.y);
+}
 
 double Cases::between(double low, double high) {
   return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;

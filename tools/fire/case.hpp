@@ -64,6 +64,9 @@ private:
   std::mt19937_64 engine_;
 };
 
+/// A curve as a profile writes it, numbers to the last digit.
+[[nodiscard]] std::string curve_text(const Shape& shape);
+
 /// The numbers of a case that a profile shows, to be changed one by one.
 [[nodiscard]] std::vector<double*> numbers(Case& one);
 

@@ -1,6 +1,12 @@
 // Trial by fire: random contacts and mechanisms, every result held against laws; what fails is made small and
 // printed as a profile.
+#include "child.hpp"
+#include "higherpair/io/profile_reader.hpp"
+#include "random_sketch.hpp"
+#include "rows_law.hpp"
+#include "shrink_sketch.hpp"
 #include "trial.hpp"
+#include "truth_law.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -42,6 +48,11 @@ void print_summary(std::uint64_t seed, const Counts& counts, const std::map<std:
 }
 
 struct Options {
+  std::string law = "pairs";
+  std::string kind = "all";
+  bool print = false;
+  bool shrink = true;
+  unsigned patience = 20;
   std::uint64_t seed = 1;
   long first = 0;
   long count = 1000;
@@ -78,6 +89,97 @@ int run(const Options& options) {
   return counts.failed == 0 && counts.found > 0 ? 0 : 1;
 }
 
+using higherpair::fire::ChildResult;
+using higherpair::fire::Failure;
+using higherpair::fire::Sketch;
+using higherpair::fire::SketchKind;
+
+// Does a case obey the rows law? In a process of its own.
+Failure try_rows(const Sketch& sketch, const Options& options) {
+  const ChildResult result = higherpair::fire::in_child(
+      [&]() -> std::string {
+        const auto profile =
+            higherpair::read_profile_text(higherpair::fire::profile_of(sketch, "case"), "case");
+        if (!profile) {
+          return "refused by the reader\n" + to_string(profile.error().front());
+        }
+        const Failure failure = options.law == "truth"
+                                    ? higherpair::fire::truth_law(*profile)
+                                    : higherpair::fire::rows_law(*profile, sketch.duration > 0);
+        return failure.law + "\n" + failure.detail;
+      },
+      options.patience);
+  if (result.end != ChildResult::End::kAnswered) {
+    return {result.end == ChildResult::End::kLate ? "no end" : "crash", "", 0};
+  }
+  const std::size_t line = result.answer.find('\n');
+  return {result.answer.substr(0, line), result.answer.substr(line + 1), 0};
+}
+
+struct Tally {
+  long cases = 0;
+  long failed = 0;
+  std::map<std::string, long> broken;
+  std::map<std::string, long> passed;  // with a remark
+};
+
+// The case made small, as a profile; the number finds the whole one again.
+void print_sketch(SketchKind kind, long number, const Sketch& sketch, const Failure& failure,
+                  const Options& options) {
+  const Sketch small =
+      options.shrink
+          ? shrink(sketch,
+                   [&](const Sketch& smaller) { return try_rows(smaller, options).law == failure.law; })
+          : sketch;
+  fmt::print("{}\n", profile_of(small, fmt::format("{} {}: {}", name_of(kind), number, failure.law)));
+}
+
+Tally try_kind(SketchKind kind, const Options& options) {
+  Tally tally;
+  for (long i = options.first; i < options.first + options.count; ++i) {
+    const Sketch sketch = higherpair::fire::random_sketch(kind, options.seed, static_cast<std::uint64_t>(i));
+    if (options.print) {
+      fmt::print("{}\n", profile_of(sketch, fmt::format("{} {}", name_of(kind), i)));
+      continue;
+    }
+    ++tally.cases;
+    const Failure failure = try_rows(sketch, options);
+    if (!failure && !failure.detail.empty()) {
+      ++tally.passed[failure.detail];
+    }
+    if (failure) {
+      ++tally.failed;
+      const bool shown = ++tally.broken[failure.law] <= options.shown;
+      fmt::print("# {} {}: {}: {}\n", name_of(kind), i, failure.law, failure.detail);
+      if (shown) {
+        print_sketch(kind, i, sketch, failure, options);
+      }
+      std::fflush(stdout);
+    }
+  }
+  return tally;
+}
+
+int run_rows(const Options& options) {
+  long failed = 0;
+  const auto one = higherpair::fire::kind_named(options.kind);
+  for (const SketchKind kind : one ? std::vector{*one} : higherpair::fire::all_kinds()) {
+    const Tally tally = try_kind(kind, options);
+    if (options.print) {
+      continue;
+    }
+    failed += tally.failed;
+    fmt::print("{}: {} of {} cases fail\n", name_of(kind), tally.failed, tally.cases);
+    for (const auto& [law, times] : tally.broken) {
+      fmt::print("    {:4} {}\n", times, law);
+    }
+    for (const auto& [remark, times] : tally.passed) {
+      fmt::print("    ({} passed: {})\n", times, remark);
+    }
+  }
+  return failed == 0 ? 0 : 1;
+}
+
 int start(int argc, char** argv) {
   Options options;
   CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
@@ -92,11 +194,18 @@ int start(int argc, char** argv) {
   app.add_option("--whole", options.every, "read and run the whole profile of every so manyth case only")
       ->check(CLI::PositiveNumber);
   app.add_option("--show", options.shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
+  app.add_option("--law", options.law,
+                 "pairs: contacts and their rates; rows: that nothing depends on the rows")
+      ->check(CLI::IsMember({"pairs", "rows", "truth"}));
+  app.add_option("--kind", options.kind, "of mechanisms for the rows law; all unless given");
+  app.add_flag("--print", options.print, "print the profiles only");
+  app.add_flag("!--whole-cases", options.shrink, "print failing mechanisms as they are, not made small");
+  app.add_option("--patience", options.patience, "seconds of processor time that a case may take");
   CLI11_PARSE(app, argc, argv);
   if (options.seconds > 0 && count->count() == 0) {
     options.count = std::numeric_limits<long>::max();
   }
-  return run(options);
+  return options.law != "pairs" ? run_rows(options) : run(options);
 }
 
 }  // namespace

@@ -2,12 +2,9 @@
 
 #include "contact/contact_laws.hpp"
 #include "contact/differences.hpp"
-#include "higherpair/analysis/run.hpp"
+#include "front/analysis_impl.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/tracker.hpp"
-#include "higherpair/io/driver_schedule.hpp"
-#include "higherpair/io/motion_table.hpp"
-#include "higherpair/io/profile_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -287,32 +284,34 @@ Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
 }
 
 Failure run_profile(const Case& one, Counts& counts) {
-  const auto profile = read_profile_text(profile_of(one, "case"), "case");
-  if (!profile) {
+  const auto model = Model::from_text(profile_of(one, "case"), "case");
+  if (!model) {
     ++counts.refused;  // for a reason: what the reader's messages are worth, its own tests say
     return {};
   }
-  const auto schedule = DriverSchedule::analyze(*profile);
-  auto run = start_run(profile->mechanism, {schedule->state(0).si.position});
-  if (!run) {
+  RunSettings settings;
+  settings.columns = {"driver", "driver.velocity"};
+  settings.units = kSiUnits;
+  auto analysis = model->start(settings);
+  if (!analysis) {
     return {};
   }
   ++counts.runs;
-  for (std::int64_t k = 0; k < schedule->size(); ++k) {
-    const DriverValues si = schedule->state(k).si;
-    move_to(*run, {{si.position, si.velocity, 0}});
+  Row row;
+  while (analysis->next(row)) {
     ++counts.rows;
-    if (run->row.status != RowStatus::kOk) {
+    if (row.status != RowStatus::kOk) {
       ++counts.flagged;
       continue;
     }
-    const int row = static_cast<int>(k);
-    if (auto f = row_laws(*run, row)) {
+    const Run& run = analysis->impl().run;
+    const int number = static_cast<int>(row.number);
+    if (auto f = row_laws(run, number)) {
       return f;
     }
-    if (one.crank && (k % 20 == 10 || one.rows < 10)) {
+    if (one.crank && (number % 20 == 10 || one.rows < 10)) {
       ++counts.compared;
-      if (auto f = run_rates(*run, {si.position, si.velocity, 0}, 0.03 * one.step, row)) {
+      if (auto f = run_rates(run, {row.values[0], row.values[1], 0}, 0.03 * one.step, number)) {
         return f;
       }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/jerk_rows.hpp"
+#include "higherpair/geometry/body_jerk.hpp"
 
 #include <optional>
 #include <vector>

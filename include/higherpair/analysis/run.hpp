@@ -17,6 +17,7 @@ enum class RowStatus {
   kSingular,        ///< the closure has lost rank to rounding: positions hold, some rates are not defined
   kOverlap,         ///< touching bodies overlap elsewhere
   kNotConverged,    ///< the closure residual exceeds the tolerance
+  kContactOpen,     ///< a contact would have to pull; of rows with forces only
 };
 
 /// Everything that one row of a motion table shows; SI units, ground frame.
@@ -37,6 +38,7 @@ enum class EventType {
   kConforming,     ///< κ1 + κ2 = 0: beyond, the bodies cut into each other at the contact
   kSecondContact,  ///< of the same two bodies, with which the motion goes on
   kOverlap,        ///< touching bodies begin to overlap elsewhere
+  kContactOpen,    ///< a contact begins to pull; of runs with forces only
 };
 
 struct RunEvent {
@@ -138,6 +140,11 @@ struct Run {
                                                         const std::vector<double>& drivers,
                                                         double tolerance = 1e-9);
 
+/// The same with the plan of the mechanism, as make_plan gives it.
+[[nodiscard]] tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, Plan plan,
+                                                        const std::vector<double>& drivers,
+                                                        double tolerance = 1e-9);
+
 /// Whether whoever asked for the run wants it no longer.
 [[nodiscard]] inline bool is_stopped(const Run& run) {
   return run.stop != nullptr && run.stop->load(std::memory_order_relaxed);
@@ -149,6 +156,10 @@ struct Run {
 /// coupled.
 /// \param drivers  of Mechanism::drivers; velocity and acceleration are those of the row
 void move_to(Run& run, const std::vector<DriverMotion>& drivers);
+
+/// Velocities and accelerations of all bodies and contacts of `state`, whose positions are given, for the
+/// rates of the drivers.
+void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state);
 
 /// Rolls through driver positions and returns the first at which a rolling contact of driver and follower
 /// would have to slip, if any: rolling removes two freedoms, and between two grounded joints only special

@@ -14,7 +14,11 @@ enum class CertificateStatus {
   kAtLimit,       ///< the same, but for entries at a double root: rounding of the input makes or unmakes them
   kNotDecided,    ///< the list is not kComplete, or a case that the exact decision leaves out
   kDisagreement,  ///< list and exact answer differ: an error of this program
+  kUnavailable,   ///< this build of the library has no exact arithmetic: nothing was decided
 };
+
+/// Whether this build can decide contacts: with HIGHERPAIR_EXACT=OFF it is made without CGAL, GMP and MPFR.
+[[nodiscard]] bool has_exact_arithmetic();
 
 /// What exact arithmetic says of a list of contacts.
 struct Certificate {

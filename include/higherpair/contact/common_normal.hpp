@@ -7,17 +7,29 @@
 
 namespace higherpair {
 
-/// Where two curves face each other: their points with a common normal, in ground W. They touch where p2 =
-/// p1.
+/// Where two curves face each other: their points with a common normal, in ground W; t = n turned +90°. They
+/// touch where p2 = p1: then this is their touching point, of whatever kind of search it comes.
 struct CommonNormal {
   Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of curve 1 at p1; curve 2 has -n at p2
   Vector2d p1_W = Vector2d::Zero();
   Vector2d p2_W = Vector2d::Zero();
-  double rho1 = 0;  ///< signed radii of curvature [m]; meaningless for a line
+  double rho1 = 0;  ///< signed radii of curvature [m]: > 0 convex; 0 for a point; meaningless for a line
   double rho2 = 0;
 
   /// (p2 - p1)·n [m]: > 0 apart, 0 touching, < 0 overlapping
   [[nodiscard]] double gap() const { return (p2_W - p1_W).dot(n_W); }
+  /// Midway between the two points [m].
+  [[nodiscard]] Vector2d p_W() const { return (p1_W + p2_W) / 2; }
+  /// The same with the two curves named the other way round.
+  [[nodiscard]] CommonNormal exchanged() const { return {-n_W, p2_W, p1_W, rho2, rho1}; }
+};
+
+/// A position of a pair in which its two curves are tangent; vectors in ground W.
+struct TangentPosition {
+  double u = 0;                      ///< driver's coordinate [rad or m]
+  double q = 0;                      ///< follower's coordinate [rad or m]
+  Vector2d p_W = Vector2d::Zero();   ///< the common point [m]
+  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of body 1; where that is a point, -(body 2's)
 };
 
 /// The common normal near a guess: the root of (p2 - p1)·t = 0, t = n turned +90°, by Newton's method with
@@ -45,8 +57,18 @@ struct EquivalentLink {
   double z = 0;           ///< [m]
 };
 
-[[nodiscard]] EquivalentLink equivalent_link(const Curve& curve1, double rho1, const Curve& curve2,
-                                             double rho2);
+/// Of two curves neither of which is a line.
+[[nodiscard]] inline EquivalentLink link_of_curved(double rho1, double rho2) {
+  const double w = 1 / (rho1 + rho2);
+  return {rho2 * w, rho1 * w, w, rho1 * rho2 * w};
+}
+
+[[nodiscard]] inline EquivalentLink equivalent_link(bool line1, double rho1, bool line2, double rho2) {
+  if (line2) {
+    return {1, 0, 0, rho1};
+  }
+  return line1 ? EquivalentLink{0, 1, 0, rho2} : link_of_curved(rho1, rho2);
+}
 
 /// How a contact of two moving bodies moves.
 struct ContactRates {
@@ -58,7 +80,20 @@ struct ContactRates {
 
 /// With ω_r = ω2 - ω1:  u1 = z ω_r + w2 v_s,  u2 = z ω_r - w1 v_s,  φ̇ = ω1 + w1 ω_r + w v_s,
 ///     n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇.
-/// Uses the velocities of the bodies only. \pre n·(v2 - v1) = 0
+/// \pre n·(v2 - v1) = 0
+[[nodiscard]] inline ContactRates contact_rates(const EquivalentLink& link, double sliding, double omega1,
+                                                double omega2) {
+  const double omega_r = omega2 - omega1;
+  ContactRates rates;
+  rates.sliding = sliding;
+  rates.along1 = link.z * omega_r + link.w2 * sliding;
+  rates.along2 = link.z * omega_r - link.w1 * sliding;
+  rates.phi_dot = omega1 + link.w1 * omega_r + link.w * sliding;
+  rates.normal_acceleration = omega2 * rates.along2 - omega1 * rates.along1 - sliding * rates.phi_dot;
+  return rates;
+}
+
+/// The same from the velocities of the bodies.
 [[nodiscard]] ContactRates contact_rates(const EquivalentLink& link, const CommonNormal& at,
                                          const BodyMotion& body1, const BodyMotion& body2);
 

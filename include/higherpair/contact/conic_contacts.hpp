@@ -7,12 +7,9 @@
 
 namespace higherpair {
 
-/// One position of the follower at which the two curves are tangent; vectors in ground W.
-struct CurveContact {
-  double q = 0;                     ///< follower's coordinate: in (-π, π], or a displacement [m]
-  Vector2d p_W = Vector2d::Zero();  ///< the common point [m]
-  Vector2d n_W =
-      Vector2d::UnitX();  ///< unit outward normal of body 1; where body 1 is a point, -(that of body 2)
+/// One position of the follower at which the two curves are tangent; its q lies in (-π, π], or is a
+/// displacement [m].
+struct CurveContact : TangentPosition {
   bool opposed =
       false;  ///< the outward normals are opposed: the bodies lie on different sides (always of a point)
   bool free = false;        ///< opposed, and the interiors of the two bodies are disjoint
@@ -29,6 +26,7 @@ enum class ContactsStatus {
   kTouchesEverywhere,  ///< the distance of the curves does not depend on q, and they touch; the list is empty
   kTouchesNowhere,     ///< the distance does not depend on q, and they do not touch; the list is empty
   kTangentAtInfinity,  ///< hyperbolas that share an asymptote at every q: the condition says nothing; no list
+  kUndecided,          ///< of curves by their support: there may be more, where they nearly touch
   kNoPair,             ///< two lines or two points
 };
 
@@ -47,6 +45,7 @@ struct CurveContacts {
 /// hyperbola falls away. So the answer is right for the given doubles to their last digits, also for contacts
 /// 1e-12 apart or levers a million times longer than the bodies; contacts that the rounding of the input can
 /// create or destroy are one entry with `at_limit` or `conforming` set.
+/// Curves by their support are searched by subdivision instead (subdivision.hpp).
 /// Cost: some 10 ms (two conics), not for the inside of a loop.
 [[nodiscard]] CurveContacts find_curve_contacts(const ContactPair& pair, double u);
 

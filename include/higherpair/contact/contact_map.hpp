@@ -20,11 +20,7 @@ struct MapRange {
 };
 
 /// One position on a branch.
-struct MapPoint {
-  double u = 0;                        ///< driver [rad or m]
-  double q = 0;                        ///< follower, continuous along the branch [rad or m]
-  Vector2d p_W = Vector2d::Zero();     ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();    ///< unit outward normal of body 1
+struct MapPoint : TangentPosition {    ///< q is continuous along the branch
   bool free = false;                   ///< opposed, and the interiors of the bodies are disjoint
   std::optional<std::int64_t> sample;  ///< u = start + sample·spacing; none at the end of a branch
 };
@@ -68,6 +64,7 @@ struct MapEvent {
 enum class MapStatus {
   kOk,
   kNoPair,             ///< two lines or two points
+  kNotAlgebraic,       ///< a curve by its support: its critical positions are not known
   kTouchesEverywhere,  ///< the distance of the curves does not depend on q, and they touch
   kTouchesNowhere,     ///< it does not depend on q, and they do not touch
   kTangentAtInfinity,  ///< hyperbolas that share an asymptote wherever they stand

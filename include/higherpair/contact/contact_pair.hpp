@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/curve.hpp"
+#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/geometry/one_freedom.hpp"
 
 namespace higherpair {
@@ -14,16 +14,20 @@ struct ContactPair {
   OneFreedom motion2;
 };
 
-/// Where the two curves touch and how the contact moves with the driver; vectors in ground W.
-/// n_W is the outward normal of body 1; body 2 has -n_W. t = n turned +90°. p2 - p1 = 0 up to rounding.
-struct ContactPosition {
-  double u = 0;                      ///< driver coordinate [rad or m]
-  double q = 0;                      ///< follower coordinate [rad or m]
-  Vector2d n_W = Vector2d::UnitX();  ///< unit common normal, out of body 1
-  Vector2d p1_W = Vector2d::Zero();  ///< point of curve 1 with the outward normal n [m]
-  Vector2d p2_W = Vector2d::Zero();  ///< point of curve 2 with the outward normal -n [m]
-  double rho1 = 0;                   ///< signed radii of curvature [m]; meaningless for a line
-  double rho2 = 0;
+/// Whether both curves are conics, lines or points, whose contacts are roots of polynomials.
+[[nodiscard]] inline bool is_algebraic(const ContactPair& pair) {
+  return pair.curve1.support == nullptr && pair.curve2.support == nullptr;
+}
+
+/// What counts as the size of a pair, whatever its position [m]: the arms of the joints to the two curves,
+/// the distance of the joints, and the smaller of the two curves' sizes (a nearly flat curve makes no huge
+/// pair). > 0.
+[[nodiscard]] double size_of_pair(const ContactPair& pair);
+
+/// Where the two curves touch (p2 - p1 = 0 to within rounding) and how the contact moves with the driver.
+struct ContactPosition : CommonNormal {
+  double u = 0;        ///< driver coordinate [rad or m]
+  double q = 0;        ///< follower coordinate [rad or m]
   double dq = 0;       ///< dq/du
   double d2q = 0;      ///< d²q/du²
   double dphi = 0;     ///< d(angle of n)/du

@@ -13,12 +13,9 @@ enum class CriticalType {
   kConforming,  ///< κ1 + κ2 = 0 of opposed, κ1 = κ2 of other normals: two contacts merge in a cusp
 };
 
-struct CriticalPosition {
+/// Its coordinates are angles in (-π, π], or displacements [m].
+struct CriticalPosition : TangentPosition {
   CriticalType type = CriticalType::kFold;
-  double u = 0;                      ///< driver: an angle in (-π, π], or a displacement [m]
-  double q = 0;                      ///< follower: likewise
-  Vector2d p_W = Vector2d::Zero();   ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of body 1
   bool opposed = true;
 };
 

@@ -7,6 +7,13 @@
 
 namespace higherpair {
 
+/// ∂gap/∂q of a contact that may be at a limit or where branches cross, relative to its scale: the square
+/// root of what rounding leaves of a gap.
+inline constexpr double kGapQMayVanish = 1e-7;
+
+/// ∂gap/∂q that is 0 to within rounding, relative to its scale.
+inline constexpr double kGapQIsZero = 1e-12;
+
 /// What is left of `gap_q_scale2` where a contact passes over the follower's pivot: the radii of curvature,
 /// and a share of the distances from the pivots [m²]; 0 of a sliding follower.
 [[nodiscard]] inline double least_gap_q_scale2(const ContactPair& pair, const ContactPosition& at) {
@@ -28,6 +35,10 @@ namespace higherpair {
 /// follower 1, of a turning one the arm [m²], with the above.
 [[nodiscard]] inline double gap_q_scale2(const ContactPair& pair, const ContactPosition& at) {
   return velocity_per_q(pair.motion2, at.p2_W).squaredNorm() + least_gap_q_scale2(pair, at);
+}
+
+[[nodiscard]] inline bool gap_q_may_vanish(const ContactPair& pair, const ContactPosition& at) {
+  return at.gap_q * at.gap_q <= kGapQMayVanish * kGapQMayVanish * gap_q_scale2(pair, at);
 }
 
 }  // namespace higherpair

@@ -3,6 +3,8 @@
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
 
+#include <optional>
+
 namespace higherpair {
 
 /// How far two bodies are apart, over their whole boundaries; vectors in ground W.
@@ -12,7 +14,7 @@ struct Separation {
       Vector2d::UnitX();  ///< the normal (out of body 1) at which it is taken; contact happens there
 };
 
-/// Signed distance of two bodies, each inside or outside of its curve, where they stand.
+/// Signed distance of two bodies, each convex or concave throughout, at their poses.
 /// With g(n) = (p2 - p1)·n for the points of outward normals n and -n: two convex bodies are apart iff max g
 /// > 0, and that maximum is the distance; a convex body is clear of one with a concave curve (in a ring) iff
 /// min g > 0. The extreme over all n is found by subdivision: on an arc of normals of half-width d about m,
@@ -22,5 +24,10 @@ struct Separation {
 /// \param tolerance  the result is within this of the true distance [m]; > 0
 [[nodiscard]] Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
                                     const Pose<double>& X_W2, double tolerance);
+
+/// Whether two curves that touch with opposed normals leave the interiors of their bodies disjoint, wherever
+/// that is: always of two convex bodies and of a point, never of two concave ones or of a line in a ring;
+/// none where it depends on the position.
+[[nodiscard]] std::optional<bool> always_free(const Curve& curve1, const Curve& curve2);
 
 }  // namespace higherpair

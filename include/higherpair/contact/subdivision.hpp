@@ -1,10 +1,10 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
-#include "higherpair/contact/support_curve.hpp"
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -29,12 +29,9 @@ struct SubdivisionOptions {
 };
 
 /// A position of the follower at which the curves are tangent. Proven: exactly one tangency exists with q in
-/// `q_bounds` next to this normal. Vectors in ground W.
-struct CertifiedContact {
-  double q = 0;     ///< follower's coordinate: in (-π, π] [rad], or a displacement [m]
+/// `q_bounds` next to this normal; q in (-π, π] [rad], or a displacement [m].
+struct CertifiedContact : TangentPosition {
   Bounds q_bounds;  ///< encloses it, for the given numbers; its width says how well the position is defined
-  Vector2d p_W = Vector2d::Zero();     ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();    ///< unit outward normal of body 1
   bool opposed = false;                ///< the outward normals are opposed: the bodies lie on different sides
   int branch = 0;                      ///< of an opposed contact: sign of ∂gap/∂q; else 0
   double rho1 = 0, rho2 = 0;           ///< radii of curvature [m]; of a face 0, without meaning
@@ -81,7 +78,27 @@ struct SubdivisionContacts {
 [[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const SupportPair& pair, double u,
                                                                const SubdivisionOptions& options = {});
 
-/// The same for curves of the library.
+/// What encloses h, h′ and ρ over an interval of normals.
+struct SupportBounds {
+  Bounds h;
+  Bounds dh;
+  Bounds rho;
+};
+
+/// Bounds of a piece over at most a half turn of normals, rounded outwards: from h and h′ at the
+/// middle and the bounds of ρ, h + h″ = ρ integrated. Their width beyond the change of h and h′ falls with
+/// the square of the interval.
+[[nodiscard]] SupportBounds bounds_over(const SupportCurve& curve, std::size_t piece, const Bounds& phi);
+
+/// A conic, line or point as a curve by its support, its errors those of an evaluation in intervals. Of a
+/// parabola or a branch of a hyperbola, on which h grows without bound towards the ends of the cone of
+/// normals, the part is taken that is no farther across from its axis than `reach` [m], > 0: it holds every
+/// point within that distance of the vertex. Beyond 1e5 semi-latera recta (for a narrow hyperbola: semi-axes
+/// across) it ends in any case, since there angles of normals have too few digits left.
+/// \pre curve.support is not set: that is such a curve
+[[nodiscard]] std::unique_ptr<SupportCurve> make_support_curve(const Curve& curve, double reach);
+
+/// The same for curves of any kind; of a curve by its support all pieces are looked at.
 /// \param reach  of parabolas and hyperbolas, see make_support_curve [m]: contacts at points farther than
 ///   this from their vertices are not looked for
 [[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double u,

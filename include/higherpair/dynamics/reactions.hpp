@@ -41,13 +41,6 @@ struct Reactions {
   [[nodiscard]] bool opens() const;
 };
 
-/// A constant addition to what keeps a contact closed: to the tension of a spring, or as an effort on a
-/// joint.
-struct Preload {
-  enum class On { kSpring, kJoint } on = On::kSpring;
-  int index = 0;  ///< of Mechanism::springs or Mechanism::joints
-};
-
 /// Inverse dynamics of a running analysis: Newton's and Euler's equations of every moving body with gravity,
 /// inertia, loads, springs and dampers, solved for what joints, contacts and drivers must do. Contacts slip
 /// without friction. Bodies without mass have no inertia. Idle bodies (Plan::idle_bodies, as a roller) do not
@@ -56,14 +49,9 @@ class InverseDynamics {
 public:
   explicit InverseDynamics(const Run& run);
 
-  /// The reactions where run.row stands; valid until the next call. `run` must be the one of the constructor,
+  /// The reactions in run.row; valid until the next call. `run` must be the one of the constructor,
   /// or a copy. With one driver and no surplus of conditions nothing is allocated.
   const Reactions& solve(const Run& run);
-
-  /// The force in a contact for a preload of 1 N (1 N m on a revolute joint) alone, where the last solve
-  /// stood; none if that was not defined, or the force is indeterminate.
-  [[nodiscard]] std::optional<double> force_per_preload(const Run& run, std::size_t contact,
-                                                        const Preload& preload);
 
 private:
   void read_joints(const Run& run);
@@ -77,8 +65,7 @@ private:
   std::vector<Wrench> wrenches_;  ///< gravity, loads, springs and inertia of each body
   std::vector<Wrench> left_;      ///< the same, used up by the balance
   Reactions reactions_;
-  State unit_;  ///< the row with a unit rate of one of several drivers
-  std::vector<DriverMotion> unit_motions_;
+  State unit_;  ///< with a unit rate of one of several drivers
 };
 
 }  // namespace higherpair

@@ -1,8 +1,86 @@
 #pragma once
 
 #include "higherpair/geometry/curve.hpp"
+#include "higherpair/geometry/expansion.hpp"
+
+#include <cassert>
+#include <cmath>
 
 namespace higherpair {
+
+/// \cond
+namespace detail {
+
+// The series of R_F and R_D for nearly equal arguments, about their means (DLMF 19.36.1, 19.36.2).
+template <class T>
+[[nodiscard]] T rf_series(const T& x, const T& y, const T& z) {
+  using std::sqrt;
+  const T mean = (x + y + z) / 3.0;
+  const T X = 1.0 - x / mean;
+  const T Y = 1.0 - y / mean;
+  const T Z = -X - Y;
+  const T E2 = X * Y - Z * Z;
+  const T E3 = X * Y * Z;
+  const T series = 1.0 - E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0 -
+                   5.0 * E2 * E2 * E2 / 208.0 + 3.0 * E3 * E3 / 104.0 + E2 * E2 * E3 / 16.0;
+  return series / sqrt(mean);
+}
+
+template <class T>
+[[nodiscard]] T rd_series(const T& x, const T& y, const T& z) {
+  using std::sqrt;
+  const T mean = (x + y + 3.0 * z) / 5.0;
+  const T X = 1.0 - x / mean;
+  const T Y = 1.0 - y / mean;
+  const T Z = -(X + Y) / 3.0;
+  const T XY = X * Y;
+  const T E2 = XY - 6.0 * Z * Z;
+  const T E3 = (3.0 * XY - 8.0 * Z * Z) * Z;
+  const T E4 = 3.0 * (XY - Z * Z) * Z * Z;
+  const T E5 = XY * Z * Z * Z;
+  const T series = 1.0 - 3.0 * E2 / 14.0 + E3 / 6.0 + 9.0 * E2 * E2 / 88.0 - 3.0 * E4 / 22.0 -
+                   9.0 * E2 * E3 / 52.0 + 3.0 * E5 / 26.0 - E2 * E2 * E2 / 16.0 + 3.0 * E3 * E3 / 40.0 +
+                   3.0 * E2 * E4 / 20.0 + 45.0 * E2 * E2 * E3 / 272.0 - 9.0 * (E3 * E4 + E2 * E5) / 68.0;
+  return series / (mean * sqrt(mean));
+}
+
+// To the normal turned by the angle of cosine c and sine s, |angle| <= π/2, from R_F and R_D of (c², 1, w²)
+// by duplication (DLMF 19.26.18, 19.26.20), which takes the same square roots for both, until the arguments
+// differ by 1 %: what the series leave out is below 1e-16 then. \pre c >= 0: it is itself the first square
+// root, whose derivative at c = 0 would be lost.
+template <class T>
+[[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s) {
+  using std::sqrt;
+  constexpr double kNearlyEqual = 0.01;
+  T x = c * c;
+  T y(1.0);
+  T z = c * c + q * s * s;
+  assert(z > T(0.0));
+  T root_x = c;
+  T sum(0.0);
+  double quarter_power = 1;
+  while (true) {
+    const T& largest = x > y ? (x > z ? x : z) : (y > z ? y : z);
+    const T& smallest = x < y ? (x < z ? x : z) : (y < z ? y : z);
+    if (!(T(largest - smallest) > T(kNearlyEqual * largest))) {
+      break;
+    }
+    const T root_y = sqrt(y);
+    const T root_z = sqrt(z);
+    const T lambda = root_x * root_y + (root_x + root_y) * root_z;
+    sum += quarter_power / (root_z * (z + lambda));
+    quarter_power /= 4;
+    x = (x + lambda) / 4.0;
+    y = (y + lambda) / 4.0;
+    z = (z + lambda) / 4.0;
+    root_x = sqrt(x);
+  }
+  const T rd = 3.0 * sum + quarter_power * rd_series(x, y, z);
+  return semi_latus * s * (rf_series(x, y, z) + (1.0 - q) / 3.0 * s * s * rd);
+}
+
+}  // namespace detail
+/// \endcond
 
 /// Arc length of a conic from its vertex to the point whose convex-side normal is turned by ψ from the normal
 /// at the vertex, positive for ψ > 0 (counter-clockwise) [m].
@@ -10,8 +88,37 @@ namespace higherpair {
 ///          = ℓ [ sin ψ R_F(cos²ψ, w², 1) + (1 - q)/3 sin³ψ R_D(cos²ψ, 1, w²) ],   w² = cos²ψ + q sin²ψ
 /// by Carlson's symmetric integrals (DLMF 19.25.14 with the characteristic equal to k² = 1 - q): one form for
 /// circle, ellipse, parabola and hyperbola. An ellipse goes on over any number of turns.
-/// Lines and points: 0.
+/// \tparam T   double, or an Expansion
 /// \param psi  [rad]; for a parabola or hyperbola within its cone of normals
+template <class T>
+[[nodiscard]] T conic_arc_length(const T& semi_latus, const T& q, const T& psi) {
+  using std::cos;
+  using std::sin;
+  if (q == T(1.0)) {
+    return semi_latus * psi;
+  }
+  const T cosine = cos(psi);
+  const T sine = sin(psi);
+  if (q <= T(0.0)) {
+    return detail::arc_from_vertex(semi_latus, q, cosine, sine);
+  }
+  // Half turns are left to cos and sin, which know all digits of π: at its tips a thin ellipse makes a length
+  // of a rounding of the angle.
+  double half_turns = std::round(value_of(psi) / kPi);
+  const double sign = std::fmod(half_turns, 2) == 0 ? 1 : -1;
+  T c = sign * cosine;
+  T s = sign * sine;
+  if (c < T(0.0)) {
+    half_turns += s > T(0.0) ? 1 : -1;
+    c = -c;
+    s = -s;
+  }
+  const T arc = detail::arc_from_vertex(semi_latus, q, c, s);
+  return half_turns == 0 ? arc
+                         : arc + 2 * half_turns * detail::arc_from_vertex(semi_latus, q, T(0.0), T(1.0));
+}
+
+/// The same of a curve; lines and points: 0.
 [[nodiscard]] double arc_length(const Curve& curve, double psi);
 
 /// The angle of the convex-side normal at the vertex in the body's frame [rad], in (-π, π]: the direction

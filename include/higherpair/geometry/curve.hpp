@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/geometry/support_curve.hpp"
 #include "higherpair/geometry/vector.hpp"
 
 #include <array>
@@ -10,12 +11,14 @@
 
 namespace higherpair {
 
-enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint };
+enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint, kSupport };
 
 /// Which side of a curve is the body: the convex one (with the focus) or the other (a ring, a slot).
 enum class Side { kInside, kOutside };
 
-/// The boundary of a body in the body's frame B: a conic, a flat face (line) or a knife edge (point).
+/// The boundary of a body in the body's frame B: a conic, a flat face (line) or a knife edge (point), which
+/// have closed forms; or any curve that gives its support. The rest of the library asks curve_queries.hpp and
+/// support.hpp instead of these numbers, but for the algebra of conics.
 ///
 /// A conic is held by a vertex on its focal axis. With x from the vertex along `axis_B` (to the convex side)
 /// and y across,
@@ -26,10 +29,12 @@ enum class Side { kInside, kOutside };
 struct Curve {
   CurveKind kind = CurveKind::kPoint;
   Side side = Side::kInside;             ///< always kInside for line and point
-  Vector2d vertex_B = Vector2d::Zero();  ///< vertex [m]; a point of the line; the point itself
+  Vector2d vertex_B = Vector2d::Zero();  ///< vertex [m]; a point of the line; the point itself; else origin
   Vector2d axis_B = Vector2d::UnitX();  ///< unit; from the vertex to the convex side; line: into the material
-  double semi_latus = 0;                ///< ℓ [m], radius of curvature at the vertex; 0 for line and point
-  double q = 1;                         ///< 1 - e²; 1 for line and point
+  double semi_latus = 0;                ///< ℓ [m], radius of curvature at the vertex; 0 for all but conics
+  double q = 1;                         ///< 1 - e²; 1 for line and point, 0 for a curve by its support
+  const SupportCurve* support = nullptr;  ///< of kSupport: not owned
+  std::size_t piece = 0;                  ///< of `support`: the one that touches
 };
 
 enum class CurveError {
@@ -66,6 +71,9 @@ using CurveResult = tl::expected<Curve, CurveError>;
 [[nodiscard]] CurveResult make_line(const Vector2d& point_B, const Vector2d& normal_B);
 /// A knife edge.
 [[nodiscard]] CurveResult make_point(const Vector2d& at_B);
+/// A smooth piece of a curve of any other kind. Its side is kOutside where it is concave.
+/// \param support  outlives the curve \pre `piece` is convex or concave throughout; no face, which is a line
+[[nodiscard]] Curve make_curve(const SupportCurve& support, std::size_t piece = 0);
 /// @}
 
 /// The conic A x² + B y² + C x y + D x + E y + F = 0 (that order); a common factor of the six, also a
@@ -85,13 +93,19 @@ using CurveResult = tl::expected<Curve, CurveError>;
   return curve.kind == CurveKind::kLine;
 }
 
-[[nodiscard]] inline bool is_conic(const Curve& curve) {
-  return curve.kind != CurveKind::kLine && curve.kind != CurveKind::kPoint;
+/// Whether the curve is a point, a knife edge.
+[[nodiscard]] inline bool is_point(const Curve& curve) {
+  return curve.kind == CurveKind::kPoint;
 }
 
-/// Whether the body lies within a circle: the inside of a circle or ellipse, and a point.
-[[nodiscard]] inline bool is_bounded(const Curve& curve) {
-  return curve.kind == CurveKind::kPoint || (is_conic(curve) && curve.q > 0 && curve.side == Side::kInside);
+/// Whether the curve has radii of curvature other than 0 and infinity: neither a line nor a point.
+[[nodiscard]] inline bool is_curved(const Curve& curve) {
+  return !is_line(curve) && !is_point(curve);
+}
+
+/// Whether the closed forms of conics hold.
+[[nodiscard]] inline bool is_conic(const Curve& curve) {
+  return is_curved(curve) && curve.kind != CurveKind::kSupport;
 }
 
 /// Semi-axes of an ellipse or hyperbola along and across `axis_B` [m]: {ℓ/|q|, ℓ/√|q|}. q must not be 0.

@@ -27,6 +27,14 @@ inline constexpr double kSmallTurn2 = 1e-3;
   return sine + sine * s2 * (1 / 6.0 + s2 * (3 / 40.0 + s2 * (15 / 336.0 + s2 * (105 / 3456.0))));
 }
 
+/// The angle from one unit vector to the next [rad], in (-π, π]; without trigonometric functions where it is
+/// small.
+[[nodiscard]] inline double angle_between(const Vector2d& from, const Vector2d& to) {
+  const double sine = cross(from, to);
+  const double cosine = from.dot(to);
+  return sine * sine <= kSmallTurn2 && cosine > 0 ? small_angle(sine) : std::atan2(sine, cosine);
+}
+
 /// An angle whose cosine and sine are known: those of angles near it follow without trigonometric functions,
 /// and back, and nothing drifts, as the known one stays what it is until it is far.
 class KnownRotation {

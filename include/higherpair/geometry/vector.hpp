@@ -40,6 +40,11 @@ template <class T>
   return a.x() * b.y() - a.y() * b.x();
 }
 
+/// The foot of p on the line through `at` with the unit normal n.
+[[nodiscard]] inline Vector2d foot_on(const Vector2d& at, const Vector2d& n, const Vector2d& p) {
+  return p - (p - at).dot(n) * n;
+}
+
 /// The unit vector at `angle` [rad] from the x axis.
 [[nodiscard]] inline Vector2d unit_vector(double angle) {
   return vector_of(std::cos(angle), std::sin(angle));

@@ -59,6 +59,9 @@ public:
   /// Whether rows have a time (made by `step`).
   [[nodiscard]] bool is_timed() const { return timed_; }
 
+  /// Whether positions are given one by one; else they are equally spaced, or a function of time.
+  [[nodiscard]] bool is_listed() const;
+
   /// Time of a row in the profile's unit and in seconds; 0 in a schedule without time.
   [[nodiscard]] double time(std::int64_t row) const;
   [[nodiscard]] double time_si(std::int64_t row) const { return time_to_si_.apply(time(row)); }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace higherpair {
@@ -27,11 +28,18 @@ struct DriverProgram {
 /// One degree a row over a full turn.
 inline constexpr std::int64_t kDefaultSamples = 361;
 
+/// What a driver does unless told otherwise, in these units: from its coordinate in the poses a full turn at
+/// 1 rad/s; a prismatic one stays there, its velocity 1 length unit per second.
+[[nodiscard]] DriverProgram default_program(const Mechanism& mechanism, const Driver& driver,
+                                            const Units& units);
+
 /// A profile as read: the mechanism in SI units, its units, and what its drivers do.
 struct Profile {
   Mechanism mechanism;
   Units units;
   std::vector<DriverProgram> programs;  ///< one for each of mechanism.drivers, in the same order
+  std::string source;                   ///< what diagnostics call it: the file's name
+  Diagnostics notes;                    ///< what is probably a slip although it may be meant
 };
 
 }  // namespace higherpair

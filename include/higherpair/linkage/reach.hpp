@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/geometry/pose.hpp"
-#include "higherpair/linkage/scalar.hpp"
+#include "higherpair/geometry/scalar.hpp"
 #include "higherpair/linkage/status.hpp"
 #include "higherpair/linkage/tolerances.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/linkage/scalar.hpp"
+#include "higherpair/geometry/scalar.hpp"
 
 namespace higherpair {
 

@@ -10,19 +10,15 @@
 
 namespace higherpair {
 
-/// One scalar condition that a joint, contact or driver imposes on at most three bodies. With V = (v_x, v_y,
-/// ω) of a body's frame and A = (a_x, a_y, α), in ground:
-///     value = 0,     Σ coefficient·V = rate,     Σ coefficient·A + gamma = 0,
-/// and the coefficients are the derivatives of `value` by the coordinates (x, y, θ) of the bodies. Every row
-/// has the unit of a length: angular conditions are multiplied by a size. What the row passes on to its
-/// bodies is λ·coefficient: a force and a torque about the frame's origin, λ in [N].
+/// One condition of conditions.hpp with its derivatives by the coordinates (x, y, θ) of at most three bodies,
+/// contacts being where both curves have a common normal. With V = (v_x, v_y, ω) of a body's frame, in
+/// ground, Σ coefficient·V is the rate of `value` [m], and what the condition passes on to its bodies is
+/// λ·coefficient: a force and a torque about the frame's origin, λ in [N].
 struct ConstraintRow {
   std::array<int, 3> body{};  ///< indices of Mechanism::bodies; ground where there are fewer
   std::array<Eigen::Vector3d, 3> coefficient{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                              Eigen::Vector3d::Zero()};
   double value = 0;  ///< [m]
-  double rate = 0;   ///< [m/s]; not 0 for drivers only
-  double gamma = 0;  ///< [m/s²]
 };
 
 /// How a contact stands, seen from its first body: 1 is the first, 2 the second body of the file.
@@ -38,28 +34,40 @@ struct ContactMotion {
 [[nodiscard]] int row_count(const Joint& joint);
 [[nodiscard]] int row_count(const Contact& contact);
 
-/// The rows of a joint. Revolute: x and y of p_B - p_A. Prismatic: distance of p_B from the line of A, and
-/// size· (θ_B - θ_A - relative angle). Slot: that distance. Gears and belts: gear_row.
+/// The rows of a joint (joint_conditions).
 /// \param size  [m], makes lengths of angles
 void append_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                  double size, std::vector<ConstraintRow>& rows);
 
-/// The condition of gears or a belt: size·(θ2 - θc - k (θ1 - θc) - relative angle), k the turning ratio.
-[[nodiscard]] ConstraintRow gear_row(const Joint& joint, const std::vector<BodyMotion>& bodies, double size);
-
-/// The rows of a contact: the gap along n, and for a rolling one the slip along t (its value: the difference
-/// of the arcs travelled). `contact.rates` must be those of the velocities of `bodies`.
+/// The rows of a contact (contact_conditions): the gap along n, and for a rolling one the slip along t.
+/// Neither depends on φ at a common normal; their coefficients are those of the material points there.
 void append_rows(const Mechanism& mechanism, const Contact& contact, const ContactMotion& motion,
                  const std::vector<BodyMotion>& bodies, std::vector<ConstraintRow>& rows);
+
+/// The row of a driver that prescribes the coordinate of a joint.
+void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position,
+                       const std::vector<BodyMotion>& bodies, double size, std::vector<ConstraintRow>& rows);
+
+/// The row that keeps the angle of a body: size·(θ - held).
+[[nodiscard]] ConstraintRow angle_row(const std::vector<BodyMotion>& bodies, int body, double held,
+                                      double size);
+
+/// Adds the coefficients of a row, by (x, y, size·θ), to a row of a matrix.
+/// \param column_of  of x of the row's k-th body; < 0: none
+template <class Row, class F>
+void add_coefficients(const ConstraintRow& row, double size, F column_of, Row&& J) {
+  for (std::size_t k = 0; k < row.body.size(); ++k) {
+    if (const Eigen::Index column = column_of(k); column >= 0) {
+      J(column) += row.coefficient[k].x();
+      J(column + 1) += row.coefficient[k].y();
+      J(column + 2) += row.coefficient[k].z() / size;
+    }
+  }
+}
 
 /// Arc of the contact point on the first curve less that on the second, both along t; constant where the
 /// bodies roll [m].
 [[nodiscard]] double arc_difference(const Mechanism& mechanism, const Contact& contact,
                                     const ContactMotion& motion, const std::vector<BodyMotion>& bodies);
-
-/// The row of a driver that prescribes the coordinate of a joint and its rates.
-void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position, double velocity,
-                       double acceleration, const std::vector<BodyMotion>& bodies, double size,
-                       std::vector<ConstraintRow>& rows);
 
 }  // namespace higherpair

@@ -1,6 +1,7 @@
 #include "exact_decision.hpp"
 
 #include "exact_pair.hpp"
+#include "higherpair/contact/certify.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -254,6 +255,10 @@ double outward(const Extended& x, double towards) {
 }
 
 }  // namespace
+
+bool has_exact_arithmetic() {
+  return true;
+}
 
 std::optional<std::vector<DecidedRoot>> decide_roots(const ContactPair& pair, double u) {
   constexpr int kCharts = 4;

@@ -19,20 +19,21 @@ Point times(const Point& rotation, const Vector2d& v) {
 
 // A rational rotation within 2^-60 of the angle; quarter turns exactly.
 Point rational_rotation(double angle) {
-  const Extended& quarter = boost::math::constants::half_pi<Extended>();
-  const Extended turns = round(Extended(angle) / quarter);
-  const Extended rest = Extended(angle) - turns * quarter;
+  using Number = Extended::Number;
+  const Number& quarter = boost::math::constants::half_pi<Number>();
+  const Number turns = round(Number(Number(angle) / quarter));
+  const Number rest = Number(angle) - turns * quarter;
   // The double nearest to a quarter turn is meant to be one.
   const bool is_quarter = abs(rest) <= std::abs(angle) * std::ldexp(1.0, -53);
   Point rotation{Rational(1), Rational(0)};
   if (!is_quarter) {
-    const Extended scaled = round(Extended(ldexp(Extended(tan(Extended(rest / 2))), 62)));
+    const Number scaled = round(Number(ldexp(Number(tan(Number(rest / 2))), 62)));
     const std::string digits = scaled.convert_to<boost::multiprecision::cpp_int>().str();
     const Rational t(Integer(digits.c_str()), Integer(1) << 62);
     const Rational scale = Rational(1) / (Rational(1) + t * t);
     rotation = {Rational((Rational(1) - t * t) * scale), Rational(Rational(2) * t * scale)};
   }
-  const int count = ((static_cast<int>(std::lround(std::fmod(to_double(turns), 4.0))) % 4) + 4) % 4;
+  const int count = ((static_cast<int>(std::lround(std::fmod(turns.convert_to<double>(), 4.0))) % 4) + 4) % 4;
   for (int i = 0; i < count; ++i) {
     rotation = {Rational(-rotation.im), rotation.re};
   }
@@ -98,17 +99,6 @@ Form<Integer> whole(const Form<Rational>& form) {
   return result;
 }
 
-Form<Rational> form_of(const Curve& curve, const Point& v, const Point& u) {
-  if (curve.kind == CurveKind::kPoint) {
-    return point_form(v);
-  }
-  if (curve.kind == CurveKind::kLine) {
-    return line_form<Rational>(-u.re, -u.im, dot(u, v));
-  }
-  const Rational side(curve.side == Side::kInside ? 1 : -1);
-  return vertex_form<Rational>(side, Rational(curve.q), Rational(curve.semi_latus), v, u);
-}
-
 // ℓ - q x > 0
 std::optional<Vector3c<Integer>> branch_line(const Curve& curve, const Point& v, const Point& u) {
   if (curve.q >= 0) {
@@ -137,7 +127,7 @@ ExactPair make_exact(const ContactPair& pair, double u, int chart) {
     for (int i = 0; i < chart; ++i) {
       turn2 = turn2 * step;
     }
-    result.offset = chart * atan2(Extended(4), Extended(3));
+    result.offset = chart * atan(Extended(4) / 3);
   }
   const Point v2 = turn2 * (exact(pair.curve2.vertex_B) - exact(m2.p_BO));
   const Point u2 = times(turn2, pair.curve2.axis_B);

@@ -1,15 +1,11 @@
 #include "verify/reference.hpp"
 
-#include "higherpair/analysis/run.hpp"
-#include "higherpair/io/driver_schedule.hpp"
-#include "higherpair/io/motion_table.hpp"
-#include "higherpair/io/profile_reader.hpp"
+#include "higherpair/higherpair.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <variant>
 
@@ -112,67 +108,9 @@ Or<std::vector<std::size_t>> match(const Expected& expected, const std::vector<C
   return places;
 }
 
-std::string first_of(const Diagnostics& diagnostics) {
-  return diagnostics.empty() ? "not readable" : to_string(diagnostics.front());
+std::string first_of(const Error& error) {
+  return to_string(error.diagnostics.front());
 }
-
-// The rows of the run, one after the other.
-class Rows {
-public:
-  static Or<Rows> start(const Profile& profile, bool timed) {
-    auto schedule = timed ? DriverSchedule::step(profile) : DriverSchedule::analyze(profile);
-    if (!schedule) {
-      return tl::unexpected(first_of(schedule.error()));
-    }
-    auto table = MotionTable::make(profile, timed);
-    if (!table) {
-      return tl::unexpected(table.error());
-    }
-    Rows rows(*std::move(schedule), *std::move(table));
-    rows.read(0);
-    std::vector<double> first;
-    for (const DriverMotion& motion : rows.motions_) {
-      first.push_back(motion.position);
-    }
-    auto run = start_run(profile.mechanism, first);
-    if (!run) {
-      return tl::unexpected(run.error().reason);
-    }
-    rows.run_.emplace(*std::move(run));
-    return rows;
-  }
-
-  [[nodiscard]] std::int64_t size() const { return schedule_.size(); }
-  [[nodiscard]] const std::vector<Column>& columns() const { return table_.columns(); }
-
-  // The cells of a row, valid until the next call.
-  const std::vector<Cell>& row(std::int64_t k) {
-    read(k);
-    move_to(*run_, motions_);
-    return table_.cells(run_->row, states_, schedule_.is_timed() ? schedule_.time(k) : 0);
-  }
-
-  [[nodiscard]] RowStatus status() const { return run_->row.status; }
-
-private:
-  Rows(DriverSchedule schedule, MotionTable table)
-      : schedule_(std::move(schedule)), table_(std::move(table)) {}
-
-  void read(std::int64_t k) {
-    states_.clear();
-    motions_.clear();
-    for (std::size_t i = 0; i < schedule_.driver_count(); ++i) {
-      states_.push_back(schedule_.state(k, i));
-      motions_.push_back({states_[i].si.position, states_[i].si.velocity, states_[i].si.acceleration});
-    }
-  }
-
-  DriverSchedule schedule_;
-  MotionTable table_;
-  std::optional<Run> run_;
-  std::vector<DriverState> states_;
-  std::vector<DriverMotion> motions_;
-};
 
 std::string_view unit_of(std::string_view head) {
   return head.substr(std::min(head.find('['), head.size()));
@@ -200,12 +138,11 @@ std::vector<double> scales(const Expected& expected) {
   return scale;
 }
 
-std::string text_of(const Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) {
-    return fmt::format("{}", *number);
+Wanted cell_of(const Column& column, double value) {
+  if (std::isnan(value)) {
+    return {};
   }
-  const auto* word = std::get_if<std::string_view>(&cell);
-  return word == nullptr ? "empty" : std::string(*word);
+  return column.words.empty() ? Wanted(value) : Wanted(std::string(word_of(column, value)));
 }
 
 std::string text_of(const Wanted& wanted) {
@@ -217,28 +154,21 @@ std::string text_of(const Wanted& wanted) {
 }
 
 // Whether both are numbers, the same word, or both undefined.
-bool is_alike(const Cell& cell, const Wanted& wanted) {
-  if (const auto* word = std::get_if<std::string>(&wanted)) {
-    const auto* found = std::get_if<std::string_view>(&cell);
-    return found != nullptr && *found == *word;
-  }
-  return std::holds_alternative<double>(cell) == std::holds_alternative<double>(wanted) &&
-         !std::holds_alternative<std::string_view>(cell);
+bool is_alike(const Wanted& cell, const Wanted& wanted) {
+  return std::holds_alternative<std::string>(wanted) ? cell == wanted : cell.index() == wanted.index();
 }
 
 // Compares a row; the reason where its cells are not even alike.
 std::string compare(const Expected& expected, const std::vector<double>& scale, std::size_t k,
-                    const std::vector<Cell>& cells, const std::vector<std::size_t>& places,
-                    std::vector<ColumnCheck>& checks) {
-  const double* key = std::get_if<double>(&cells[places[0]]);
+                    const std::vector<Wanted>& cells, std::vector<ColumnCheck>& checks) {
+  const double* key = std::get_if<double>(&cells.front());
   for (std::size_t i = 0; i < checks.size(); ++i) {
-    const Cell& cell = cells[places[i]];
     const Wanted& wanted = expected.rows[k][i];
-    if (!is_alike(cell, wanted)) {
-      return fmt::format("row {}: {} is {}, expected {}", k + 1, expected.head[i], text_of(cell),
+    if (!is_alike(cells[i], wanted)) {
+      return fmt::format("row {}: {} is {}, expected {}", k + 1, expected.head[i], text_of(cells[i]),
                          text_of(wanted));
     }
-    if (const double* number = std::get_if<double>(&cell)) {
+    if (const double* number = std::get_if<double>(&cells[i])) {
       const double right = std::get<double>(wanted);
       const double error = std::abs(*number - right) / scale[i];
       if (checks[i].column.empty() || !(error <= checks[i].error)) {
@@ -249,24 +179,28 @@ std::string compare(const Expected& expected, const std::vector<double>& scale, 
   return "";
 }
 
-Or<std::vector<ColumnCheck>> compare(const Expected& expected, Rows& rows) {
-  const auto places = match(expected, rows.columns());
+Or<std::vector<ColumnCheck>> compare(const Expected& expected, Analysis& analysis) {
+  const auto places = match(expected, analysis.columns());
   if (!places) {
     return tl::unexpected(places.error());
   }
-  if (rows.size() != static_cast<std::int64_t>(expected.rows.size())) {
-    return tl::unexpected(fmt::format("{} rows, expected {}", rows.size(), expected.rows.size()));
+  if (analysis.size() != static_cast<std::int64_t>(expected.rows.size())) {
+    return tl::unexpected(fmt::format("{} rows, expected {}", analysis.size(), expected.rows.size()));
   }
   const std::vector<double> scale = scales(expected);
   const bool says_status =
       std::find(expected.head.begin(), expected.head.end(), "status") != expected.head.end();
   std::vector<ColumnCheck> checks(expected.head.size());
-  for (std::size_t k = 0; k < expected.rows.size(); ++k) {
-    const std::vector<Cell>& cells = rows.row(static_cast<std::int64_t>(k));
-    if (!says_status && rows.status() != RowStatus::kOk) {
-      return tl::unexpected(fmt::format("row {} is {}", k + 1, name_of(rows.status())));
+  Row row;
+  for (std::size_t k = 0; analysis.next(row); ++k) {
+    if (!says_status && row.status != RowStatus::kOk) {
+      return tl::unexpected(fmt::format("row {} is {}", k + 1, name_of(row.status)));
     }
-    if (std::string reason = compare(expected, scale, k, cells, *places, checks); !reason.empty()) {
+    std::vector<Wanted> cells;
+    for (const std::size_t place : *places) {
+      cells.push_back(cell_of(analysis.columns()[place], row.values[place]));
+    }
+    if (std::string reason = compare(expected, scale, k, cells, checks); !reason.empty()) {
       return tl::unexpected(std::move(reason));
     }
   }
@@ -277,18 +211,19 @@ Or<std::vector<ColumnCheck>> compare(const Expected& expected, Rows& rows) {
   return checks;
 }
 
-Or<std::vector<ColumnCheck>> compare(const Profile& profile, std::string_view table) {
+Or<std::vector<ColumnCheck>> compare(const Model& model, std::string_view table) {
   const auto expected = read_table(table);
   if (!expected) {
     return tl::unexpected(expected.error());
   }
-  const bool timed = std::any_of(expected->head.begin(), expected->head.end(),
+  RunSettings settings;
+  settings.in_time = std::any_of(expected->head.begin(), expected->head.end(),
                                  [](const std::string& head) { return head.starts_with("time["); });
-  auto rows = Rows::start(profile, timed);
-  if (!rows) {
-    return tl::unexpected(rows.error());
+  auto analysis = model.start(settings);
+  if (!analysis) {
+    return tl::unexpected(first_of(analysis.error()));
   }
-  return compare(*expected, *rows);
+  return compare(*expected, *analysis);
 }
 
 }  // namespace
@@ -306,15 +241,15 @@ bool Verdict::holds(double bound) const {
 Verdict verify(const Reference& reference) {
   Verdict verdict;
   const auto start = std::chrono::steady_clock::now();
-  const auto profile = read_profile_text(reference.profile, std::string(reference.name));
-  if (!profile) {
+  const auto model = Model::from_text(reference.profile, std::string(reference.name));
+  if (!model) {
     verdict.title = reference.name;
-    verdict.failure = first_of(profile.error());
+    verdict.failure = first_of(model.error());
     return verdict;
   }
-  verdict.title = profile->mechanism.title.empty() ? reference.name : profile->mechanism.title;
-  verdict.source = profile->mechanism.description;
-  auto columns = compare(*profile, reference.table);
+  verdict.title = model->mechanism().title.empty() ? reference.name : model->mechanism().title;
+  verdict.source = model->mechanism().description;
+  auto columns = compare(*model, reference.table);
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!columns) {
     verdict.failure = columns.error();

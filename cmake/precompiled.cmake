@@ -1,0 +1,20 @@
+# Headers of others that most sources include, parsed once a target. They only save time: every source includes what
+# it uses, which tools/check proves by compiling without them (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+set(HIGHERPAIR_PRECOMPILED
+    <algorithm> <array> <cassert> <charconv> <cmath> <cstddef> <cstdint> <functional> <limits> <map> <memory> <numeric>
+    <optional> <set> <span> <string> <string_view> <utility> <variant> <vector>
+    <Eigen/Core> <Eigen/LU> <Eigen/QR> <fmt/format.h> <tl/expected.hpp>)
+
+# For a target of its own, with the headers named after it as well.
+function(higherpair_precompile target)
+  target_precompile_headers(${target} PRIVATE ${HIGHERPAIR_PRECOMPILED} ${ARGN})
+endfunction()
+
+# Of a tool: those of the program, where that is built.
+function(higherpair_precompile_tool target)
+  if(TARGET higherpair-cli)
+    target_precompile_headers(${target} REUSE_FROM higherpair-cli)
+  else()
+    higherpair_precompile(${target})
+  endif()
+endfunction()

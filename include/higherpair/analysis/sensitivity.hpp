@@ -1,0 +1,68 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// How a row changes with a parameter p of the mechanism or of its drivers: the derivative by p of what a
+/// MotionRow holds, per unit of p.
+struct RowSensitivity {
+  std::vector<BodyMotion> bodies;  ///< of Mechanism::bodies; of the pose only p_WB and theta are derivatives
+  std::vector<double> phi;         ///< of each contact: of the angle of its normal
+  std::vector<double> phi_dot;
+  std::vector<double> arcs;  ///< of the arc difference held by each contact that rolls
+};
+
+/// Derivatives of a running analysis by one parameter p, on the branch on which it runs. With F the
+/// conditions of the joints, contacts and drivers (conditions.hpp), as functions of the coordinates x and of
+/// p,
+///     ∂F/∂x dx/dp = -∂F/∂p,
+/// and likewise for every order of x as a power series in time: exact, no position is found again with
+/// another p. What rolling contacts hold (the difference of arcs) depends on p by the position in which the
+/// run was started: there a body that nothing but a rolling contact turns has the angle of its pose.
+class Sensitivity {
+public:
+  /// \param run         at the position in which it was started; its `row` is not used
+  /// \param derivative  of every number of the mechanism by p, in place of the number
+  /// \param drivers     derivatives of the first positions of the drivers by p [rad or m]
+  /// None where the start is singular.
+  [[nodiscard]] static std::optional<Sensitivity> at_start(const Run& run, const Mechanism& derivative,
+                                                           const std::vector<double>& drivers);
+
+  /// Of run.row. None where the row has no rates.
+  /// \param motions      drivers of the row
+  /// \param derivatives  of their positions, velocities and accelerations by p
+  [[nodiscard]] std::optional<RowSensitivity> of_row(const Run& run, const std::vector<DriverMotion>& motions,
+                                                     const std::vector<DriverMotion>& derivatives) const;
+
+  [[nodiscard]] const Mechanism& derivative() const { return derivative_; }
+
+private:
+  Mechanism derivative_;
+  std::vector<double> arcs_;
+};
+
+/// The derivative by p of functions of a run's mechanism and row: joint coordinates, columns, forces. The row
+/// is displaced along its sensitivity, which to first order is what another p would make of it, and the
+/// functions are differentiated by differences of the eighth order. No function need know how; what the
+/// differences leave is of the size of rounding where a function is smooth.
+/// \param f  of a displaced run, of which `mechanism`, `plan` and `row` may be used, and of the displacement
+///           of p
+[[nodiscard]] std::vector<double> derivative_along(
+    const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
+    const std::function<std::vector<double>(const Run&, double)>& f);
+
+/// The mechanism with every number changed by h times its derivative.
+[[nodiscard]] Mechanism displaced(Mechanism mechanism, const Mechanism& derivative, double h);
+
+/// The derivative of every number of a mechanism that is made from a parameter p, by differences of the
+/// eighth order. None where it cannot be made within 4 h of p, or is not smooth there. \param at  makes it
+/// for p displaced by its argument
+[[nodiscard]] std::optional<Mechanism> mechanism_derivative(
+    const std::function<std::optional<Mechanism>(double)>& at, double h);
+
+}  // namespace higherpair

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "higherpair/front/model.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+// The maps of a mechanism's contacts: every contact of two curves over the driver's turn, as branches in the
+// plane of the coordinates of the two joints, in the profile's units. Branches are numbered from 1.
+
+struct MapSettings {
+  std::optional<std::int64_t> samples;  ///< rows over the range, >= 2; none: as many as the profile's run has
+  double tolerance = 1e-9;              ///< largest overlap of a contact that counts as free, of the size
+};
+
+struct MapRow {
+  double driver = 0;
+  double position = 0;  ///< of the follower
+  double x = 0;         ///< contact point
+  double y = 0;
+  double normal = 0;  ///< angle of the outward normal of the file's first body, continuous along a branch
+  bool free = false;  ///< the bodies are free of each other
+};
+
+struct MapEndReport {
+  std::string type;  ///< "fold", "conforming", "infinity", "range", "closed"
+  double driver = 0;
+  double position = 0;
+  std::optional<int> other;  ///< number of the branch that merges there
+};
+
+struct MapBranchReport {
+  bool opposed = false;
+  int turns = 0;  ///< of the driver after which it closes; 0: it does not
+  MapEndReport begin, end;
+  std::vector<MapRow> rows;          ///< by rising driver coordinate
+  std::vector<MapRow> free_changes;  ///< where the bodies begin or cease to be free of each other
+  std::vector<MapRow> extremes;      ///< of the follower
+};
+
+struct MapEventReport {
+  std::string type;  ///< "fold", "crossing", "conforming"
+  MapRow at;
+  bool opposed = false;
+  std::vector<int> branches;
+};
+
+struct NeighbourReport {
+  int branch = 0;
+  double driver = 0;
+  double distance = 0;
+};
+
+/// The branch that the mechanism is on.
+struct OwnBranch {
+  int branch = 0;
+  double driver = 0;  ///< at the start
+  double position = 0;
+  std::optional<NeighbourReport> at_start;
+  std::optional<NeighbourReport> nearest;
+};
+
+struct ContactMapReport {
+  std::string contact;
+  std::string refusal;  ///< why there is no map; empty: there is
+  std::string driver_joint, driver_unit;
+  std::string position_joint, position_unit;
+  double start = 0, end = 0;  ///< range of the driver
+  bool complete = true;       ///< the branches account for every contact at every sample
+  std::vector<MapBranchReport> branches;
+  std::vector<MapEventReport> events;
+  std::optional<OwnBranch> own;
+};
+
+struct MapReport {
+  std::string title;
+  std::string length_unit, angle_unit;
+  std::string not_started;  ///< why the mechanism is on no branch; empty: it is
+  std::vector<ContactMapReport> contacts;
+};
+
+/// Maps every contact that slips and whose bodies both hang on ground. Fails where none has a map.
+[[nodiscard]] Result<MapReport> map_of(const Model& model, const MapSettings& settings = {});
+
+}  // namespace higherpair

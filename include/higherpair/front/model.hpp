@@ -1,0 +1,91 @@
+#pragma once
+
+#include "higherpair/front/error.hpp"
+#include "higherpair/front/motion.hpp"
+#include "higherpair/io/profile.hpp"
+
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace higherpair {
+
+/// A key of a profile and the value that it is to have: `path` as of the option --set
+/// ("bodies.cam.curves.disc.radius"; items of lists by number from 0, "bodies.crank.points.A.0"), a number in
+/// the profile's units, or TOML text ("25.4 mm").
+struct Setting {
+  Setting(std::string path_of_key, double number);
+  Setting(std::string path_of_key, std::string text) : path(std::move(path_of_key)), value(std::move(text)) {}
+
+  std::string path;
+  std::string value;
+};
+
+/// A number of a profile that a Setting can change.
+struct Parameter {
+  std::string path;
+  double value = 0;  ///< as written
+};
+
+/// A mechanism that can be analysed: its description, units and drivers, and the order in which it is solved.
+/// Never changes once made; cheap to copy; any number of threads may analyse one model at once.
+class Model {
+public:
+  /// Reads a profile from a file; all mistakes of meaning are in the error, of syntax the first.
+  /// \param overrides  "PATH=VALUE" each, as of the option --set
+  [[nodiscard]] static Result<Model> open(const std::string& path,
+                                          std::span<const std::string> overrides = {});
+
+  /// The same for a text, UTF-8.
+  /// \param name  what messages call it
+  [[nodiscard]] static Result<Model> from_text(std::string_view text, const std::string& name = "profile",
+                                               std::span<const std::string> overrides = {});
+
+  /// A mechanism built in C++ (mechanism/build.hpp helps). Fails where an index refers to nothing or a number
+  /// is not finite; the message names it.
+  /// \param units     of columns and of `programs`; the mechanism itself is in SI units and radians
+  /// \param programs  what each driver does; empty: default_program for each
+  [[nodiscard]] static Result<Model> from(Mechanism mechanism, const Units& units = {},
+                                          std::vector<DriverProgram> programs = {});
+
+  /// The same model with other numbers or keys. Where only numbers differ the order of solution is kept and
+  /// its dimensions are filled in anew. For models that were read; see with(Mechanism) for one that was
+  /// built.
+  [[nodiscard]] Result<Model> with(std::span<const Setting> settings) const;
+  [[nodiscard]] Result<Model> with(std::initializer_list<Setting> settings) const {
+    return with(std::span(settings.begin(), settings.size()));
+  }
+
+  /// The same units and drivers with another mechanism, such as mechanism() with other dimensions.
+  [[nodiscard]] Result<Model> with_mechanism(Mechanism mechanism) const;
+
+  /// Every number of the profile, in the order of the file; none of a model that was built.
+  [[nodiscard]] std::vector<Parameter> parameters() const;
+
+  [[nodiscard]] const Profile& profile() const;
+  [[nodiscard]] const Mechanism& mechanism() const { return profile().mechanism; }
+  [[nodiscard]] const Units& units() const { return profile().units; }
+  /// What in the profile is probably a slip although it may be meant.
+  [[nodiscard]] const Diagnostics& notes() const { return profile().notes; }
+
+  /// The run of this model at the drivers' positions, or in time: all rows at once, or one after the other.
+  /// Fails for settings that are wrong (kInput), a mechanism that cannot be started (kMechanism), and where
+  /// it is stopped before the first row.
+  [[nodiscard]] Result<Motion> run(const RunSettings& settings = {}) const;
+  [[nodiscard]] Result<Analysis> start(const RunSettings& settings = {}) const;
+
+  struct Data;
+  /// What the library itself makes of it.
+  [[nodiscard]] const Data& data() const { return *data_; }
+
+private:
+  explicit Model(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,166 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/front/error.hpp"
+#include "higherpair/io/units.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace higherpair {
+
+/// What to work out, and where.
+struct RunSettings {
+  bool in_time = false;  ///< rows in time (duration and time_step of the drivers), not positions
+  std::optional<std::int64_t> samples;  ///< in place of that of the profile; in time: rows over the duration
+  std::vector<double> positions;     ///< of the only driver, in the profile's unit; in place of the profile's
+  bool forces = false;               ///< columns of the reactions of joints, contacts and drivers
+  bool jerk = false;                 ///< columns of the jerk, and of that of the frozen equivalent linkage
+  std::optional<int> derivatives;    ///< columns of the third to this time derivative, 3 … 6
+  std::vector<std::string> columns;  ///< names or globs ("follower.*"); empty: all. No others are worked out
+  std::optional<Units> units;  ///< of columns and events; none: the profile's. kSiUnits: metres, radians
+  double tolerance = 1e-9;     ///< largest closure error of an ok row, of the size of the mechanism
+  const std::atomic<bool>* stop = nullptr;  ///< read at every inner step: once true, no further row comes
+};
+
+/// A column of a table.
+struct Column {
+  std::string name;                         ///< "follower.alpha"
+  std::string unit;                         ///< "deg/s^2", "1" of a pure number; empty for words
+  std::span<const std::string_view> words;  ///< of a column of words: its values are indices of these
+};
+
+/// A row of the table of a run, in the units of the run. It is the caller's: it may be kept and copied.
+struct Row {
+  std::int64_t number = -1;  ///< from 0
+  RowStatus status = RowStatus::kNotConverged;
+  std::vector<double> values;  ///< one for each column; NaN where undefined (an empty field in CSV)
+};
+
+/// What happened on the path to a row.
+struct Event {
+  EventType type = EventType::kLimitPosition;
+  double driver = 0;           ///< position of the (first) driver in the units of the run
+  std::optional<double> time;  ///< of a run in time
+  std::string item;            ///< name of the joint or contact at which it happened; empty: none
+  std::string cause;           ///< a sentence
+  std::int64_t row = 0;        ///< the row that the path led to
+  double driver_si = 0;        ///< the position in [rad or m]
+  std::optional<int> joint;    ///< of Mechanism::joints
+  std::optional<int> contact;  ///< of Mechanism::contacts
+};
+
+/// The word in a column of words; empty where undefined.
+[[nodiscard]] std::string_view word_of(const Column& column, double value);
+
+/// The name of a status or of an event as results print it: "not_assemblable", "limit_position".
+[[nodiscard]] std::string_view name_of(RowStatus status);
+[[nodiscard]] std::string_view name_of(EventType type);
+
+/// One line of CSV (with its line end) appended to `out`: the names with their units, or a row.
+void append_csv_header(const std::vector<Column>& columns, std::string& out);
+void append_csv_row(const std::vector<Column>& columns, const Row& row, std::string& out);
+
+/// The smallest force of a contact on a path, in the units of the run; < 0: the contact would have to pull.
+struct SmallestForce {
+  std::string contact;
+  double force = 0;
+  double driver = 0;  ///< position of the (first) driver
+};
+
+/// A run under way, row by row: for more rows than memory should hold. Made by Model::start. One thread at a
+/// time may use it; any number of them may run on one model at once.
+///
+///     Row row;
+///     while (analysis.next(row)) { … row.values[k] … }
+class Analysis {
+public:
+  struct Impl;
+  explicit Analysis(std::unique_ptr<Impl> impl);
+  Analysis(Analysis&& other) noexcept;
+  Analysis& operator=(Analysis&& other) noexcept;
+  ~Analysis();
+
+  /// Number of rows of the whole run, >= 1.
+  [[nodiscard]] std::int64_t size() const;
+  [[nodiscard]] const std::vector<Column>& columns() const;
+
+  /// Moves on to the next row and writes it into `row`. False after the last one, and once stopped.
+  [[nodiscard]] bool next(Row& row);
+  /// Whether RunSettings::stop ended it.
+  [[nodiscard]] bool stopped() const;
+
+  /// Of the rows so far. What an opened contact would need to stay closed, which all rows have a part in, is
+  /// in its `cause` after the last one.
+  [[nodiscard]] const std::vector<Event>& events() const;
+  /// What is far from its pose once the mechanism is assembled: probably a slip in the profile.
+  [[nodiscard]] Diagnostics notes() const;
+  /// With RunSettings::forces, after the last row: the smallest force of each contact on the whole path,
+  /// whatever its rows; of contacts whose force is defined somewhere.
+  [[nodiscard]] std::vector<SmallestForce> smallest_forces() const;
+  /// Factor on the drivers' speed up to which no contact opens; none where dampers act or nothing is known.
+  [[nodiscard]] std::optional<double> highest_speed() const;
+  /// Whether the whole path so far is good: every row `ok`, and on the path no limit position (but at its
+  /// very ends), no overlap and no contact that opens.
+  [[nodiscard]] bool good() const;
+
+  /// What the library itself makes of it.
+  [[nodiscard]] const Impl& impl() const { return *impl_; }
+
+private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The values of a column, row by row, in its unit; NaN where undefined.
+struct ColumnValues {
+  std::string_view name;
+  std::string_view unit;
+  std::span<const double> values;
+
+  [[nodiscard]] double operator[](std::size_t row) const { return values[row]; }
+  [[nodiscard]] std::size_t size() const { return values.size(); }
+  [[nodiscard]] auto begin() const { return values.begin(); }
+  [[nodiscard]] auto end() const { return values.end(); }
+};
+
+/// A whole run: its table by columns, and its events. A value; what its members refer to lives as long as it.
+class Motion {
+public:
+  /// All rows of an analysis.
+  explicit Motion(Analysis analysis);
+
+  /// Number of rows.
+  [[nodiscard]] std::size_t size() const { return statuses_.size(); }
+  [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+
+  /// The column of that name; the error names those that are like it.
+  [[nodiscard]] Result<ColumnValues> find_column(std::string_view name) const&;
+  Result<ColumnValues> find_column(std::string_view name) const&& = delete;
+
+  /// The same for a name that is known to be there, as one of RunSettings::columns.
+  /// \throws std::out_of_range  where it is not, with the message of the error
+  [[nodiscard]] ColumnValues column(std::string_view name) const&;
+  ColumnValues column(std::string_view name) const&& = delete;
+
+  [[nodiscard]] std::span<const RowStatus> statuses() const& { return statuses_; }
+  std::span<const RowStatus> statuses() const&& = delete;
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] bool good() const { return good_; }        ///< as Analysis::good
+  [[nodiscard]] bool stopped() const { return stopped_; }  ///< as Analysis::stopped: rows are missing
+
+private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<double>> values_;  ///< of each column
+  std::vector<RowStatus> statuses_;
+  std::vector<Event> events_;
+  bool good_ = false;
+  bool stopped_ = false;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,11 @@
+#pragma once
+
+/// The library's front door: everything that a program needs to analyse a mechanism. See docs/library.md.
+
+#include "higherpair/front/branches.hpp"   // IWYU pragma: export
+#include "higherpair/front/error.hpp"      // IWYU pragma: export
+#include "higherpair/front/map.hpp"        // IWYU pragma: export
+#include "higherpair/front/mobility.hpp"   // IWYU pragma: export
+#include "higherpair/front/model.hpp"      // IWYU pragma: export
+#include "higherpair/front/motion.hpp"     // IWYU pragma: export
+#include "higherpair/mechanism/build.hpp"  // IWYU pragma: export

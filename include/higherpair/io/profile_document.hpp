@@ -1,0 +1,41 @@
+#pragma once
+
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/profile.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+/// The text of a profile taken apart, with the overrides so far; not yet checked for its meaning. A value,
+/// cheap to copy. Errors are those of read_profile_text.
+class ProfileDocument {
+public:
+  /// \param source_name  what messages call the text
+  [[nodiscard]] static tl::expected<ProfileDocument, Diagnostics> parse(std::string_view text,
+                                                                        const std::string& source_name);
+  [[nodiscard]] static tl::expected<ProfileDocument, Diagnostics> open(const std::string& path);
+
+  /// With these "PATH=VALUE" set, one after the other.
+  [[nodiscard]] tl::expected<ProfileDocument, Diagnostics> with(std::span<const std::string> overrides) const;
+
+  /// The profile that it means.
+  [[nodiscard]] tl::expected<Profile, Diagnostics> read() const;
+
+  /// Calls `found` with path and value, as written, of every number in the order of the file.
+  void for_each_number(const std::function<void(const std::string& path, double value)>& found) const;
+
+private:
+  struct Content;
+  explicit ProfileDocument(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+  std::shared_ptr<const Content> content_;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,217 @@
+#pragma once
+
+#include "higherpair/contact/common_normal.hpp"
+#include "higherpair/mechanism/conditions.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// The numbers of a mechanism that its conditions depend on.
+/// \tparam D  double, or Partials: the derivatives of all of them by one parameter or by several
+template <class D>
+struct Dimensions {
+  struct Joint {
+    int first = 0, second = 0, carrier = 0;  ///< bodies
+    JointDimensions<D> of;
+  };
+  struct Contact {
+    int first = 0, second = 0;  ///< bodies
+    CurveDimensions<D> curve1, curve2;
+    bool rolling = false;
+  };
+  std::size_t bodies = 0;         ///< number of Mechanism::bodies
+  std::vector<Joint> joints;      ///< of Mechanism::joints
+  std::vector<Contact> contacts;  ///< of Mechanism::contacts
+  std::vector<int> drivers;       ///< joint of each of Mechanism::drivers
+};
+
+/// \param number  makes a D of a number of the mechanism and of the same number of its derivative
+template <class D, class F>
+[[nodiscard]] JointDimensions<D> joint_dimensions(const Mechanism& mechanism, const Joint& joint,
+                                                  const Mechanism& derivative, const Joint& joint_derivative,
+                                                  F number) {
+  const auto vector = [&](const Vector2d& v, const Vector2d& dv) {
+    return Vector2<D>(number(v.x(), dv.x()), number(v.y(), dv.y()));
+  };
+  JointDimensions<D> of;
+  of.type = joint.type;
+  of.relative_angle = number(joint.relative_angle, joint_derivative.relative_angle);
+  of.turning_ratio = number(joint.turning_ratio, joint_derivative.turning_ratio);
+  if (!couples_turning(joint.type)) {
+    of.p_A = vector(point_of(mechanism, joint.first), point_of(derivative, joint.first));
+    of.p_B = vector(point_of(mechanism, joint.second), point_of(derivative, joint.second));
+    of.direction_A = vector(joint.direction_A, joint_derivative.direction_A);
+  }
+  return of;
+}
+
+[[nodiscard]] inline JointDimensions<double> joint_dimensions(const Mechanism& mechanism,
+                                                              const Joint& joint) {
+  return joint_dimensions<double>(mechanism, joint, mechanism, joint, [](double x, double) { return x; });
+}
+
+[[nodiscard]] Dimensions<double> dimensions_of(const Mechanism& mechanism);
+
+/// With the derivative of every dimension by a parameter.
+/// \param derivative  the same mechanism, each number in it being its derivative
+[[nodiscard]] Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism,
+                                                            const Mechanism& derivative);
+
+/// Every coordinate that the conditions depend on, and what some of them hold.
+template <class T>
+struct Coordinates {
+  std::vector<BodyAt<T>> bodies;  ///< of Mechanism::bodies; ground first
+  std::vector<T> phi;             ///< angle of the normal of each contact, out of its first body [rad]
+  std::vector<T> arcs;            ///< of each contact that rolls: the arc difference held [m]
+  std::vector<T> drivers;         ///< position of each driver [rad or m]
+  std::vector<T> held_angles;     ///< angle that each body keeps if it is idle [rad]
+};
+
+/// The coordinates of a body as the variables `first` to `first + 2` of N.
+template <int N>
+[[nodiscard]] BodyAt<Partials<double, N>> variable(const BodyAt<double>& at, std::size_t first) {
+  BodyAt<Partials<double, N>> body;
+  const auto& [c, s] = at.X_WB.R_WB;
+  body.X_WB.R_WB = {c, s};
+  body.X_WB.p_WB = {at.X_WB.p_WB.x(), at.X_WB.p_WB.y()};
+  body.theta = at.theta;
+  body.X_WB.p_WB.x().c[first] = 1;
+  body.X_WB.p_WB.y().c[first + 1] = 1;
+  body.theta.c[first + 2] = 1;
+  body.X_WB.R_WB.cos.c[first + 2] = -s;
+  body.X_WB.R_WB.sin.c[first + 2] = c;
+  return body;
+}
+
+/// The same coordinates for a scalar in which they are constants.
+template <class T>
+[[nodiscard]] Coordinates<T> constant(const Coordinates<double>& at) {
+  const auto all = [](const std::vector<double>& numbers) {
+    return std::vector<T>(numbers.begin(), numbers.end());
+  };
+  Coordinates<T> constant{{}, all(at.phi), all(at.arcs), all(at.drivers), all(at.held_angles)};
+  for (const BodyAt<double>& body : at.bodies) {
+    const auto& [c, s] = body.X_WB.R_WB;
+    const Vector2d& p_W = body.X_WB.p_WB;
+    constant.bodies.push_back({{{T(c), T(s)}, {T(p_W.x()), T(p_W.y())}}, T(body.theta)});
+  }
+  return constant;
+}
+
+/// Some bodies, and conditions that place them: a Group of a plan, or all of a mechanism.
+struct ConditionSet {
+  std::vector<int> bodies;
+  std::vector<int> joints;
+  std::vector<int> contacts;
+  std::vector<int> drivers;
+  std::vector<int> idle_bodies;  ///< whose turning nothing sets: they keep an angle
+};
+
+/// All bodies but ground, all joints, contacts and drivers.
+[[nodiscard]] ConditionSet all_conditions(const Mechanism& mechanism, std::vector<int> idle_bodies);
+
+/// What a condition belongs to.
+struct ConditionLabel {
+  enum class Of { kJoint, kContact, kDriver, kIdleBody };
+  Of of = Of::kJoint;
+  int index = 0;  ///< into the member of Mechanism; of kIdleBody the body
+
+  friend bool operator==(const ConditionLabel&, const ConditionLabel&) = default;
+};
+
+/// The values [m] of all conditions of a set: joints, contacts (gap, φ, slip if they roll), drivers, idle
+/// bodies, in the order of the set. False where a contact's curve has no point for φ.
+/// \param with_phi  false: without the condition on φ of each contact, as for rows of ConstraintRow
+template <class T, class D>
+bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set, const Coordinates<T>& at,
+                       double size, std::vector<T>& values, bool with_phi = true) {
+  const auto body = [&](int index) -> const BodyAt<T>& { return at.bodies[static_cast<std::size_t>(index)]; };
+  bool exist = true;
+  const auto append = [&](const ConditionValues<T>& some) {
+    exist = exist && some.exist;
+    values.insert(values.end(), some.value.begin(), some.value.begin() + some.count);
+  };
+  for (const int index : set.joints) {
+    const auto& joint = dimensions.joints[static_cast<std::size_t>(index)];
+    append(joint_conditions(joint.of, body(joint.first), body(joint.second), body(joint.carrier), size));
+  }
+  for (const int index : set.contacts) {
+    const auto i = static_cast<std::size_t>(index);
+    const auto& contact = dimensions.contacts[i];
+    append(contact_conditions(contact.curve1, body(contact.first), contact.curve2, body(contact.second),
+                              at.phi[i], contact.rolling ? std::optional<T>(at.arcs[i]) : std::nullopt,
+                              size));
+    if (!with_phi) {
+      values.erase(values.end() - (contact.rolling ? 2 : 1));
+    }
+  }
+  for (const int index : set.drivers) {
+    const auto i = static_cast<std::size_t>(index);
+    const auto& joint = dimensions.joints[static_cast<std::size_t>(dimensions.drivers[i])];
+    values.push_back(driver_condition(joint.of, body(joint.first), body(joint.second), at.drivers[i], size));
+  }
+  for (const int idle : set.idle_bodies) {
+    values.push_back(size * (body(idle).theta - at.held_angles[static_cast<std::size_t>(idle)]));
+  }
+  return exist;
+}
+
+/// The points of a contact's curves that have its normal; of a line the foot of the other's point. None where
+/// a curve has no such point.
+[[nodiscard]] std::optional<CommonNormal> facing_at(const Dimensions<double>::Contact& contact,
+                                                    const BodyAt<double>& first, const BodyAt<double>& second,
+                                                    double phi);
+
+/// Residual and Jacobian of the conditions of a set. Its unknowns are lengths: x, y and size·θ of each body
+/// of the set, then size·φ of each of its contacts.
+class ConditionSystem {
+public:
+  /// \param size  [m], > 0, makes lengths of angles
+  ConditionSystem(Dimensions<double> dimensions, ConditionSet set, double size);
+
+  [[nodiscard]] const ConditionSet& set() const { return set_; }
+  [[nodiscard]] const Dimensions<double>& dimensions() const { return dimensions_; }
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] Eigen::Index row_count() const { return static_cast<Eigen::Index>(labels_.size()); }
+  [[nodiscard]] Eigen::Index column_count() const { return columns_; }
+  /// Of each row.
+  [[nodiscard]] const std::vector<ConditionLabel>& labels() const { return labels_; }
+  /// Of x of a body; -1 where it is not of the set.
+  [[nodiscard]] Eigen::Index body_column(int body) const {
+    return body_columns_[static_cast<std::size_t>(body)];
+  }
+  /// Of φ of a contact; -1 where it is not of the set.
+  [[nodiscard]] Eigen::Index contact_column(int contact) const {
+    return contact_columns_[static_cast<std::size_t>(contact)];
+  }
+  /// The row of a driver, the only one that depends on its position, and its derivative by that: -size
+  /// [m/rad] or -1; -1 for the row where the driver is not of the set.
+  [[nodiscard]] Eigen::Index driver_row(int driver) const {
+    return driver_rows_[static_cast<std::size_t>(driver)];
+  }
+  [[nodiscard]] double by_driver(int driver) const;
+
+  /// Residual [m] and Jacobian [1], which are resized if need be. Whether φ has a point on each curve, which
+  /// parabolas and hyperbolas have for some normals only; without, both are meaningless.
+  bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values, Eigen::MatrixXd& J) const;
+  /// The residual alone.
+  bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values) const;
+
+  /// The unknowns as a vector, and back.
+  [[nodiscard]] Eigen::VectorXd unknowns(const Coordinates<double>& at) const;
+  void set_unknowns(const Eigen::VectorXd& x, Coordinates<double>& at) const;
+
+private:
+  ConditionSet set_;
+  Dimensions<double> dimensions_;
+  double size_;
+  Eigen::Index columns_ = 0;
+  std::vector<ConditionLabel> labels_;
+  std::vector<Eigen::Index> body_columns_, contact_columns_, driver_rows_;
+};
+
+}  // namespace higherpair

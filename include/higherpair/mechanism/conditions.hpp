@@ -1,0 +1,250 @@
+#pragma once
+
+#include "higherpair/geometry/arc_length.hpp"
+#include "higherpair/geometry/expansion.hpp"
+#include "higherpair/geometry/support.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <array>
+#include <optional>
+#include <type_traits>
+
+namespace higherpair {
+
+/// The conditions of joints, contacts and drivers as functions of the coordinates of the bodies, of the angle
+/// φ of the normal of each contact, and of the dimensions of the mechanism. This is their only form: the
+/// scalar decides what comes out.
+///     T = double         residuals
+///     T = Partials       the Jacobian as well
+///     T = PowerSeries    rates, accelerations, jerks, … for coordinates that are series in time
+///     D = Partials       any of these with its derivatives by dimensions
+/// Every value has the unit of a length: angles are multiplied by a size. 0 where the condition holds.
+/// \tparam T  of the coordinates
+/// \tparam D  of the dimensions: double, T, or the coefficients of T
+
+/// The coordinates of a body: where its frame is in ground [m], and its angle [rad].
+template <class T>
+struct BodyAt {
+  Pose<T> X_WB;
+  T theta{0};
+
+  /// A point fixed in the body, in ground [m].
+  template <class D>
+  [[nodiscard]] Vector2<T> point(const Vector2<D>& p_B) const {
+    return X_WB.p_WB + vector(p_B);
+  }
+  /// A vector fixed in the body, expressed in ground.
+  template <class D>
+  [[nodiscard]] Vector2<T> vector(const Vector2<D>& v_B) const {
+    const auto& [c, s] = X_WB.R_WB;
+    return vector_of(T(c * v_B.x() - s * v_B.y()), T(s * v_B.x() + c * v_B.y()));
+  }
+};
+
+/// The angle [rad] made nearest to 0 by whole turns.
+template <class T>
+[[nodiscard]] inline T without_turns(const T& angle) {
+  const double value = value_of(angle);
+  return angle + (nearest_turn(value, 0) - value);
+}
+
+/// What a condition takes from a joint; see Joint.
+template <class D>
+struct JointDimensions {
+  JointType type = JointType::kRevolute;
+  Vector2<D> p_A = Vector2<D>::Zero(), p_B = p_A, direction_A = p_A;
+  D relative_angle{0};
+  D turning_ratio{1};
+};
+
+/// The values of the conditions of one joint, contact or driver.
+template <class T>
+struct ConditionValues {
+  std::array<T, 3> value{};
+  int count = 0;
+  bool exist = true;  ///< false: a curve has no point with the normal of φ, and the values are meaningless
+
+  void add(const T& v) { value[static_cast<std::size_t>(count++)] = v; }
+};
+
+/// Coordinate of a joint: [rad], or [m] along its line (see JointType).
+/// \param carrier  of gears and belts
+template <class T, class D>
+[[nodiscard]] T joint_coordinate(const JointDimensions<D>& joint, const BodyAt<T>& first,
+                                 const BodyAt<T>& second, const BodyAt<T>& carrier) {
+  if (has_angle(joint.type)) {
+    return second.theta - (couples_turning(joint.type) ? carrier : first).theta;
+  }
+  return (second.point(joint.p_B) - first.point(joint.p_A)).dot(first.vector(joint.direction_A));
+}
+
+/// How many a joint has.
+[[nodiscard]] constexpr int condition_count(JointType type) {
+  return type == JointType::kRevolute || type == JointType::kPrismatic ? 2 : 1;
+}
+
+/// Revolute: x and y of p_B - p_A. Prismatic: the distance of p_B from the line of A, and size·(θ_B - θ_A -
+/// relative angle), less whole turns. Slot: that distance. Gears and belts: size·((θ_B - θ_C) - k (θ_A -
+/// θ_C) - relative angle), C the carrier and k the turning ratio.
+template <class T, class D>
+[[nodiscard]] ConditionValues<T> joint_conditions(const JointDimensions<D>& joint, const BodyAt<T>& first,
+                                                  const BodyAt<T>& second, const BodyAt<T>& carrier,
+                                                  double size) {
+  ConditionValues<T> values;
+  if (couples_turning(joint.type)) {
+    values.add(size * ((second.theta - carrier.theta) - joint.turning_ratio * (first.theta - carrier.theta) -
+                       joint.relative_angle));
+    return values;
+  }
+  const Vector2<T> apart = second.point(joint.p_B) - first.point(joint.p_A);
+  if (joint.type == JointType::kRevolute) {
+    values.add(apart.x());
+    values.add(apart.y());
+    return values;
+  }
+  values.add(cross(first.vector(joint.direction_A), apart));
+  if (joint.type == JointType::kPrismatic) {
+    values.add(size * without_turns(T(second.theta - first.theta - joint.relative_angle)));
+  }
+  return values;
+}
+
+/// The coordinate of a driven joint less the position of the driver [rad or m].
+template <class T, class D>
+[[nodiscard]] T driver_condition(const JointDimensions<D>& joint, const BodyAt<T>& first,
+                                 const BodyAt<T>& second, const T& position, double size) {
+  const T off = joint_coordinate(joint, first, second, first) - position;
+  return has_angle(joint.type) ? T(size * off) : off;
+}
+
+/// What a condition takes from a curve; see Curve.
+template <class D>
+struct CurveDimensions {
+  CurveKind kind = CurveKind::kPoint;
+  double side = 1;  ///< +1 where the body is the convex side, -1 where it is the other
+  Vector2<D> vertex_B, axis_B;
+  D semi_latus{0};
+  D q{1};
+};
+
+/// Two curves with a common normal: n out of curve 1, and the points with the outward normals n and -n.
+template <class T>
+struct FacingPoints {
+  Vector2<T> n_W;
+  Vector2<T> p1_W, p2_W;  ///< of a line the given point of the line
+  T rho1{0}, rho2{0};     ///< [m]; 0 for a line
+  T phi{0};               ///< angle of n [rad]: of a line that of its face
+  T off{0};               ///< what the coordinate φ has more than that
+  bool exist = true;      ///< false: a curve has no such point
+};
+
+/// A curve that is no line at the present pose of its body.
+template <class T, class D>
+[[nodiscard]] PlacedCurve<T, D> placed_on(const BodyAt<T>& body, const CurveDimensions<D>& curve) {
+  return {body.point(curve.vertex_B), body.vector(curve.axis_B), curve.semi_latus, curve.q, curve.side};
+}
+
+template <class T, class D>
+[[nodiscard]] FacingPoints<T> facing_points(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
+                                            const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
+                                            const T& phi) {
+  using std::cos;
+  using std::sin;
+  const bool flat1 = curve1.kind == CurveKind::kLine;
+  const bool flat2 = curve2.kind == CurveKind::kLine;
+  const PlacedCurve<T, D> first = placed_on(body1, curve1);
+  const PlacedCurve<T, D> second = placed_on(body2, curve2);
+  FacingPoints<T> at;
+  at.phi = phi;
+  if (flat1 || flat2) {
+    at.n_W = flat1 ? Vector2<T>(-first.axis_W) : second.axis_W;
+    const Vector2<D> n_B = flat1 ? Vector2<D>(-curve1.axis_B) : curve2.axis_B;
+    at.off = without_turns(T(phi - (flat1 ? body1 : body2).theta - angle_of(n_B)));
+    at.phi = phi - at.off;
+  } else {
+    at.n_W = vector_of(T(cos(phi)), T(sin(phi)));
+  }
+  at.p1_W = first.vertex_W;
+  at.p2_W = second.vertex_W;
+  const auto set_point = [&](const PlacedCurve<T, D>& curve, const Vector2<T>& n_W, Vector2<T>& p_W, T& rho) {
+    const SupportPoint<T> support = support_point(curve, n_W);
+    p_W = support.p_W;
+    rho = support.rho;
+    const bool near_half = value_of(T(n_W.dot(curve.axis_W))) * curve.side < 0;
+    at.exist = at.exist && (curve.q > D(0) || (near_half && value_of(support.w2) > 0));
+  };
+  if (!flat1) {
+    set_point(first, at.n_W, at.p1_W, at.rho1);
+  }
+  if (!flat2) {
+    set_point(second, -at.n_W, at.p2_W, at.rho2);
+  }
+  return at;
+}
+
+/// Arc of a conic at ψ, with the sign of its side, from its derivative ρ [m].
+template <class T, class D>
+[[nodiscard]] T arc_along(const CurveDimensions<D>& curve, const T& psi, const T& rho) {
+  if constexpr (std::is_same_v<T, D>) {
+    return curve.side * conic_arc_length(curve.semi_latus, curve.q, psi);
+  } else {
+    return integrated(arc_along(curve, psi.c[0], rho.c[0]), rho, psi);
+  }
+}
+
+/// Arc coordinate of a conic's point with the outward normal angle ψ, growing with it [m]; 0 for points.
+/// \param body_theta  angle of the body \param rho  radius of curvature there
+template <class T, class D>
+[[nodiscard]] T conic_arc(const CurveDimensions<D>& curve, const T& body_theta, const T& normal_angle,
+                          const T& rho) {
+  if (curve.kind == CurveKind::kPoint) {
+    return T(0);
+  }
+  const T psi = normal_angle - body_theta - angle_of(Vector2<D>(-curve.axis_B)) - (curve.side > 0 ? 0 : kPi);
+  return arc_along(curve, curve.q > D(0) ? psi : without_turns(psi), rho);
+}
+
+/// Arc of the contact point on the first curve less that on the second, both along t = n turned +90°, as if
+/// the points coincided: constant where the bodies roll [m]. Of a line the distance from its given point.
+template <class T, class D>
+[[nodiscard]] T arc_difference(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
+                               const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
+                               const FacingPoints<T>& at) {
+  const Vector2<T> t_W = perp(at.n_W);
+  const T apart = (at.p2_W - at.p1_W).dot(t_W);
+  T difference(0);
+  if (curve1.kind == CurveKind::kLine || curve2.kind == CurveKind::kLine) {
+    difference += apart;
+  }
+  if (curve1.kind != CurveKind::kLine) {
+    difference += conic_arc(curve1, body1.theta, at.phi, at.rho1);
+  }
+  if (curve2.kind != CurveKind::kLine) {
+    difference += conic_arc(curve2, body2.theta, T(at.phi + kPi), at.rho2);
+  }
+  return difference;
+}
+
+/// Gap [m], and, for the coordinate φ: the distance of the points along t [m] (of a line: size·(φ -
+/// angle of its face)). With rolling the slip since the arcs differed by `held` [m]; at a touching point
+/// neither it nor the gap depends on φ: with φ held their derivatives by the bodies are the velocities of the
+/// material points along t and n.
+template <class T, class D>
+[[nodiscard]] ConditionValues<T> contact_conditions(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
+                                                    const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
+                                                    const T& phi, const std::optional<T>& held, double size) {
+  const FacingPoints<T> at = facing_points(curve1, body1, curve2, body2, phi);
+  const Vector2<T> apart = at.p2_W - at.p1_W;
+  const bool flat = curve1.kind == CurveKind::kLine || curve2.kind == CurveKind::kLine;
+  ConditionValues<T> values;
+  values.exist = at.exist;
+  values.add(apart.dot(at.n_W));
+  values.add(flat ? T(size * at.off) : T(cross(at.n_W, apart)));
+  if (held) {
+    const T arcs = arc_difference(curve1, body1, curve2, body2, at) - *held;
+    values.add(flat ? arcs : T(arcs + values.value[1]));
+  }
+  return values;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "higherpair/mechanism/plan.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace higherpair {
+
+/// What the solver has to know about a kind of group besides how it is solved.
+struct GroupTraits {
+  bool two_modes = false;   ///< its closed form has two assembly modes, σ = ±1
+  bool can_cross = false;   ///< its branches are told apart by the sign of a sine, and can cross
+  bool one_branch = false;  ///< it has no other branch that a step could jump to
+  bool coupled = false;     ///< solved by Newton's method, which may come out on any branch
+  double sine_noise = 0;    ///< rounding of an interpolated sine, relative to its lever
+  /// Why it can go no further at a limit position.
+  std::string_view limit =
+      "the bodies cannot be put together on this branch beyond this position of the driver";
+};
+
+namespace group_traits {
+
+template <class Kind>
+inline constexpr GroupTraits kOf = Kind::has_no_traits;  // does not compile
+template <>
+inline constexpr GroupTraits kOf<DrivenBody>{.one_branch = true};
+template <>
+inline constexpr GroupTraits kOf<RrrDyad>{
+    true,  true,
+    false, false,
+    1e-14, "the links are in line here: beyond this position of the driver they cannot reach each other"};
+template <>
+inline constexpr GroupTraits kOf<RrpDyad>{
+    true,
+    true,
+    false,
+    false,
+    1e-14,
+    "the link stands at right angles to its slide here: beyond this position of the driver it cannot reach "
+    "it"};
+template <>
+inline constexpr GroupTraits kOf<RprDyad>{
+    true,
+    true,
+    false,
+    false,
+    1e-14,
+    "the two pins are as near as the offset of the slide here: beyond this position of the driver it cannot "
+    "lead past both"};
+template <>
+inline constexpr GroupTraits kOf<SlideDyad>{
+    .limit = "the two slides are parallel here: the point where they meet runs off to infinity"};
+template <>
+inline constexpr GroupTraits kOf<TrackedPair>{.can_cross = true, .sine_noise = 1e-12};
+template <>
+inline constexpr GroupTraits kOf<TouchingBody>{.can_cross = true, .sine_noise = 1e-12};
+template <>
+inline constexpr GroupTraits kOf<IdleBody>{.one_branch = true};
+template <>
+inline constexpr GroupTraits kOf<GearedBody>{.one_branch = true};
+template <>
+inline constexpr GroupTraits kOf<CoupledBodies>{.can_cross = true, .coupled = true, .sine_noise = 1e-11};
+
+inline constexpr auto kTable = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array<GroupTraits, sizeof...(I)>{kOf<std::variant_alternative_t<I, GroupKind>>...};
+}
+(std::make_index_sequence<std::variant_size_v<GroupKind>>{});
+
+}  // namespace group_traits
+
+[[nodiscard]] inline const GroupTraits& traits_of(const Group& group) {
+  return group_traits::kTable[group.kind.index()];
+}
+
+/// Why a group can go no further at a limit position.
+[[nodiscard]] inline std::string_view limit_cause(const Group& group) {
+  return group.contacts.empty()
+             ? traits_of(group).limit
+             : "the two bodies cannot be kept in contact on this branch beyond this position of the driver";
+}
+
+/// The contact that places a body of the group by itself, and that body; none of other kinds of groups.
+struct PlacingContact {
+  int contact = 0;
+  const CarriedBody* follower = nullptr;
+};
+[[nodiscard]] inline std::optional<PlacingContact> placing_contact(const Group& group) {
+  if (const auto* tracked = std::get_if<TrackedPair>(&group.kind)) {
+    return PlacingContact{tracked->contact, &tracked->follower};
+  }
+  const auto* touching = std::get_if<TouchingBody>(&group.kind);
+  return touching == nullptr ? std::nullopt
+                             : std::optional(PlacingContact{touching->contact, &touching->follower});
+}
+
+}  // namespace higherpair

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "higherpair/analysis/derivatives.hpp"
+#include "higherpair/geometry/body_jerk.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
+
+#include <vector>
+
+namespace higherpair {
+
+inline constexpr std::array<double, 7> kFactorials{1, 1, 2, 6, 24, 120, 720};
+static_assert(kFactorials.size() > kHighestDerivative);
+
+/// A motion as power series in time, from the instant t = 0.
+template <class D, int N>
+struct SeriesMotion {
+  Coordinates<PowerSeries<D, N>> at;
+  std::vector<bool> known;  ///< of the bodies: whether their series are solved
+};
+
+/// What solve_series() leaves out.
+struct SeriesOptions {
+  bool surplus_slip = true;  ///< false: the slip conditions of groups that have conditions in surplus
+  const std::vector<bool>* has_rates = nullptr;  ///< stop at the first group with a body that has none
+};
+
+/// The coordinates of run.row. Rolling contacts hold the arc difference, and idle bodies the angle, that they
+/// have there.
+[[nodiscard]] Coordinates<double> row_coordinates(const Run& run);
+
+/// The coordinates of bodies and contacts; the drivers are where their joints are, and idle bodies keep their
+/// angles.
+[[nodiscard]] Coordinates<double> coordinates_of(const Mechanism& mechanism,
+                                                 const std::vector<BodyMotion>& bodies,
+                                                 const std::vector<ContactMotion>& contacts);
+
+/// The bodies and conditions of a group of the plan.
+[[nodiscard]] ConditionSet condition_set(const Plan& plan, const Group& group);
+
+/// Raises coordinates that hold at t = 0 to series in time, group by group. With every coordinate a power
+/// series the conditions hold order by order,
+///     J x_k = -(what lower orders leave of the conditions at order k),
+/// with the same Jacobian J in each; where the dimensions are Partials by a parameter, likewise for the
+/// partial of every order from the 0th. By least squares where conditions are in surplus; stops at the first
+/// group that its conditions leave free, as later ones may depend on it.
+/// \param values  of the dimensions
+/// \param at      constant but for the drivers
+template <class D, int N>
+[[nodiscard]] SeriesMotion<D, N> solve_series(const Plan& plan, const Dimensions<double>& values,
+                                              const Dimensions<D>& dimensions,
+                                              Coordinates<PowerSeries<D, N>> at,
+                                              const SeriesOptions& options = {});
+
+/// Whether a Jacobian leaves no freedom.
+[[nodiscard]] bool is_regular(const Eigen::MatrixXd& J);
+
+/// A coordinate from its derivatives; further ones are dropped.
+template <int N, std::size_t kCount>
+[[nodiscard]] PowerSeries<double, N> series_of(const std::array<double, kCount>& derivatives) {
+  PowerSeries<double, N> series;
+  for (std::size_t k = 0; k <= N && k < kCount; ++k) {
+    series.c[k] = derivatives[k] / kFactorials[k];
+  }
+  return series;
+}
+
+/// A body from its motion, up to the N-th order of time.
+template <int N>
+[[nodiscard]] BodyAt<PowerSeries<double, N>> series_of_body(const BodyMotion& body,
+                                                            const BodyJerk& jerk = {}) {
+  const auto coordinate = [&](Eigen::Index i) {
+    return series_of<N>(std::array{body.X_WB.p_WB(i), body.v_WB(i), body.a_WB(i), jerk.j_WB(i)});
+  };
+  const auto theta = series_of<N>(std::array{body.theta, body.omega, body.alpha, jerk.angular});
+  const auto& [c, s] = body.X_WB.R_WB;
+  const auto [cosine, sine] = cosine_and_sine(theta, c, s);
+  return {{{cosine, sine}, {coordinate(0), coordinate(1)}}, theta};
+}
+
+}  // namespace higherpair

@@ -1,0 +1,97 @@
+#include "higherpair/analysis/start_ranges.hpp"
+
+#include "assembly.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr int kTries = 72;
+constexpr int kHalvings = 24;  // 2^-24/72 < 1e-9
+constexpr std::size_t kMostRanges = 3;
+constexpr double kReachOfSlide = 2;  // of the size
+
+class Scan {
+public:
+  Scan(Run& run, double from, double span) : run_(run), from_(from), span_(span) {}
+
+  std::vector<StartRange> ranges() {
+    std::vector<StartRange> found;
+    bool last = assembles(0);
+    if (last) {
+      found.push_back({at(0), at(1)});
+    }
+    for (int k = 1; k <= kTries; ++k) {
+      const double x = static_cast<double>(k) / kTries;
+      const double before = static_cast<double>(k - 1) / kTries;
+      const bool here = assembles(x);
+      if (here && !last) {
+        found.push_back({at(end_between(x, before)), at(1)});
+      } else if (!here && last) {
+        found.back().high = at(end_between(before, x));
+      }
+      last = here;
+    }
+    return found;
+  }
+
+private:
+  [[nodiscard]] double at(double x) const { return from_ + x * span_; }
+
+  bool assembles(double x) {
+    run_.drivers.front() = at(x);
+    return !assemble(run_);
+  }
+
+  // The last place at which it can be assembled on the way from `inside` to `outside`.
+  double end_between(double inside, double outside) {
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (inside + outside) / 2;
+      (assembles(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  }
+
+  Run& run_;
+  double from_;
+  double span_;
+};
+
+double distance(const StartRange& range, double from, double turn) {
+  const double ahead = std::min(std::abs(range.low - from), std::abs(range.high - from));
+  return turn > 0 ? std::min(ahead, std::abs(from + turn - range.high)) : ahead;
+}
+
+}  // namespace
+
+std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechanism,
+                                                         const std::vector<double>& drivers,
+                                                         double tolerance) {
+  auto run = planned_run(mechanism, drivers);
+  if (!run || drivers.empty() || surplus_objection(mechanism, run->plan, drivers)) {
+    return std::nullopt;
+  }
+  run->tolerance = tolerance;
+  if (!assemble(*run)) {
+    return std::nullopt;
+  }
+  const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
+  const double turn = joint.type == JointType::kRevolute ? 2 * kPi : 0;
+  const double reach = kReachOfSlide * run->plan.size;
+  std::vector<StartRange> ranges = turn > 0 ? Scan(*run, drivers.front(), turn).ranges()
+                                            : Scan(*run, drivers.front() - reach, 2 * reach).ranges();
+  std::stable_sort(ranges.begin(), ranges.end(), [&](const StartRange& a, const StartRange& b) {
+    return distance(a, drivers.front(), turn) < distance(b, drivers.front(), turn);
+  });
+  ranges.resize(std::min(ranges.size(), kMostRanges));
+  for (StartRange& range : ranges) {
+    const double turns = turn > 0 ? turn * (std::ceil(range.high / turn) - 1) : 0;
+    range = {range.low - turns, range.high - turns};
+  }
+  return ranges;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,30 @@
+#pragma once
+
+// The tolerances of this room. Lengths are shares of the mechanism's size, steps of a path shares of a unit
+// of its drivers (unit_of in step.hpp). Those of steps along a motion stand where the motion is followed.
+
+namespace higherpair {
+
+/// Assemblies as near as this are one [size, rad].
+inline constexpr double kSameAssembly = 1e-12;
+
+/// A depth below this is a touch: ten times the precision of the distances that are asked for.
+inline constexpr double kOverlap = 1e-9;
+inline constexpr double kOverlapPrecision = kOverlap / 10;
+
+/// The common normal of bodies that need not touch yet, from which an iteration starts.
+inline constexpr double kRoughSeparation = 1e-6;
+
+/// A gap that is 0 to within rounding.
+inline constexpr double kClosedGap = 1e-14;
+
+/// How far a follower may be guessed from its limit, of a unit of its coordinate.
+inline constexpr double kNearFollowerLimit = 0.3;
+
+/// Determinant, scaled, of a coupled group that has its rank for certain.
+inline constexpr double kSurelyPlaced = 1e-9;
+
+/// Velocities below this share of the step's largest are rounding, not a motion whose sense could change.
+inline constexpr double kSlowestOutput = 1e-12;
+
+}  // namespace higherpair

@@ -1,0 +1,94 @@
+#include "extended.hpp"
+
+namespace higherpair {
+
+Extended::Extended(int x) : x_(x) {}
+
+Extended::Extended(double x) : x_(x) {}
+
+Extended::Extended(const std::string& decimal) : x_(decimal) {}
+
+Extended& Extended::operator+=(const Extended& b) {
+  x_ += b.x_;
+  return *this;
+}
+
+Extended& Extended::operator-=(const Extended& b) {
+  x_ -= b.x_;
+  return *this;
+}
+
+Extended& Extended::operator*=(const Extended& b) {
+  x_ *= b.x_;
+  return *this;
+}
+
+Extended& Extended::operator/=(const Extended& b) {
+  x_ /= b.x_;
+  return *this;
+}
+
+Extended operator+(const Extended& a, const Extended& b) {
+  return Extended(a.number() + b.number());
+}
+
+Extended operator-(const Extended& a, const Extended& b) {
+  return Extended(a.number() - b.number());
+}
+
+Extended operator*(const Extended& a, const Extended& b) {
+  return Extended(a.number() * b.number());
+}
+
+Extended operator/(const Extended& a, const Extended& b) {
+  return Extended(a.number() / b.number());
+}
+
+Extended operator-(const Extended& a) {
+  return Extended(-a.number());
+}
+
+bool operator==(const Extended& a, const Extended& b) {
+  return a.number() == b.number();
+}
+
+std::partial_ordering operator<=>(const Extended& a, const Extended& b) {
+  return a.number() < b.number()    ? std::partial_ordering::less
+         : a.number() > b.number()  ? std::partial_ordering::greater
+         : a.number() == b.number() ? std::partial_ordering::equivalent
+                                    : std::partial_ordering::unordered;
+}
+
+Extended abs(const Extended& x) {
+  return Extended(Extended::Number(abs(x.number())));
+}
+
+Extended sqrt(const Extended& x) {
+  return Extended(Extended::Number(sqrt(x.number())));
+}
+
+Extended exp(const Extended& x) {
+  return Extended(Extended::Number(exp(x.number())));
+}
+
+Extended cos(const Extended& x) {
+  return Extended(Extended::Number(cos(x.number())));
+}
+
+Extended sin(const Extended& x) {
+  return Extended(Extended::Number(sin(x.number())));
+}
+
+Extended atan(const Extended& x) {
+  return Extended(Extended::Number(atan(x.number())));
+}
+
+Extended frexp(const Extended& x, int* exponent) {
+  return Extended(Extended::Number(frexp(x.number(), exponent)));
+}
+
+double to_double(const Extended& x) {
+  return x.number().convert_to<double>();
+}
+
+}  // namespace higherpair

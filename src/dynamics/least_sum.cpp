@@ -1,0 +1,105 @@
+#include "least_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMostPivots = 10000;
+constexpr double kNothing = 1e-13;  // of the largest number of a tableau's row, or of a condition
+
+// A pivot of the simplex tableau, whose last row holds the reduced costs and last column the right-hand
+// sides.
+void pivot(Eigen::MatrixXd& tableau, Eigen::Index row, Eigen::Index column) {
+  tableau.row(row) /= tableau(row, column);
+  for (Eigen::Index i = 0; i < tableau.rows(); ++i) {
+    if (i != row) {
+      tableau.row(i) -= tableau(i, column) * tableau.row(row);
+    }
+  }
+}
+
+// Bland's rule, which cannot go round in circles: the first column that gains.
+Eigen::Index gaining_column(const Eigen::MatrixXd& tableau) {
+  const Eigen::Index last = tableau.rows() - 1;
+  for (Eigen::Index j = 0; j + 1 < tableau.cols(); ++j) {
+    if (tableau(last, j) < -kNothing) {
+      return j;
+    }
+  }
+  return -1;
+}
+
+Eigen::Index leaving_row(const Eigen::MatrixXd& tableau, Eigen::Index column) {
+  const Eigen::Index right = tableau.cols() - 1;
+  Eigen::Index best = -1;
+  for (Eigen::Index i = 0; i + 1 < tableau.rows(); ++i) {
+    if (tableau(i, column) > kNothing &&
+        (best < 0 || tableau(i, right) / tableau(i, column) < tableau(best, right) / tableau(best, column))) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+// With x = x⁺ - x⁻ the dual programme is
+//     Σ at_least_i y_i -> max   with   ± Σ_i coefficients_ij y_i <= weights_j,   y >= 0,
+// which y = 0 meets: the simplex method can begin at once. x⁺ and x⁻ are the reduced costs of its slacks. It
+// is scaled so that weights are 1, the largest coefficient of a condition is 1, and so is the largest of
+// at_least.
+std::optional<std::vector<double>> solve(const LeastSum& programme) {
+  const auto n = static_cast<Eigen::Index>(programme.weights.size());
+  const auto m = static_cast<Eigen::Index>(programme.conditions.size());
+  Eigen::MatrixXd tableau = Eigen::MatrixXd::Zero(2 * n + 1, m + 2 * n + 1);
+  double unit = 0;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const LeastSum::Condition& condition = programme.conditions[static_cast<std::size_t>(i)];
+    Eigen::VectorXd scaled(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      scaled(j) = condition.coefficients[static_cast<std::size_t>(j)] /
+                  programme.weights[static_cast<std::size_t>(j)];
+    }
+    const double largest = scaled.lpNorm<Eigen::Infinity>();
+    if (!(largest > 0)) {
+      if (condition.at_least > 0) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    tableau.block(0, i, n, 1) = scaled / largest;
+    tableau.block(n, i, n, 1) = -scaled / largest;
+    tableau(2 * n, i) = -condition.at_least / largest;
+    unit = std::max(unit, condition.at_least / largest);
+  }
+  if (!std::isfinite(unit)) {
+    return std::nullopt;
+  }
+  std::vector<double> x(programme.weights.size(), 0);
+  if (!(unit > 0)) {
+    return x;
+  }
+  tableau.row(2 * n) /= unit;
+  tableau.block(0, m, 2 * n, 2 * n).setIdentity();
+  tableau.col(m + 2 * n).head(2 * n).setOnes();
+  Eigen::Index column = gaining_column(tableau);
+  for (int i = 0; i < kMostPivots && column >= 0; ++i) {
+    const Eigen::Index row = leaving_row(tableau, column);
+    if (row < 0) {
+      return std::nullopt;
+    }
+    pivot(tableau, row, column);
+    column = gaining_column(tableau);
+  }
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double difference = tableau(2 * n, m + j) - tableau(2 * n, m + n + j);
+    x[static_cast<std::size_t>(j)] = unit * difference / programme.weights[static_cast<std::size_t>(j)];
+  }
+  return x;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,252 @@
+#include "higherpair/dynamics/preload.hpp"
+
+#include "chebyshev.hpp"
+#include "least_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMostExchanges = 200;
+constexpr double kRounding = 1e-12;  // of the sum of a force's parts
+
+bool contains(const std::vector<int>& items, int item) {
+  return std::find(items.begin(), items.end(), item) != items.end();
+}
+
+// A force as the sum of its columns with these weights.
+ForceSeries weighted(const ForcePiece& piece, std::size_t contact, const std::vector<double>& weights) {
+  ForceSeries sum{};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const ForceSeries& column = piece.columns[contact * weights.size() + i];
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      sum[k] += weights[i] * column[k];
+    }
+  }
+  return sum;
+}
+
+// The columns at the position where a weighted force is furthest below 0; none where it is nowhere below
+// what rounding allows.
+std::optional<std::vector<double>> worst_place(const ContactForces& forces, std::size_t contact,
+                                               const std::vector<double>& weights) {
+  const ForcePiece* worst = nullptr;
+  LowestValue lowest;  // of force + tolerance
+  for (const ForcePiece& piece : forces.pieces) {
+    if (!piece.known[contact]) {
+      continue;
+    }
+    ForceSeries force = weighted(piece, contact, weights);
+    double parts = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const ForceSeries& column = piece.columns[contact * weights.size() + i];
+      parts += std::abs(weights[i]) * (std::abs(column[0]) + spread(column));
+    }
+    force[0] += piece.noise + kRounding * parts;
+    const double before = lowest.value;
+    find_lower(force, 1e-15 * parts, lowest);
+    worst = lowest.value < before ? &piece : worst;
+  }
+  if (worst == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<double> columns;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    columns.push_back(value_at(worst->columns[contact * weights.size() + i], lowest.t));
+  }
+  return columns;
+}
+
+// Largest absolute value of a column.
+double largest_of(const ContactForces& forces, std::size_t column) {
+  double largest = 0;
+  for (const ForcePiece& piece : forces.pieces) {
+    for (std::size_t i = column; i < piece.columns.size(); i += ForcePiece::kParts + forces.preloads.size()) {
+      largest = std::max(largest, std::abs(piece.columns[i][0]) + spread(piece.columns[i]));
+    }
+  }
+  return largest;
+}
+
+// Whether a contact force falls below 0 towards a singular position, as far as its slope says.
+bool opens_at_singular(const ContactForces& forces, std::size_t contact, const std::vector<double>& weights) {
+  return std::any_of(forces.pieces.begin(), forces.pieces.end(), [&](const ForcePiece& piece) {
+    if (!piece.known[contact] || !(piece.singular_from || piece.singular_to)) {
+      return false;
+    }
+    const ForceSeries force = weighted(piece, contact, weights);
+    const ForceSeries slope = derivative(force);
+    // What is left out is about as long as the piece beside it: 2 in t.
+    const auto falls = [&](double end) {
+      return value_at(force, end) + 2 * end * value_at(slope, end) <
+             -piece.noise - kRounding * (std::abs(force[0]) + spread(force));
+    };
+    return (piece.singular_from && falls(-1)) || (piece.singular_to && falls(1));
+  });
+}
+
+bool opens_at_singular(const ContactForces& forces, const std::vector<double>& weights) {
+  for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
+    if (opens_at_singular(forces, contact, weights)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+struct Terms {
+  double most = std::numeric_limits<double>::infinity();  // that the preload may be
+  double weight = 1;                                      // in the sum
+  double nothing = 0;  // what it adds to a contact force up to this is rounding
+};
+
+Terms terms_of(const Preload& preload, const Mechanism& mechanism, double size) {
+  const auto index = static_cast<std::size_t>(preload.index);
+  const bool on_spring = preload.on == Preload::On::kSpring;
+  const Spring* spring = on_spring ? &mechanism.springs[index] : nullptr;
+  if (spring != nullptr && !spring->joint) {
+    return {spring->stiffness * spring->free, 1, 0};  // a free length of 0
+  }
+  const auto joint = on_spring ? static_cast<std::size_t>(*spring->joint) : index;
+  return {Terms().most, has_angle(mechanism.joints[joint].type) ? 1 / size : 1, 0};
+}
+
+// Exchange for some of the preloads: those in `used`.
+std::optional<std::vector<double>> exchange(const ContactForces& forces, const std::vector<Terms>& terms,
+                                            const std::vector<std::size_t>& used,
+                                            const PreloadRounding* rounding) {
+  LeastSum programme;
+  for (const std::size_t k : used) {
+    programme.weights.push_back(terms[k].weight);
+  }
+  for (std::size_t j = 0; j < used.size(); ++j) {
+    if (std::isfinite(terms[used[j]].most)) {
+      LeastSum::Condition bound{std::vector<double>(used.size(), 0), -terms[used[j]].most};
+      bound.coefficients[j] = -1;
+      bound.at_least += rounding != nullptr ? rounding->margin[used[j]] : 0;
+      programme.conditions.push_back(bound);
+    }
+  }
+  std::vector<double> weights(ForcePiece::kParts + terms.size(), 0);
+  std::fill_n(weights.begin(), ForcePiece::kParts, 1);
+  for (int i = 0; i < kMostExchanges; ++i) {
+    const auto solution = solve(programme);
+    if (!solution) {
+      return std::nullopt;
+    }
+    for (std::size_t j = 0; j < used.size(); ++j) {
+      const double x = (*solution)[j];
+      weights[ForcePiece::kParts + used[j]] = rounding != nullptr ? rounding->round(used[j], x) : x;
+    }
+    bool closed = true;
+    for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
+      const auto worst = worst_place(forces, contact, weights);
+      if (!worst) {
+        continue;
+      }
+      closed = false;
+      LeastSum::Condition condition;
+      for (std::size_t part = 0; part < ForcePiece::kParts; ++part) {
+        condition.at_least -= (*worst)[part];
+      }
+      for (const std::size_t k : used) {
+        const double added = (*worst)[ForcePiece::kParts + k];
+        const double column = std::abs(added) > terms[k].nothing ? added : 0;
+        condition.coefficients.push_back(column);
+        condition.at_least += rounding != nullptr ? rounding->margin[k] * std::abs(column) : 0;
+      }
+      programme.conditions.push_back(condition);
+    }
+    if (closed && opens_at_singular(forces, weights)) {
+      return std::nullopt;
+    }
+    if (closed) {
+      return std::vector<double>(weights.begin() + ForcePiece::kParts, weights.end());
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Preload> preloads_of(const Mechanism& mechanism, const Plan& plan) {
+  std::vector<Preload> preloads;
+  for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
+    if (mechanism.springs[i].stiffness > 0) {
+      preloads.push_back({Preload::On::kSpring, static_cast<int>(i)});
+    }
+  }
+  if (!preloads.empty()) {
+    return preloads;
+  }
+  for (const Group& group : plan.groups) {
+    for (const int index : group.joints) {
+      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      const bool carries =
+          !contains(group.bodies, joint.first.body) || !contains(group.bodies, joint.second.body);
+      if (!group.contacts.empty() && group.drivers.empty() && carries && can_be_driven(joint.type)) {
+        preloads.push_back({Preload::On::kJoint, index});
+      }
+    }
+  }
+  return preloads;
+}
+
+std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces, const Mechanism& mechanism,
+                                                     double size, const PreloadRounding* rounding) {
+  std::vector<Terms> terms;
+  std::vector<std::size_t> all;
+  for (const Preload& preload : forces.preloads) {
+    all.push_back(terms.size());
+    terms.push_back(terms_of(preload, mechanism, size));
+    terms.back().nothing = kRounding * largest_of(forces, ForcePiece::kParts + terms.size() - 1);
+  }
+  std::optional<std::vector<double>> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : all) {
+    const auto single = exchange(forces, terms, {k}, rounding);
+    if (single && std::abs((*single)[k]) * terms[k].weight < least) {
+      least = std::abs((*single)[k]) * terms[k].weight;
+      best = single;
+    }
+  }
+  return best || all.size() < 2 ? best : exchange(forces, terms, all, rounding);
+}
+
+std::optional<double> highest_speed(const ContactForces& forces) {
+  if (!forces.complete || forces.pieces.empty() || largest_of(forces, 1) > 0) {
+    return std::nullopt;
+  }
+  std::vector<double> weights(ForcePiece::kParts + forces.preloads.size(), 0);
+  weights[0] = 1;
+  for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
+    if (worst_place(forces, contact, weights)) {
+      return std::nullopt;  // opens at rest
+    }
+  }
+  weights[0] = 0;
+  weights[2] = 1;  // beyond all speeds inertia alone decides
+  for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
+    for (int i = 0; i < kMostExchanges; ++i) {
+      const auto worst = worst_place(forces, contact, weights);
+      if (!worst) {
+        break;
+      }
+      const double rest = (*worst)[0], inertia = (*worst)[2];
+      if (!(rest > 0 && inertia < 0)) {
+        return std::nullopt;
+      }
+      weights[0] = 1;
+      weights[2] = -rest / inertia;
+    }
+  }
+  if (weights[0] != 0 && opens_at_singular(forces, weights)) {
+    return std::nullopt;
+  }
+  return weights[0] == 0 ? std::numeric_limits<double>::infinity() : std::sqrt(weights[2]);
+}
+
+}  // namespace higherpair

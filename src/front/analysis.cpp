@@ -1,0 +1,323 @@
+#include "analysis_impl.hpp"
+#include "higherpair/io/notes.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr std::int64_t kSlipsLookedFor = 1000;  // positions at which a rolling pair is tried before the run
+constexpr double kAtEnd = 1e-9;  // share of the path between two rows: as near as this to the end is there
+
+Dimension driver_dimension(const Mechanism& mechanism) {
+  const auto joint = static_cast<std::size_t>(mechanism.drivers.front().joint);
+  return mechanism.joints[joint].type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
+}
+
+std::string text_of(const Slip& slip, const Profile& profile) {
+  const Dimension dimension = driver_dimension(profile.mechanism);
+  const Dimension per_unit = dimension::kLength / dimension;
+  return fmt::format(
+      "contacts.{}: this pair cannot roll: at driver = {} {} it would have to slip by {} {} of the driver; "
+      "set rolling = false, or choose curves and joints whose contact point stays at the instant centre",
+      profile.mechanism.contacts[static_cast<std::size_t>(slip.contact)].name,
+      from_si(dimension, profile.units).apply(slip.driver), unit_text(dimension, profile.units),
+      from_si(per_unit, profile.units).apply(std::abs(slip.velocity)), unit_text(per_unit, profile.units));
+}
+
+// Driver positions over the whole run, in SI units.
+std::vector<double> some_positions(const DriverSchedule& schedule) {
+  std::vector<double> positions;
+  const std::int64_t stride = std::max<std::int64_t>(1, schedule.size() / kSlipsLookedFor);
+  for (std::int64_t k = 0; k < schedule.size(); k += stride) {
+    positions.push_back(schedule.state(k).si.position);
+  }
+  return positions;
+}
+
+Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
+  const auto wrong = [&](std::string rule) {
+    return tl::unexpected(error_about(model, ErrorKind::kInput, "RunSettings::" + std::move(rule)));
+  };
+  if (settings.derivatives && (*settings.derivatives < 3 || *settings.derivatives > kHighestDerivative)) {
+    return wrong(
+        fmt::format("derivatives = {}: must be from 3 to {}", *settings.derivatives, kHighestDerivative));
+  }
+  if (!(settings.tolerance > 0) || !std::isfinite(settings.tolerance)) {
+    return wrong(fmt::format("tolerance = {}: must be > 0", settings.tolerance));
+  }
+  const auto made = [&](const Profile& profile) {
+    return (settings.in_time ? DriverSchedule::step(profile, settings.samples)
+                             : DriverSchedule::analyze(profile, settings.samples))
+        .map_error([](Diagnostics diagnostics) {
+          return Error{ErrorKind::kInput, std::move(diagnostics)};
+        });
+  };
+  if (settings.positions.empty()) {
+    return made(model.profile);
+  }
+  const bool finite = std::all_of(settings.positions.begin(), settings.positions.end(),
+                                  [](double position) { return std::abs(position) <= kLargestQuantity; });
+  if (settings.in_time || model.profile.programs.size() != 1 || !finite) {
+    return wrong("positions: only for a single driver, not in time, and finite");
+  }
+  Profile other = model.profile;
+  other.programs.front().positions = settings.positions;
+  return made(other);
+}
+
+Result<Run> started(const Model::Data& model, const RunSettings& settings, const DriverSchedule& schedule) {
+  const auto refuse = [&](std::string reason) {
+    return tl::unexpected(error_about(model, ErrorKind::kMechanism, std::move(reason)));
+  };
+  auto run = start_run(model.profile.mechanism, *model.plan, schedule.first_positions(), settings.tolerance);
+  if (!run) {
+    return refuse(run.error().slip
+                      ? text_of(*run.error().slip, model.profile)
+                      : run.error().reason +
+                            start_advice(model.profile, schedule.first_positions(), settings.tolerance));
+  }
+  run->stop = settings.stop;
+  const auto& contacts = model.profile.mechanism.contacts;
+  if (std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.rolling; })) {
+    if (const auto slip = find_slip(*run, some_positions(schedule))) {
+      return refuse(text_of(*slip, model.profile));
+    }
+  }
+  return *std::move(run);
+}
+
+Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings, const Units& units) {
+  ColumnSet columns(units, settings.columns);
+  const Mechanism& mechanism = model.profile.mechanism;
+  add_motion_columns(columns, model.profile, units, settings.in_time);
+  if (settings.forces) {
+    add_force_columns(columns, mechanism);
+  }
+  add_status_columns(columns);
+  if (settings.jerk) {
+    add_jerk_columns(columns, mechanism, *model.plan);
+  }
+  if (settings.derivatives) {
+    add_derivative_columns(columns, mechanism, *settings.derivatives);
+  }
+  if (auto done = columns.finish(model.name); !done) {
+    return tl::unexpected(Error{ErrorKind::kInput, {std::move(done.error())}});
+  }
+  return columns;
+}
+
+std::optional<Error> refuse_without_driver(const Model::Data& model) {
+  if (!model.profile.mechanism.drivers.empty()) {
+    return std::nullopt;
+  }
+  return error_about(model, ErrorKind::kMechanism,
+                     driver_objection(model.profile.mechanism, std::vector<double>{})
+                         .value_or("no driver: nothing moves this mechanism; `mobility` says what it is"));
+}
+
+}  // namespace
+
+Result<DriverSchedule> first_schedule(const Model::Data& model) {
+  if (auto refusal = refuse_without_driver(model)) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  return DriverSchedule::analyze(model.profile).map_error([](Diagnostics diagnostics) {
+    return Error{ErrorKind::kInput, std::move(diagnostics)};
+  });
+}
+
+void Analysis::Impl::read_drivers() {
+  drivers.resize(schedule.driver_count());
+  motions.resize(schedule.driver_count());
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    drivers[i] = schedule.state(next, i);
+    motions[i] = {drivers[i].si.position, drivers[i].si.velocity, drivers[i].si.acceleration};
+  }
+}
+
+void Analysis::Impl::add_event(const RunEvent& what, double share) {
+  const Mechanism& mechanism = model->profile.mechanism;
+  Event event;
+  event.type = what.type;
+  event.row = next;
+  event.driver_si = what.driver;
+  event.driver = from_si(driver_dimension(mechanism), units).apply(what.driver);
+  if (schedule.is_timed()) {
+    const double position = from_si(driver_dimension(mechanism), model->profile.units).apply(what.driver);
+    const double time = schedule.passing_time(next, position, share);
+    event.time = units == model->profile.units
+                     ? time
+                     : from_si(dimension::kTime, units)
+                           .apply(to_si(dimension::kTime, model->profile.units).apply(time));
+  }
+  event.joint = what.joint;
+  event.contact = what.contact;
+  if (event.contact) {
+    event.item = mechanism.contacts[static_cast<std::size_t>(*event.contact)].name;
+  } else if (event.joint) {
+    event.item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
+  }
+  event.cause = what.cause;
+  const bool at_end = (next == schedule.size() - 1 && share >= 1 - kAtEnd) || next == 0;
+  const bool limit = event.type == EventType::kLimitPosition && !at_end;
+  good = good && !limit && event.type != EventType::kOverlap;
+  events.push_back(std::move(event));
+}
+
+// Moves to the next row, over the place where the driver turns back if that lies between the rows: it may
+// pass something there and pass it again.
+void Analysis::Impl::move() {
+  const auto note = [&](double from, double to) {
+    for (const RunEvent& event : run.events) {
+      add_event(event, std::lerp(from, to, event.share));
+    }
+  };
+  const auto turning = schedule.turning_point(next);
+  if (turning) {
+    move_to(run, {{turning->si.position, turning->si.velocity, turning->si.acceleration}});
+    note(0, turning->share);
+  }
+  move_to(run, motions);
+  note(turning ? turning->share : 0, 1);
+}
+
+// Contacts that open lie between rows as well: they are looked for on the whole path, whatever its rows.
+void Analysis::Impl::report_openings() {
+  contacts = report_contacts(model->profile, schedule, *start);
+  for (const ContactForceReport::Opening& opening : contacts.openings) {
+    Event event;
+    event.type = EventType::kContactOpen;
+    event.row = static_cast<std::int64_t>(std::ceil(opening.row));
+    event.driver_si = opening.what.driver;
+    event.driver = from_si(driver_dimension(model->profile.mechanism), units).apply(opening.what.driver);
+    event.contact = static_cast<int>(opening.what.contact);
+    event.item = model->profile.mechanism.contacts[opening.what.contact].name;
+    event.cause = opening.cause;
+    events.push_back(std::move(event));
+    good = false;
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.row < b.row; });
+}
+
+bool Analysis::Impl::next_row(Row& row) {
+  if (next == schedule.size() || is_stopped(run)) {
+    return false;
+  }
+  read_drivers();
+  move();
+  if (is_stopped(run)) {
+    return false;
+  }
+  RowSource source{run, drivers, schedule.time(next), dynamics ? &dynamics->solve(run) : nullptr, false};
+  source.opens = source.reactions != nullptr && run.row.status == RowStatus::kOk && source.reactions->opens();
+  columns.fill(source, row.values);
+  row.number = next;
+  row.status = source.status();
+  good = good && row.status == RowStatus::kOk;
+  if (++next == schedule.size() && start) {
+    report_openings();
+  }
+  return true;
+}
+
+Analysis::Analysis(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Analysis::Analysis(Analysis&& other) noexcept = default;
+Analysis& Analysis::operator=(Analysis&& other) noexcept = default;
+Analysis::~Analysis() = default;
+
+std::int64_t Analysis::size() const {
+  return impl_->schedule.size();
+}
+
+const std::vector<Column>& Analysis::columns() const {
+  return impl_->columns.columns();
+}
+
+bool Analysis::next(Row& row) {
+  return impl_->next_row(row);
+}
+
+bool Analysis::stopped() const {
+  return impl_->next < impl_->schedule.size() && is_stopped(impl_->run);
+}
+
+const std::vector<Event>& Analysis::events() const {
+  return impl_->events;
+}
+
+Diagnostics Analysis::notes() const {
+  return impl_->notes;
+}
+
+std::vector<SmallestForce> Analysis::smallest_forces() const {
+  const Mechanism& mechanism = impl_->model->profile.mechanism;
+  std::vector<SmallestForce> forces;
+  for (std::size_t i = 0; i < impl_->contacts.lowest.size(); ++i) {
+    if (const auto& lowest = impl_->contacts.lowest[i]) {
+      forces.push_back({mechanism.contacts[i].name,
+                        from_si(dimension::kForce, impl_->units).apply(lowest->force),
+                        from_si(driver_dimension(mechanism), impl_->units).apply(lowest->driver)});
+    }
+  }
+  return forces;
+}
+
+std::optional<double> Analysis::highest_speed() const {
+  return impl_->contacts.highest_speed;
+}
+
+bool Analysis::good() const {
+  return impl_->good;
+}
+
+Result<Analysis> Model::start(const RunSettings& settings) const {
+  if (auto refusal = refuse_without_driver(*data_)) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  auto schedule = schedule_of(*data_, settings);
+  if (!schedule) {
+    return tl::unexpected(std::move(schedule.error()));
+  }
+  if (!data_->plan) {
+    return tl::unexpected(error_about(*data_, ErrorKind::kMechanism, data_->plan.error()));
+  }
+  const Units units = settings.units.value_or(data_->profile.units);
+  auto columns = columns_of(*data_, settings, units);
+  if (!columns) {
+    return tl::unexpected(std::move(columns.error()));
+  }
+  auto run = started(*data_, settings, *schedule);
+  if (!run) {
+    return tl::unexpected(std::move(run.error()));
+  }
+  Diagnostics notes = start_notes(data_->profile, run->state.bodies);
+  std::optional<InverseDynamics> dynamics;
+  std::optional<Run> start;
+  if (settings.forces) {
+    dynamics.emplace(*run);
+    start = *run;
+  }
+  return Analysis(std::make_unique<Analysis::Impl>(Analysis::Impl{data_,
+                                                                  units,
+                                                                  *std::move(schedule),
+                                                                  *std::move(run),
+                                                                  *std::move(columns),
+                                                                  std::move(dynamics),
+                                                                  std::move(start),
+                                                                  0,
+                                                                  {},
+                                                                  {},
+                                                                  {},
+                                                                  true,
+                                                                  std::move(notes),
+                                                                  {}}));
+}
+
+}  // namespace higherpair

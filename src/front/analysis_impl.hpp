@@ -1,0 +1,40 @@
+#pragma once
+
+#include "column_set.hpp"
+#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/io/contact_report.hpp"
+#include "model_data.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// The row loop: from the schedule of the drivers to the row of a table, with what happens on the path.
+struct Analysis::Impl {
+  std::shared_ptr<const Model::Data> model;
+  Units units;
+  DriverSchedule schedule;
+  Run run;
+  ColumnSet columns;
+  std::optional<InverseDynamics> dynamics;  ///< of a run with forces
+  std::optional<Run> start;                 ///< the same, at the first row
+  std::int64_t next = 0;                    ///< row
+  std::vector<DriverState> drivers;         ///< in the row
+  std::vector<DriverMotion> motions;        ///< the same
+  std::vector<Event> events;
+  bool good = true;
+  Diagnostics notes;
+  ContactForceReport contacts;  ///< of a run with forces, after its last row
+
+  [[nodiscard]] bool next_row(Row& row);
+
+private:
+  void read_drivers();
+  void add_event(const RunEvent& what, double share);
+  void move();
+  void report_openings();
+};
+
+}  // namespace higherpair

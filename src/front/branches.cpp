@@ -1,0 +1,208 @@
+#include "higherpair/front/branches.hpp"
+
+#include "higherpair/analysis/branches.hpp"
+#include "higherpair/contact/certify.hpp"
+#include "higherpair/contact/conic_contacts.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/notes.hpp"
+#include "model_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+double plus_zero(double value) {
+  return value == 0 ? 0.0 : value;
+}
+
+std::string remark_on(const CurveContact& contact) {
+  if (contact.coincident) {
+    return "the curves coincide";
+  }
+  if (contact.conforming) {
+    return "conforming: equal curvatures";
+  }
+  return contact.at_limit ? "limit position: two contacts merge" : "";
+}
+
+ContactEntry entry_of(const CurveContact& contact, const Profile& profile, const ContactPlace& place) {
+  const CarriedBody& follower = place.follower;
+  const bool turns = follower.freedom.turns;
+  const Scaling length = from_si(dimension::kLength, profile.units);
+  const Scaling angle = from_si(dimension::kAngle, profile.units);
+  // A turning joint's coordinate starts at the turn that is nearest to the poses.
+  const double q = contact.q - place.carrier_angle;
+  const bool reversed = !place.known_is_first && contact.opposed;
+  const Vector2d n_W = reversed ? Vector2d(-contact.n_W) : contact.n_W;
+  ContactEntry entry;
+  entry.position =
+      plus_zero((turns ? angle : length).apply(follower.sign * (turns ? nearest_turn(q, place.posed) : q)));
+  entry.x = plus_zero(length.apply(contact.p_W.x()));
+  entry.y = plus_zero(length.apply(contact.p_W.y()));
+  entry.normal = plus_zero(angle.apply(angle_of(n_W)));
+  entry.opposed = contact.opposed;
+  entry.free = contact.free;
+  entry.remark = remark_on(contact);
+  return entry;
+}
+
+// The interval of q as one of the position: in the profile's units, rounded outwards.
+std::array<double, 2> position_interval(const std::array<double, 2>& q, double q_of_contact,
+                                        const ContactEntry& entry, const Profile& profile,
+                                        const ContactPlace& place) {
+  const double sign = place.follower.sign;
+  const Scaling scaling =
+      from_si(place.follower.freedom.turns ? dimension::kAngle : dimension::kLength, profile.units);
+  // The position may be a turn away from q: the interval keeps its place about it.
+  const auto bound = [&](double q_bound, double towards) {
+    return std::nextafter(entry.position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double a = bound(q[0], -sign * infinity);
+  const double b = bound(q[1], sign * infinity);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+std::string unit_of(const Profile& profile, bool turns) {
+  return unit_text(turns ? dimension::kAngle : dimension::kLength, profile.units);
+}
+
+// The joint of a follower on its carrier.
+std::string joint_name(const Mechanism& mechanism, const CarriedBody& carried) {
+  for (const Joint& joint : mechanism.joints) {
+    const bool joins = (joint.first.body == carried.body && joint.second.body == carried.carrier) ||
+                       (joint.first.body == carried.carrier && joint.second.body == carried.body);
+    if (joins && can_be_driven(joint.type)) {
+      return joint.name;
+    }
+  }
+  return "";
+}
+
+BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule, const Branches& branches) {
+  const Mechanism& mechanism = profile.mechanism;
+  BranchesReport report;
+  report.title = mechanism.title;
+  report.length_unit = unit_of(profile, false);
+  report.angle_unit = unit_of(profile, true);
+  report.driver = schedule.state(0).profile.position;
+  report.complete = branches.complete;
+  for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+    const Driver& driver = mechanism.drivers[i];
+    const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    report.drivers +=
+        fmt::format("{}driver{}{} = {} {}", i == 0 ? "" : ", ", driver.name.empty() ? "" : ".", driver.name,
+                    schedule.state(0, i).profile.position, unit_of(profile, turns));
+  }
+  for (const Joint& joint : mechanism.joints) {
+    report.joints.push_back(joint.name);
+    report.joint_units.push_back(unit_of(profile, has_angle(joint.type)));
+  }
+  for (const std::vector<double>& assembly : branches.assemblies) {
+    std::vector<double>& positions = report.assemblies.emplace_back();
+    for (std::size_t i = 0; i < assembly.size(); ++i) {
+      const bool turns = has_angle(mechanism.joints[i].type);
+      positions.push_back(plus_zero(
+          from_si(turns ? dimension::kAngle : dimension::kLength, profile.units).apply(assembly[i])));
+    }
+  }
+  return report;
+}
+
+ContactReport report_on(const Profile& profile, const ContactPlace& place, const CurveContacts& found) {
+  ContactReport report;
+  report.contact = profile.mechanism.contacts[static_cast<std::size_t>(place.contact)].name;
+  report.joint = joint_name(profile.mechanism, place.follower);
+  report.position_unit = unit_of(profile, place.follower.freedom.turns);
+  if (found.status != ContactsStatus::kComplete) {
+    report.note = describe(found.status);
+  }
+  for (const CurveContact& contact : found.contacts) {
+    report.entries.push_back(entry_of(contact, profile, place));
+  }
+  return report;
+}
+
+void add_certificate(const Certificate& certificate, const CurveContacts& found, const Profile& profile,
+                     const ContactPlace& place, ContactReport& report) {
+  report.certificate = describe(certificate.status);
+  if (certificate.status != CertificateStatus::kNotDecided) {
+    report.certificate +=
+        " (every number of the mechanism to within 2^-50 of itself, the driver's angle as a rational "
+        "rotation "
+        "within 2^-60, quarter turns exact)";
+  }
+  for (std::size_t i = 0; i < report.entries.size(); ++i) {
+    if (const auto& interval = certificate.intervals[i]) {
+      report.entries[i].certified =
+          position_interval(*interval, found.contacts[i].q, report.entries[i], profile, place);
+    }
+  }
+}
+
+// The positions of one follower.
+Result<ContactReport> list_contact(const Model::Data& model, const ContactPlace& place, bool certify) {
+  const CurveContacts found = find_curve_contacts(place.pair, place.u);
+  ContactReport report = report_on(model.profile, place, found);
+  const std::string name = "contacts." + report.contact + ": ";
+  if (found.status == ContactsStatus::kNoPair) {
+    return tl::unexpected(
+        error_about(model, ErrorKind::kMechanism, name + std::string(describe(found.status))));
+  }
+  if (certify) {
+    const Certificate certificate = certify_contacts(place.pair, place.u, found);
+    if (certificate.status == CertificateStatus::kDisagreement) {
+      return tl::unexpected(
+          error_about(model, ErrorKind::kInternal, name + std::string(describe(certificate.status))));
+    }
+    add_certificate(certificate, found, model.profile, place, report);
+  }
+  return report;
+}
+
+bool is_empty(const BranchesReport& report) {
+  return report.assemblies.empty() &&
+         std::all_of(report.contacts.begin(), report.contacts.end(),
+                     [](const ContactReport& contact) { return contact.entries.empty(); });
+}
+
+}  // namespace
+
+Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings) {
+  const Model::Data& data = model.data();
+  const auto schedule = first_schedule(data);
+  if (!schedule) {
+    return tl::unexpected(schedule.error());
+  }
+  const auto branches = list_branches(data.profile.mechanism, schedule->first_positions());
+  if (!branches) {
+    return tl::unexpected(error_about(data, ErrorKind::kMechanism, branches.error().reason));
+  }
+  BranchesReport report = report_on(data.profile, *schedule, *branches);
+  report.certified = settings.certify;
+  for (const ContactPlace& place : branches->contacts) {
+    auto contact = list_contact(data, place, settings.certify);
+    if (!contact) {
+      return tl::unexpected(std::move(contact.error()));
+    }
+    report.contacts.push_back(*std::move(contact));
+  }
+  if (is_empty(report)) {
+    const auto run =
+        start_run(data.profile.mechanism, *data.plan, schedule->first_positions(), settings.tolerance);
+    if (!run) {
+      return tl::unexpected(error_about(
+          data, ErrorKind::kMechanism,
+          run.error().reason + start_advice(data.profile, schedule->first_positions(), settings.tolerance)));
+    }
+  }
+  return report;
+}
+
+}  // namespace higherpair

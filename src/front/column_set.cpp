@@ -1,0 +1,152 @@
+#include "column_set.hpp"
+
+#include "higherpair/io/suggestion.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+void append_number(double value, std::string& out) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr;
+  out.append(text, end);
+}
+
+// A name that occurs twice; none.
+const std::string* repeated(const std::vector<std::string>& names) {
+  std::vector<const std::string*> sorted;
+  for (const std::string& name : names) {
+    sorted.push_back(&name);
+  }
+  const auto less = [](const std::string* a, const std::string* b) { return *a < *b; };
+  std::stable_sort(sorted.begin(), sorted.end(), less);
+  const auto found = std::adjacent_find(sorted.begin(), sorted.end(),
+                                        [](const std::string* a, const std::string* b) { return *a == *b; });
+  return found == sorted.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+bool matches(std::string_view glob, std::string_view name) {
+  std::size_t star = std::string_view::npos;  // the last `*` met, and where what it stands for ends
+  std::size_t star_end = 0;
+  std::size_t g = 0;
+  std::size_t n = 0;
+  while (n < name.size()) {
+    if (g < glob.size() && glob[g] == '*') {
+      star = g++;
+      star_end = n;
+    } else if (g < glob.size() && (glob[g] == '?' || glob[g] == name[n])) {
+      ++g;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      g = star + 1;
+      n = ++star_end;
+    } else {
+      return false;
+    }
+  }
+  return glob.find_first_not_of('*', g) == std::string_view::npos;
+}
+
+ColumnSet::ColumnSet(const Units& units, std::vector<std::string> globs)
+    : units_(units), globs_(std::move(globs)), glob_matches_(globs_.size(), false) {}
+
+void ColumnSet::add(const std::vector<NewColumn>& columns, Fill fill, bool anywhere) {
+  Block block{std::move(fill), anywhere, names_.size(), names_.size() + columns.size(), false};
+  for (const NewColumn& column : columns) {
+    bool chosen = globs_.empty();
+    for (std::size_t i = 0; i < globs_.size(); ++i) {
+      if (matches(globs_[i], column.name)) {
+        glob_matches_[i] = true;
+        chosen = true;
+      }
+    }
+    if (chosen) {
+      const bool plain = column.in_profile_units || !column.words.empty();
+      block.chosen = true;
+      places_.push_back({names_.size(), plain ? Scaling() : from_si(column.dimension, units_)});
+      columns_.push_back({column.name,
+                          column.words.empty() ? std::string(unit_text(column.dimension, units_)) : "",
+                          column.words});
+    }
+    names_.push_back(column.name);
+  }
+  if (block.chosen) {
+    blocks_.push_back(std::move(block));
+  }
+}
+
+tl::expected<void, Diagnostic> ColumnSet::finish(const std::string& source) {
+  if (const std::string* name = repeated(names_)) {
+    return tl::unexpected(
+        about(source, "two columns would be called '" + *name +
+                          "': rename one of the bodies, points, joints, contacts or drivers that share this "
+                          "name"));
+  }
+  const auto unmatched = std::find(glob_matches_.begin(), glob_matches_.end(), false);
+  if (unmatched != glob_matches_.end()) {
+    const std::string& glob = globs_[static_cast<std::size_t>(unmatched - glob_matches_.begin())];
+    return tl::unexpected(
+        about("--columns " + glob, "no column of this run has such a name; " + suggestion(glob, names_)));
+  }
+  buffer_.resize(names_.size());
+  return {};
+}
+
+void ColumnSet::fill(const RowSource& source, std::vector<double>& values) {
+  const bool assembled = source.run.row.status != RowStatus::kNotAssemblable;
+  for (const Block& block : blocks_) {
+    std::fill(buffer_.begin() + static_cast<std::ptrdiff_t>(block.begin),
+              buffer_.begin() + static_cast<std::ptrdiff_t>(block.end), kUndefined);
+    if (assembled || block.anywhere) {
+      block.fill(source, buffer_.data() + block.begin);
+    }
+  }
+  values.resize(places_.size());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const double value = places_[i].scale.apply(buffer_[places_[i].slot]);
+    values[i] = std::isfinite(value) ? value : kUndefined;
+  }
+}
+
+std::string_view word_of(const Column& column, double value) {
+  const bool is_word = value >= 0 && value < static_cast<double>(column.words.size());
+  return is_word ? column.words[static_cast<std::size_t>(value)] : std::string_view();
+}
+
+void append_csv_header(const std::vector<Column>& columns, std::string& out) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    out += i > 0 ? "," : "";
+    out += columns[i].name;
+    if (!columns[i].unit.empty()) {
+      out += '[' + columns[i].unit + ']';
+    }
+  }
+  out += '\n';
+}
+
+void append_csv_row(const std::vector<Column>& columns, const Row& row, std::string& out) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (i > 0) {
+      out += ',';
+    }
+    if (!columns[i].words.empty()) {
+      out += word_of(columns[i], row.values[i]);
+    } else if (!std::isnan(row.values[i])) {
+      append_number(row.values[i], out);
+    }
+  }
+  out += '\n';
+}
+
+}  // namespace higherpair

@@ -1,0 +1,155 @@
+// What is wrong with a mechanism that was built in C++: what the reader of profiles makes sure of.
+#include "model_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+std::string fault(const std::string& where, const std::string& rule) {
+  return where + ": " + rule;
+}
+
+template <class Items>
+std::string no_such(const std::string& where, int index, const Items& items, std::string_view what) {
+  const bool there = index >= 0 && index < static_cast<int>(items.size());
+  return there ? ""
+               : fault(fmt::format("{} = {}", where, index),
+                       fmt::format("there are {} {}", items.size(), what));
+}
+
+// Looks for the first fault, thing by thing.
+class Checker {
+public:
+  explicit Checker(const Mechanism& mechanism) : m_(mechanism) {}
+
+  std::string run() {
+    if (m_.bodies.empty()) {
+      return fault("bodies", "there are none: bodies[0] is ground");
+    }
+    each("bodies", m_.bodies, [&](const std::string& at, const Body& body) { check(at, body); });
+    each("joints", m_.joints, [&](const std::string& at, const Joint& joint) { check(at, joint); });
+    each("contacts", m_.contacts, [&](const std::string& at, const Contact& contact) { check(at, contact); });
+    each("drivers", m_.drivers, [&](const std::string& at, const Driver& driver) { check(at, driver); });
+    each("loads", m_.loads, [&](const std::string& at, const Load& load) { check(at, load); });
+    each("springs", m_.springs, [&](const std::string& at, const Spring& spring) { check(at, spring); });
+    expect(m_.gravity_W.allFinite(), "gravity", "must be finite");
+    return found_;
+  }
+
+private:
+  template <class Items, class Check>
+  void each(const std::string& room, const Items& items, const Check& check_one) {
+    for (std::size_t i = 0; i < items.size() && found_.empty(); ++i) {
+      check_one(
+          items[i].name.empty() ? fmt::format("{}[{}]", room, i) : fmt::format("{}.{}", room, items[i].name),
+          items[i]);
+    }
+  }
+
+  void expect(bool holds, const std::string& where, const std::string& rule) {
+    if (!holds && found_.empty()) {
+      found_ = fault(where, rule);
+    }
+  }
+
+  bool exists(const std::string& where, int body) {
+    found_ = found_.empty() ? no_such(where, body, m_.bodies, "bodies") : found_;
+    return found_.empty();
+  }
+
+  bool exists(const std::string& where, const PointRef& ref) {
+    if (exists(where + ".body", ref.body)) {
+      found_ = no_such(where + ".point", ref.point, m_.bodies[static_cast<std::size_t>(ref.body)].points,
+                       "points on this body");
+    }
+    return found_.empty();
+  }
+
+  bool exists(const std::string& where, const CurveRef& ref) {
+    if (exists(where + ".body", ref.body)) {
+      found_ = no_such(where + ".curve", ref.curve, m_.bodies[static_cast<std::size_t>(ref.body)].curves,
+                       "curves on this body");
+    }
+    return found_.empty();
+  }
+
+  void check(const std::string& at, const Body& body) {
+    expect(!body.name.empty(), at, "needs a name");
+    expect(body.guess_p_WB.allFinite() && std::isfinite(body.guess_theta), at, "its pose must be finite");
+    for (const NamedPoint& point : body.points) {
+      expect(!point.name.empty() && point.p_B.allFinite(), at + ".points." + point.name,
+             "needs a name and finite coordinates");
+    }
+    if (body.mass) {
+      expect(body.mass->mass >= 0 && body.mass->inertia >= 0 && body.mass->center_of_mass_B.allFinite(),
+             at + ".mass", "mass and inertia must be >= 0");
+    }
+  }
+
+  void check(const std::string& at, const Joint& joint) {
+    expect(!joint.name.empty(), at, "needs a name");
+    if (!exists(at + ".first", joint.first) || !exists(at + ".second", joint.second)) {
+      return;
+    }
+    expect(joint.first.body != joint.second.body, at, "joins a body with itself");
+    expect(joint.type == JointType::kRevolute || couples_turning(joint.type) ||
+               std::abs(joint.direction_A.norm() - 1) <= 1e-9,
+           at + ".direction_A", "must be a unit vector");
+    expect(std::isfinite(joint.relative_angle), at + ".relative_angle", "must be finite");
+    if (couples_turning(joint.type) && exists(at + ".carrier", joint.carrier)) {
+      expect(std::isfinite(joint.turning_ratio) && joint.turning_ratio != 0, at + ".turning_ratio",
+             "must be finite and not 0");
+    }
+  }
+
+  void check(const std::string& at, const Contact& contact) {
+    expect(!contact.name.empty(), at, "needs a name");
+    if (exists(at + ".first", contact.first) && exists(at + ".second", contact.second)) {
+      expect(contact.first.body != contact.second.body, at, "is of a body with itself");
+    }
+  }
+
+  void check(const std::string& at, const Driver& driver) {
+    found_ = no_such(at + ".joint", driver.joint, m_.joints, "joints");
+    if (!found_.empty()) {
+      return;
+    }
+    const Joint& joint = m_.joints[static_cast<std::size_t>(driver.joint)];
+    expect(can_be_driven(joint.type), at, "a driver needs a revolute or prismatic joint");
+    const auto same = std::count_if(m_.drivers.begin(), m_.drivers.end(),
+                                    [&](const Driver& other) { return other.joint == driver.joint; });
+    expect(same == 1, at, "another driver drives joints." + joint.name + " already");
+    expect(m_.drivers.size() == 1 || !driver.name.empty(), at, "each of several drivers needs a name");
+  }
+
+  void check(const std::string& at, const Load& load) {
+    (void)exists(at + ".body", load.body);
+    expect(load.p_B.allFinite() && load.force.allFinite() && std::isfinite(load.torque), at,
+           "must be finite");
+  }
+
+  void check(const std::string& at, const Spring& spring) {
+    if (spring.joint) {
+      found_ = no_such(at + ".joint", *spring.joint, m_.joints, "joints");
+    } else if (exists(at + ".first", spring.first)) {
+      (void)exists(at + ".second", spring.second);
+    }
+    expect(std::isfinite(spring.stiffness) && std::isfinite(spring.free) && std::isfinite(spring.damping), at,
+           "must be finite");
+  }
+
+  const Mechanism& m_;
+  std::string found_;
+};
+
+}  // namespace
+
+std::string fault_of(const Mechanism& mechanism) {
+  return Checker(mechanism).run();
+}
+
+}  // namespace higherpair

@@ -1,0 +1,122 @@
+// Columns of jerk and of higher derivatives. What all of them are made from is worked out by one block.
+#include "column_set.hpp"
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+Dimension per_time(Dimension dimension, int order) {
+  for (int k = 0; k < order; ++k) {
+    dimension = dimension / dimension::kTime;
+  }
+  return dimension;
+}
+
+double* put(const std::optional<Vector2d>& v, double* out) {
+  if (v) {
+    out[0] = v->x();
+    out[1] = v->y();
+  }
+  return out + 2;
+}
+
+// For each contact the joint on which it moves a body by itself.
+std::vector<std::optional<int>> moved_joints(const Mechanism& mechanism, const Plan& plan) {
+  std::vector<std::optional<int>> joints(mechanism.contacts.size());
+  for (const Group& group : plan.groups) {
+    if (std::holds_alternative<TrackedPair>(group.kind) || std::holds_alternative<TouchingBody>(group.kind)) {
+      joints[static_cast<std::size_t>(group.contacts.front())] = group.joints.front();
+    }
+  }
+  return joints;
+}
+
+double* put_body(const Run& run, const JerkRow& jerks, std::size_t index, double* out) {
+  const std::optional<BodyJerk>& jerk = jerks.bodies[index];
+  out = put(jerk ? std::optional(jerk->j_WB) : std::nullopt, out);
+  if (jerk) {
+    *out = jerk->angular;
+  }
+  ++out;
+  for (const NamedPoint& point : run.mechanism.bodies[index].points) {
+    out = put(jerk ? std::optional(point_jerk(run.row.bodies[index], *jerk, point.p_B)) : std::nullopt, out);
+  }
+  return out;
+}
+
+}  // namespace
+
+void add_jerk_columns(ColumnSet& set, const Mechanism& mechanism, const Plan& plan) {
+  const Dimension linear = per_time(dimension::kLength, 3);
+  const Dimension angular = per_time(dimension::kAngle, 3);
+  std::vector<NewColumn> columns;
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    columns.push_back({body.name + ".jx", linear});
+    columns.push_back({body.name + ".jy", linear});
+    columns.push_back({body.name + ".jerk", angular});
+    for (const NamedPoint& point : body.points) {
+      columns.push_back({body.name + "." + point.name + ".jx", linear});
+      columns.push_back({body.name + "." + point.name + ".jy", linear});
+    }
+  }
+  const std::vector<std::optional<int>> joints = moved_joints(mechanism, plan);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const bool slides =
+        joints[i] && mechanism.joints[static_cast<std::size_t>(*joints[i])].type != JointType::kRevolute;
+    for (const char* name : {".jerk", ".jerk_linkage"}) {
+      columns.push_back({mechanism.contacts[i].name + name, slides ? linear : angular});
+    }
+  }
+  set.add(columns, [joints](const RowSource& source, double* out) {
+    const JerkRow jerks = jerks_of(source.run);
+    for (std::size_t i = 1; i < jerks.bodies.size(); ++i) {
+      out = put_body(source.run, jerks, i, out);
+    }
+    for (const std::optional<int>& joint : joints) {
+      for (const auto* bodies : {&jerks.bodies, &jerks.linkage}) {
+        const auto jerk = joint ? joint_jerk(source.run, *joint, *bodies) : std::nullopt;
+        *out = jerk.value_or(*out);
+        ++out;
+      }
+    }
+  });
+}
+
+void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int order) {
+  std::vector<NewColumn> columns;
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    for (int k = 3; k <= order; ++k) {
+      const Dimension linear = per_time(dimension::kLength, k);
+      columns.push_back({fmt::format("{}.d{}x", body.name, k), linear});
+      columns.push_back({fmt::format("{}.d{}y", body.name, k), linear});
+      columns.push_back({fmt::format("{}.d{}angle", body.name, k), per_time(dimension::kAngle, k)});
+      for (const NamedPoint& point : body.points) {
+        columns.push_back({fmt::format("{}.{}.d{}x", body.name, point.name, k), linear});
+        columns.push_back({fmt::format("{}.{}.d{}y", body.name, point.name, k), linear});
+      }
+    }
+  }
+  set.add(columns, [order](const RowSource& source, double* out) {
+    std::vector<DriverMotion> motions;
+    for (const DriverState& driver : source.drivers) {
+      motions.push_back({driver.si.position, driver.si.velocity, driver.si.acceleration});
+    }
+    const auto bodies = derivatives_of(source.run, motions, order);
+    for (std::size_t i = 1; bodies && i < bodies->size(); ++i) {
+      const BodyDerivatives& body = (*bodies)[i];
+      for (int k = 3; k <= order; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        out = put(body.p_WB[at], out);
+        *out++ = body.theta[at];
+        for (const NamedPoint& point : source.run.mechanism.bodies[i].points) {
+          out = put(point_derivative(body, point.p_B, k), out);
+        }
+      }
+    }
+  });
+}
+
+}  // namespace higherpair

@@ -1,0 +1,60 @@
+#include "higherpair/front/mobility.hpp"
+
+#include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/notes.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+#include "higherpair/mechanism/plan_text.hpp"
+#include "model_data.hpp"
+
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+MobilityQuestion question_of(const DriverSchedule& schedule) {
+  MobilityQuestion question;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const DriverState state = schedule.state(0, i);
+    question.drivers.push_back(state.si.position);
+    question.velocities.push_back(state.si.velocity);
+  }
+  return question;
+}
+
+tl::expected<Run, StartFailure> started(const Model::Data& data, const std::vector<double>& drivers,
+                                        double tolerance) {
+  if (!data.plan) {
+    return tl::unexpected(StartFailure{data.plan.error(), std::nullopt});
+  }
+  return start_run(data.profile.mechanism, *data.plan, drivers, tolerance);
+}
+
+}  // namespace
+
+Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
+  const Model::Data& data = model.data();
+  const Mechanism& mechanism = data.profile.mechanism;
+  const auto schedule = DriverSchedule::analyze(data.profile);
+  if (!schedule) {
+    return tl::unexpected(Error{ErrorKind::kInput, schedule.error()});
+  }
+  MobilityQuestion question = question_of(*schedule);
+  const auto run = started(data, question.drivers, tolerance);
+  if (run) {
+    question.start = MechanismPosition{run->state.bodies, run->state.contacts};
+  }
+  MobilityFindings findings{model, analyse_mobility(mechanism, question), {}, std::nullopt};
+  if (data.plan) {
+    for (const Group& group : data.plan->groups) {
+      findings.plan.push_back({group.bodies, describe(mechanism, group)});
+    }
+  }
+  // By the rank first.
+  findings.objection = driver_objection(mechanism, findings.mobility);
+  if (!findings.objection && !run) {
+    findings.objection = run.error().reason + start_advice(data.profile, question.drivers, tolerance);
+  }
+  return findings;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,182 @@
+#include "higherpair/front/model.hpp"
+
+#include "model_data.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+tl::unexpected<Error> input_error(Diagnostics diagnostics) {
+  return tl::unexpected(Error{ErrorKind::kInput, std::move(diagnostics)});
+}
+
+template <class Items, class Same>
+bool alike(const Items& a, const Items& b, const Same& same) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool is_same(const PointRef& a, const PointRef& b) {
+  return a.body == b.body && a.point == b.point;
+}
+
+bool is_same(const CurveRef& a, const CurveRef& b) {
+  return a.body == b.body && a.curve == b.curve;
+}
+
+// Of a mechanism that was built: there is no text that could have slips.
+Profile profile_of(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs,
+                   const std::string& name) {
+  return {std::move(mechanism), units, std::move(programs), name, {}};
+}
+
+// Whether two mechanisms differ in numbers only, so that they are solved in the same order.
+bool same_structure(const Mechanism& a, const Mechanism& b) {
+  const auto bodies = [](const Body& x, const Body& y) {
+    return x.name == y.name && x.points.size() == y.points.size() && x.curves.size() == y.curves.size();
+  };
+  const auto joints = [](const Joint& x, const Joint& y) {
+    return x.name == y.name && x.type == y.type && is_same(x.first, y.first) && is_same(x.second, y.second) &&
+           x.carrier == y.carrier;
+  };
+  const auto contacts = [](const Contact& x, const Contact& y) {
+    return x.name == y.name && is_same(x.first, y.first) && is_same(x.second, y.second) &&
+           x.rolling == y.rolling;
+  };
+  const auto drivers = [](const Driver& x, const Driver& y) {
+    return x.name == y.name && x.joint == y.joint;
+  };
+  return alike(a.bodies, b.bodies, bodies) && alike(a.joints, b.joints, joints) &&
+         alike(a.contacts, b.contacts, contacts) && alike(a.drivers, b.drivers, drivers);
+}
+
+std::shared_ptr<const Model::Data> planned(std::string name, std::optional<ProfileDocument> document,
+                                           Profile profile, const Model::Data* like) {
+  auto data = std::make_shared<Model::Data>(
+      Model::Data{std::move(name), std::move(document), std::move(profile), tl::unexpected(std::string())});
+  const Mechanism& mechanism = data->profile.mechanism;
+  const bool known = like != nullptr && like->plan && same_structure(like->profile.mechanism, mechanism);
+  data->plan = known ? redimensioned(*like->plan, mechanism) : make_plan(mechanism);
+  return data;
+}
+
+Result<std::shared_ptr<const Model::Data>> read(const ProfileDocument& document,
+                                                std::span<const std::string> overrides,
+                                                const Model::Data* like) {
+  auto changed = document.with(overrides);
+  if (!changed) {
+    return input_error(std::move(changed.error()));
+  }
+  auto profile = changed->read();
+  if (!profile) {
+    return input_error(std::move(profile.error()));
+  }
+  std::string name = profile->source;
+  return planned(std::move(name), *std::move(changed), *std::move(profile), like);
+}
+
+}  // namespace
+
+std::string to_string(const Error& error) {
+  std::string text;
+  for (const Diagnostic& diagnostic : error.diagnostics) {
+    text += text.empty() ? "" : "\n";
+    text += to_string(diagnostic);
+  }
+  return text;
+}
+
+Error error_about(const Model::Data& model, ErrorKind kind, std::string message) {
+  return {kind, {about(model.name, std::move(message))}};
+}
+
+Setting::Setting(std::string path_of_key, double number)
+    : path(std::move(path_of_key)), value(fmt::format("{}", number)) {}
+
+Result<Model> Model::open(const std::string& path, std::span<const std::string> overrides) {
+  const auto document = ProfileDocument::open(path);
+  if (!document) {
+    return input_error(document.error());
+  }
+  return read(*document, overrides, nullptr).map([](auto data) { return Model(std::move(data)); });
+}
+
+Result<Model> Model::from_text(std::string_view text, const std::string& name,
+                               std::span<const std::string> overrides) {
+  const auto document = ProfileDocument::parse(text, name);
+  if (!document) {
+    return input_error(document.error());
+  }
+  return read(*document, overrides, nullptr).map([](auto data) { return Model(std::move(data)); });
+}
+
+Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs) {
+  const std::string name = mechanism.title.empty() ? "mechanism" : mechanism.title;
+  if (std::string fault = fault_of(mechanism); !fault.empty()) {
+    return input_error({about(name, std::move(fault))});
+  }
+  if (programs.empty()) {
+    for (const Driver& driver : mechanism.drivers) {
+      programs.push_back(default_program(mechanism, driver, units));
+    }
+  }
+  if (programs.size() != mechanism.drivers.size()) {
+    return input_error({about(name, fmt::format("{} programs for {} drivers: each driver needs its own",
+                                                programs.size(), mechanism.drivers.size()))});
+  }
+  for (DriverProgram& program : programs) {
+    program.place.source = name;
+  }
+  return Model(planned(name, std::nullopt, profile_of(std::move(mechanism), units, std::move(programs), name),
+                       nullptr));
+}
+
+Result<Model> Model::with(std::span<const Setting> settings) const {
+  if (!data_->document) {
+    return tl::unexpected(error_about(*data_, ErrorKind::kInput,
+                                      "was built and has no keys to set: change a copy of its mechanism()"));
+  }
+  std::vector<std::string> overrides;
+  for (const Setting& setting : settings) {
+    overrides.push_back(fmt::format("{}={}", setting.path, setting.value));
+  }
+  return read(*data_->document, overrides, data_.get()).map([](auto data) { return Model(std::move(data)); });
+}
+
+Result<Model> Model::with_mechanism(Mechanism mechanism) const {
+  std::string fault = fault_of(mechanism);
+  if (fault.empty() && mechanism.drivers.size() != data_->profile.programs.size()) {
+    fault = fmt::format("{} drivers instead of {}: what they do would not be known", mechanism.drivers.size(),
+                        data_->profile.programs.size());
+  }
+  if (!fault.empty()) {
+    return tl::unexpected(error_about(*data_, ErrorKind::kInput, std::move(fault)));
+  }
+  return Model(
+      planned(data_->name, std::nullopt,
+              profile_of(std::move(mechanism), data_->profile.units, data_->profile.programs, data_->name),
+              data_.get()));
+}
+
+std::vector<Parameter> Model::parameters() const {
+  std::vector<Parameter> parameters;
+  if (data_->document) {
+    data_->document->for_each_number([&](const std::string& path, double value) {
+      parameters.push_back({path, value});
+    });
+  }
+  return parameters;
+}
+
+const Profile& Model::profile() const {
+  return data_->profile;
+}
+
+Result<Motion> Model::run(const RunSettings& settings) const {
+  return start(settings).map([](Analysis analysis) { return Motion(std::move(analysis)); });
+}
+
+}  // namespace higherpair

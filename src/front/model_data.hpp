@@ -1,0 +1,36 @@
+#pragma once
+
+#include "higherpair/front/model.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/profile.hpp"
+#include "higherpair/io/profile_document.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+/// What a model holds; shared by its copies and by all that runs on it.
+struct Model::Data {
+  std::string name;  ///< of the file or text, for messages
+  /// What the profile was read from; none of a model that was built.
+  std::optional<ProfileDocument> document;
+  Profile profile;
+  tl::expected<Plan, std::string> plan;  ///< or why the mechanism has none: only `mobility` is left then
+};
+
+/// An error of one diagnostic about the model as a whole.
+[[nodiscard]] Error error_about(const Model::Data& model, ErrorKind kind, std::string message);
+
+/// The rows of `analyze`, of which the first counts. Fails where the mechanism has no driver.
+[[nodiscard]] Result<DriverSchedule> first_schedule(const Model::Data& model);
+
+/// What is wrong with a mechanism that a program has built, as "joints.guide.first.point = 3: …"; empty if
+/// nothing is.
+[[nodiscard]] std::string fault_of(const Mechanism& mechanism);
+
+}  // namespace higherpair

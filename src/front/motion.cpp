@@ -1,0 +1,51 @@
+#include "higherpair/front/motion.hpp"
+
+#include "higherpair/io/suggestion.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace higherpair {
+
+Motion::Motion(Analysis analysis) : columns_(analysis.columns()), values_(columns_.size()) {
+  constexpr std::int64_t kMostReserved = 1 << 20;
+  for (std::vector<double>& values : values_) {
+    values.reserve(static_cast<std::size_t>(std::min(analysis.size(), kMostReserved)));
+  }
+  Row row;
+  while (analysis.next(row)) {
+    statuses_.push_back(row.status);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      values_[i].push_back(row.values[i]);
+    }
+  }
+  events_ = analysis.events();
+  stopped_ = analysis.stopped();
+  good_ = analysis.good() && !stopped_;
+}
+
+Result<ColumnValues> Motion::find_column(std::string_view name) const& {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].name == name) {
+      return ColumnValues{columns_[i].name, columns_[i].unit, values_[i]};
+    }
+  }
+  std::vector<std::string> names;
+  for (const Column& column : columns_) {
+    names.push_back(column.name);
+  }
+  return tl::unexpected(Error{
+      ErrorKind::kInput,
+      {about("column " + std::string(name), "there is none of this name; " + suggestion(name, names))}});
+}
+
+ColumnValues Motion::column(std::string_view name) const& {
+  const Result<ColumnValues> found = find_column(name);
+  if (!found) {
+    throw std::out_of_range(to_string(found.error()));
+  }
+  return *found;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,296 @@
+#include "column_set.hpp"
+#include "higherpair/contact/details.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace higherpair {
+namespace {
+
+constexpr std::array<std::string_view, 8> kLinkages = {"four-bar",    "slider-crank", "inverted slider-crank",
+                                                       "scotch yoke", "rapson slide", "double slider",
+                                                       "wedge",       "link"};
+
+constexpr std::array<std::string_view, 6> kStatuses = {"ok",      "not_assemblable", "singular",
+                                                       "overlap", "not_converged",   "contact_open"};
+
+// Dimensions of a coordinate and its rates.
+struct Coordinate {
+  Dimension position, velocity, acceleration;
+};
+
+Coordinate coordinate_of(bool turns) {
+  return turns ? Coordinate{dimension::kAngle, dimension::kAngularVelocity, dimension::kAngularAcceleration}
+               : Coordinate{dimension::kLength, dimension::kVelocity, dimension::kAcceleration};
+}
+
+double* put(const Vector2d& v, double* out) {
+  *out++ = v.x();
+  *out++ = v.y();
+  return out;
+}
+
+void put(const std::optional<double>& value, double* out) {
+  if (value) {
+    *out = *value;
+  }
+}
+
+void add_time(ColumnSet& set, const Profile& profile, const Units& units) {
+  if (units == profile.units) {
+    set.add(
+        {{"time", dimension::kTime, true}}, [](const RowSource& source, double* out) { *out = source.time; },
+        true);
+    return;
+  }
+  set.add(
+      {{"time", dimension::kTime}},
+      [scale = to_si(dimension::kTime, profile.units)](const RowSource& source, double* out) {
+        *out = scale.apply(source.time);
+      },
+      true);
+}
+
+void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
+  const bool as_given = units == profile.units;  // the positions of the profile, digit by digit
+  for (std::size_t i = 0; i < profile.mechanism.drivers.size(); ++i) {
+    const Driver& driver = profile.mechanism.drivers[i];
+    const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+    const bool turns =
+        profile.mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    const Coordinate of = coordinate_of(turns);
+    set.add(
+        {{name, of.position, as_given},
+         {name + ".velocity", of.velocity, as_given},
+         {name + ".acceleration", of.acceleration, as_given}},
+        [i, as_given](const RowSource& source, double* out) {
+          const DriverValues& values = as_given ? source.drivers[i].profile : source.drivers[i].si;
+          out[0] = values.position;
+          out[1] = values.velocity;
+          out[2] = values.acceleration;
+        },
+        true);
+  }
+}
+
+void add_point(ColumnSet& set, std::size_t body, const std::string& name, const Vector2d& p_B) {
+  set.add({{name + ".x", dimension::kLength},
+           {name + ".y", dimension::kLength},
+           {name + ".vx", dimension::kVelocity},
+           {name + ".vy", dimension::kVelocity},
+           {name + ".ax", dimension::kAcceleration},
+           {name + ".ay", dimension::kAcceleration}},
+          [body, p_B](const RowSource& source, double* out) {
+            const PointMotion motion = point_motion(source.run.row.bodies[body], p_B);
+            out = put(motion.p_W, out);
+            if (source.run.row.has_rates[body]) {
+              put(motion.a_W, put(motion.v_W, out));
+            }
+          });
+}
+
+void add_body(ColumnSet& set, std::size_t index, const Body& body) {
+  const std::string& name = body.name;
+  set.add({{name + ".x", dimension::kLength},
+           {name + ".y", dimension::kLength},
+           {name + ".angle", dimension::kAngle},
+           {name + ".vx", dimension::kVelocity},
+           {name + ".vy", dimension::kVelocity},
+           {name + ".omega", dimension::kAngularVelocity},
+           {name + ".ax", dimension::kAcceleration},
+           {name + ".ay", dimension::kAcceleration},
+           {name + ".alpha", dimension::kAngularAcceleration}},
+          [index](const RowSource& source, double* out) {
+            const BodyMotion& motion = source.run.row.bodies[index];
+            out = put(motion.X_WB.p_WB, out);
+            *out++ = motion.theta;
+            if (source.run.row.has_rates[index]) {
+              out = put(motion.v_WB, out);
+              *out++ = motion.omega;
+              out = put(motion.a_WB, out);
+              *out = motion.alpha;
+            }
+          });
+  for (const NamedPoint& point : body.points) {
+    add_point(set, index, name + "." + point.name, point.p_B);
+  }
+}
+
+void add_joint(ColumnSet& set, std::size_t index, const Joint& joint) {
+  const Coordinate of = coordinate_of(has_angle(joint.type));
+  set.add({{joint.name + ".position", of.position},
+           {joint.name + ".velocity", of.velocity},
+           {joint.name + ".acceleration", of.acceleration}},
+          [index](const RowSource& source, double* out) {
+            const Mechanism& mechanism = source.run.mechanism;
+            const MotionRow& row = source.run.row;
+            const Joint& own = mechanism.joints[index];
+            const JointMotion motion = joint_motion(mechanism, own, row.bodies);
+            out[0] = motion.position;
+            const auto has_rates = [&](int body) { return row.has_rates[static_cast<std::size_t>(body)]; };
+            if (has_rates(own.first.body) && has_rates(own.second.body) && has_rates(own.carrier)) {
+              out[1] = motion.velocity;
+              out[2] = motion.acceleration;
+            }
+          });
+}
+
+// The two bodies of a contact on their joints to ground.
+struct Sides {
+  std::optional<OneFreedom> first, second;
+
+  Sides(const Mechanism& mechanism, const Contact& contact)
+      : first(grounded_freedom(mechanism, contact.first.body)),
+        second(grounded_freedom(mechanism, contact.second.body)) {}
+
+  [[nodiscard]] ContactDetails details(const Run& run, std::size_t index) const {
+    const Contact& contact = run.mechanism.contacts[index];
+    const auto side = [&](const CurveRef& ref, const std::optional<OneFreedom>& grounded) {
+      return ContactBody{curve_of(run.mechanism, ref), run.row.bodies[static_cast<std::size_t>(ref.body)],
+                         grounded ? &*grounded : nullptr};
+    };
+    const ContactMotion& motion = run.row.contacts[index];
+    return details_of(side(contact.first, first), side(contact.second, second), motion.at, motion.phi);
+  }
+};
+
+void put_linkage(const ContactDetails& details, double* out) {
+  put(details.side1.rho, out++);
+  put(details.side2.rho, out++);
+  for (const ContactSide* side : {&details.side1, &details.side2}) {
+    if (side->center_W) {
+      put(*side->center_W, out);
+    }
+    out += 2;
+  }
+  *out++ =
+      static_cast<double>(std::find(kLinkages.begin(), kLinkages.end(), details.linkage) - kLinkages.begin());
+  for (const std::optional<double>& length : details.lengths) {
+    put(length, out++);
+  }
+}
+
+// Arcs count from the first row, and are undefined on and after a row that breaks the path.
+class Arcs {
+public:
+  void put(const ContactDetails& details, bool hold, double* out) {
+    if (broken_ || !hold) {
+      return;
+    }
+    if (!start_) {
+      start_ = {details.side1.arc, details.side2.arc};
+    }
+    out[0] = details.side1.arc - (*start_)[0];
+    out[1] = details.side2.arc - (*start_)[1];
+  }
+  void interrupt() { broken_ = true; }
+
+private:
+  std::optional<std::array<double, 2>> start_;
+  bool broken_ = false;
+};
+
+void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) {
+  const Contact& contact = mechanism.contacts[index];
+  const std::string& name = contact.name;
+  set.add({{name + ".x", dimension::kLength},
+           {name + ".y", dimension::kLength},
+           {name + ".normal", dimension::kAngle}},
+          [index](const RowSource& source, double* out) {
+            const ContactMotion& motion = source.run.row.contacts[index];
+            *put((motion.at.p1_W + motion.at.p2_W) / 2, out) = motion.phi;
+          });
+  std::vector<NewColumn> columns;
+  for (const char* length : {"rho1", "rho2", "c1x", "c1y", "c2x", "c2y"}) {
+    columns.push_back({name + "." + length, dimension::kLength});
+  }
+  columns.push_back({name + ".linkage", dimension::kNumber, false, kLinkages});
+  for (const char* length : {"r1", "r2", "r3", "r4"}) {
+    columns.push_back({name + "." + length, dimension::kLength});
+  }
+  columns.push_back({name + ".sliding", dimension::kVelocity});
+  columns.push_back({name + ".arc1", dimension::kLength});
+  columns.push_back({name + ".arc2", dimension::kLength});
+  columns.push_back({name + ".pressure", dimension::kAngle});
+  columns.push_back({name + ".transmission", dimension::kAngle});
+  set.add(
+      columns,
+      [index, sides = Sides(mechanism, contact), arcs = Arcs()](const RowSource& source,
+                                                                double* out) mutable {
+        const MotionRow& row = source.run.row;
+        if (row.status == RowStatus::kNotAssemblable) {
+          arcs.interrupt();
+          return;
+        }
+        const ContactDetails details = sides.details(source.run, index);
+        put_linkage(details, out);
+        const Contact& own = source.run.mechanism.contacts[index];
+        if (row.has_rates[static_cast<std::size_t>(own.first.body)] &&
+            row.has_rates[static_cast<std::size_t>(own.second.body)]) {
+          out[11] = row.contacts[index].rates.sliding;
+        }
+        arcs.put(details, row.arcs_hold[index], out + 12);
+        put(details.pressure, out + 14);
+        put(details.transmission, out + 15);
+      },
+      true);
+}
+
+}  // namespace
+
+std::string_view name_of(RowStatus status) {
+  return kStatuses[static_cast<std::size_t>(status)];
+}
+
+std::string_view name_of(EventType type) {
+  switch (type) {
+    case EventType::kLimitPosition:
+      break;
+    case EventType::kDeadPoint:
+      return "dead_point";
+    case EventType::kStrokeEnd:
+      return "stroke_end";
+    case EventType::kConforming:
+      return "conforming";
+    case EventType::kSecondContact:
+      return "second_contact";
+    case EventType::kOverlap:
+      return "overlap";
+    case EventType::kContactOpen:
+      return "contact_open";
+  }
+  return "limit_position";
+}
+
+void add_motion_columns(ColumnSet& set, const Profile& profile, const Units& units, bool in_time) {
+  const Mechanism& mechanism = profile.mechanism;
+  if (in_time) {
+    add_time(set, profile, units);
+  }
+  add_drivers(set, profile, units);
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    add_body(set, i, mechanism.bodies[i]);
+  }
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    if (!is_driven(mechanism, static_cast<int>(i))) {
+      add_joint(set, i, mechanism.joints[i]);
+    }
+  }
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    add_contact(set, i, mechanism);
+  }
+}
+
+void add_status_columns(ColumnSet& set) {
+  set.add(
+      {{"status", dimension::kNumber, false, kStatuses}, {"residual", dimension::kLength}},
+      [](const RowSource& source, double* out) {
+        out[0] = static_cast<double>(source.status());
+        out[1] = source.run.row.residual;
+      },
+      true);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,341 @@
+#include "higherpair/io/contact_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+// Significant digits of the free lengths that are proposed: more where the room between too little and too
+// much is narrower.
+constexpr int kDigits[] = {7, 9, 12};
+
+// The path of a schedule, and the row of a parameter of it.
+struct RowPath {
+  DriverPath path;
+  std::function<double(double)> row;
+};
+
+std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row) {
+  std::vector<DriverMotion> drivers;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const DriverValues si = schedule.state(row, i).si;
+    drivers.push_back({si.position, si.velocity, si.acceleration});
+  }
+  return drivers;
+}
+
+// Of positions that are given one by one the parameter is the way: the drivers' straight ways from row to row
+// added up, so that rows on the way in one direction make no difference.
+RowPath path_through(const DriverSchedule& schedule) {
+  const auto last = static_cast<std::size_t>(schedule.size() - 1);
+  std::vector<std::vector<DriverMotion>> rows;
+  std::vector<double> ways{0};
+  RowPath result;
+  result.path.knots = {0};
+  double sense = 0;
+  for (std::size_t k = 0; k <= last; ++k) {
+    rows.push_back(drivers_in(schedule, static_cast<std::int64_t>(k)));
+    if (k == 0) {
+      continue;
+    }
+    const double step = rows[k][0].position - rows[k - 1][0].position;
+    const bool single = schedule.driver_count() == 1;
+    const bool turns_back = single ? step * sense < 0 : k > 1;
+    if (turns_back && ways.back() > result.path.knots.back()) {
+      result.path.knots.push_back(ways.back());
+    }
+    sense = step != 0 ? step : sense;
+    ways.push_back(ways.back() + (single ? std::abs(step) : 1));
+  }
+  if (ways.back() > result.path.knots.back()) {
+    result.path.knots.push_back(ways.back());
+  }
+  result.row = [ways, last](double at) {
+    const auto after = std::lower_bound(ways.begin() + 1, ways.end(), at);
+    if (after == ways.end()) {
+      return static_cast<double>(last);
+    }
+    const double share = *after > after[-1] ? (at - after[-1]) / (*after - after[-1]) : 1;
+    return static_cast<double>(after - ways.begin() - 1) + share;
+  };
+  result.path.motion = [rows, row = result.row](double at, std::vector<DriverMotion>& drivers) {
+    const double place = row(at);
+    const auto k = static_cast<std::size_t>(place);
+    const std::size_t next = std::min(k + 1, rows.size() - 1);
+    straight_path(rows[k], rows[next]).motion(place - static_cast<double>(k), drivers);
+  };
+  return result;
+}
+
+// In time the parameter is the time [s].
+RowPath path_in_time(const DriverSchedule& schedule) {
+  const std::vector<DriverMotion> first = drivers_in(schedule, 0);
+  const double end = schedule.time_si(schedule.size() - 1);
+  RowPath result;
+  result.path.knots = {0};
+  for (const DriverMotion& driver : first) {
+    const double turn = driver.acceleration == 0 ? 0 : -driver.velocity / driver.acceleration;
+    if (turn > 0 && turn < end) {
+      result.path.knots.push_back(turn);
+    }
+  }
+  if (end > 0) {
+    result.path.knots.push_back(end);
+  }
+  std::sort(result.path.knots.begin(), result.path.knots.end());
+  result.path.motion = [first](double t, std::vector<DriverMotion>& drivers) {
+    drivers = first;
+    for (DriverMotion& driver : drivers) {
+      driver.position += t * (driver.velocity + t / 2 * driver.acceleration);
+      driver.velocity += t * driver.acceleration;
+    }
+  };
+  result.row = [schedule](double t) {
+    std::int64_t low = 0, high = schedule.size() - 1;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (schedule.time_si(middle) < t ? low : high) = middle;
+    }
+    const double step = schedule.time_si(high) - schedule.time_si(low);
+    return static_cast<double>(low) + (step > 0 ? (t - schedule.time_si(low)) / step : 0);
+  };
+  return result;
+}
+
+RowPath path_of(const DriverSchedule& schedule) {
+  if (schedule.is_timed()) {
+    return path_in_time(schedule);
+  }
+  if (schedule.is_listed()) {
+    return path_through(schedule);
+  }
+  const std::int64_t last = schedule.size() - 1;
+  RowPath result{
+      straight_path(drivers_in(schedule, 0), drivers_in(schedule, last), static_cast<double>(last)),
+      [](double at) { return at; }};
+  if (last == 0) {
+    result.path.knots = {0};
+  }
+  return result;
+}
+
+// The number up to six digits, rounded away from 0: what is needed at least.
+double rounded_up(double value) {
+  if (value == 0) {
+    return 0;
+  }
+  const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
+  return std::copysign(std::ceil(std::abs(value) / digit * (1 - 1e-12)) * digit, value);
+}
+
+// A multiple of 10^-decimals, as the double that its decimal number is read as.
+double rounded_to(double value, int decimals) {
+  const double power = std::pow(10.0, std::abs(decimals));
+  return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
+}
+
+const Joint* joint_of(const Preload& preload, const Mechanism& mechanism) {
+  const auto index = static_cast<std::size_t>(preload.index);
+  if (preload.on == Preload::On::kJoint) {
+    return &mechanism.joints[index];
+  }
+  const std::optional<int> joint = mechanism.springs[index].joint;
+  return joint ? &mechanism.joints[static_cast<std::size_t>(*joint)] : nullptr;
+}
+
+bool turns(const Preload& preload, const Mechanism& mechanism) {
+  const Joint* joint = joint_of(preload, mechanism);
+  return joint != nullptr && has_angle(joint->type);
+}
+
+// The number that sets a preload, in the profile's units: a free length or angle, or an effort.
+class PreloadNumber {
+public:
+  PreloadNumber(const Preload& preload, const Profile& profile) {
+    const Mechanism& mechanism = profile.mechanism;
+    const bool angle = turns(preload, mechanism);
+    Dimension dimension = angle ? dimension::kTorque : dimension::kForce;
+    if (preload.on == Preload::On::kSpring) {
+      const Spring& spring = mechanism.springs[static_cast<std::size_t>(preload.index)];
+      dimension = angle ? dimension::kAngle : dimension::kLength;
+      rate_ = -spring.stiffness;
+      origin_ = spring.free;
+    }
+    from_si_ = from_si(dimension, profile.units);
+    to_si_ = to_si(dimension, profile.units);
+  }
+
+  [[nodiscard]] double of(double addition) const { return from_si_.apply(origin_ + addition / rate_); }
+  [[nodiscard]] double si(double number) const { return to_si_.apply(number); }
+  [[nodiscard]] double addition(double number) const { return (si(number) - origin_) * rate_; }
+
+  // Decimals that give so many digits to the number, or to its change where that is larger.
+  [[nodiscard]] int decimals(double addition, int digits) const {
+    const double size = std::max(std::abs(of(addition)), std::abs(of(addition) - of(0)));
+    return size > 0 ? digits - 1 - static_cast<int>(std::floor(std::log10(size))) : 0;
+  }
+
+  // Half a unit of the last decimal.
+  [[nodiscard]] double margin(int decimals) const {
+    const double half = 0.5 * std::pow(10.0, -decimals);
+    return std::abs(rate_ * (si(half) - si(0))) * (1 + 1e-9);
+  }
+
+private:
+  double rate_ = 1;    // addition for a unit of the number in SI
+  double origin_ = 0;  // the number in SI without addition
+  Scaling from_si_, to_si_;
+};
+
+struct Advice {
+  std::vector<double> additions;
+  std::vector<double> numbers;  // that set them
+};
+
+// Whether no contact opens with these free lengths.
+bool stays_closed(const Profile& profile, const DriverPath& path, const Run& start,
+                  const std::vector<Preload>& preloads, const Advice& advice) {
+  Mechanism mechanism = profile.mechanism;
+  for (std::size_t k = 0; k < preloads.size(); ++k) {
+    if (preloads[k].on != Preload::On::kSpring) {
+      return true;
+    }
+    if (advice.additions[k] != 0) {
+      Spring& spring = mechanism.springs[static_cast<std::size_t>(preloads[k].index)];
+      spring.free = PreloadNumber(preloads[k], profile).si(advice.numbers[k]);
+    }
+  }
+  std::vector<DriverMotion> drivers;
+  path.motion(path.knots.front(), drivers);
+  std::vector<double> positions;
+  for (const DriverMotion& driver : drivers) {
+    positions.push_back(driver.position);
+  }
+  auto run = start_run(mechanism, positions, start.tolerance);
+  if (!run) {
+    return false;
+  }
+  run->stop = start.stop;
+  return follow_contact_forces(*run, path).openings.empty();
+}
+
+// The smallest preloads by numbers that can be printed, tried out.
+std::optional<Advice> advice_for(const ContactForces& forces, const Profile& profile, const DriverPath& path,
+                                 const Run& start) {
+  const auto exact = smallest_preloads(forces, profile.mechanism, start.plan.size);
+  for (std::size_t i = 0; exact && i < std::size(kDigits) && !is_stopped(start); ++i) {
+    std::vector<PreloadNumber> numbers;
+    std::vector<int> decimals;
+    PreloadRounding rounding;
+    for (std::size_t k = 0; k < forces.preloads.size(); ++k) {
+      numbers.emplace_back(forces.preloads[k], profile);
+      decimals.push_back(numbers[k].decimals((*exact)[k], kDigits[i]));
+      rounding.margin.push_back(numbers[k].margin(decimals[k]));
+    }
+    const auto rounded = [&](std::size_t k, double x) { return rounded_to(numbers[k].of(x), decimals[k]); };
+    rounding.round = [&](std::size_t k, double x) { return x == 0 ? 0 : numbers[k].addition(rounded(k, x)); };
+    if (auto additions = smallest_preloads(forces, profile.mechanism, start.plan.size, &rounding)) {
+      Advice advice{*std::move(additions), {}};
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        advice.numbers.push_back(rounded(k, advice.additions[k]));
+      }
+      if (stays_closed(profile, path, start, forces.preloads, advice)) {
+        return advice;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::string refusal(const std::vector<Preload>& preloads, const Mechanism& mechanism) {
+  const bool springs = preloads.front().on == Preload::On::kSpring;
+  const auto index = static_cast<std::size_t>(preloads.front().index);
+  if (preloads.size() > 1) {
+    return fmt::format("; no preload of the {} keeps every contact closed on the whole path",
+                       springs ? "springs" : "joints that carry the bodies in contact");
+  }
+  return springs
+             ? fmt::format("; no preload of springs.{} keeps every contact closed on the whole path",
+                           mechanism.springs[index].name)
+             : fmt::format("; no constant effort on joints.{} keeps every contact closed on the whole path",
+                           mechanism.joints[index].name);
+}
+
+std::string advice_text(const ContactForces& forces, const Profile& profile, const DriverPath& path,
+                        const Run& start) {
+  if (forces.preloads.empty()) {
+    return "";
+  }
+  const auto advice = advice_for(forces, profile, path, start);
+  if (!advice) {
+    return refusal(forces.preloads, profile.mechanism);
+  }
+  std::string text;
+  for (std::size_t k = 0; k < forces.preloads.size(); ++k) {
+    if (advice->additions[k] != 0) {
+      text += (text.empty() ? "" : " and ") + describe(forces.preloads[k], advice->additions[k], profile);
+    }
+  }
+  return "; every contact stays closed on the whole path if " + text;
+}
+
+const char* what_happens(ContactOpening::Kind kind) {
+  switch (kind) {
+    case ContactOpening::Kind::kRoot:
+      return "from here on the contact would have to pull";
+    case ContactOpening::Kind::kPole:
+      return "the contact force grows beyond all bounds here and changes its sign: a dead point, beyond "
+             "which "
+             "the contact would have to pull";
+    case ContactOpening::Kind::kPulled:
+      break;
+  }
+  return "the contact would have to pull here already";
+}
+
+}  // namespace
+
+std::string describe(const Preload& preload, double addition, const Profile& profile) {
+  const Mechanism& mechanism = profile.mechanism;
+  const Joint* joint = joint_of(preload, mechanism);
+  const bool angle = turns(preload, mechanism);
+  const Dimension dimension = angle ? dimension::kTorque : dimension::kForce;
+  const double amount = rounded_up(from_si(dimension, profile.units).apply(addition));
+  const std::string unit = unit_text(dimension, profile.units);
+  if (preload.on == Preload::On::kJoint) {
+    return fmt::format("a constant {} of {:.6g} {} acts on joints.{}", angle ? "torque" : "force", amount,
+                       unit, joint->name);
+  }
+  const Spring& spring = mechanism.springs[static_cast<std::size_t>(preload.index)];
+  const PreloadNumber number(preload, profile);
+  const std::string size = fmt::format("{:.6g} {}", std::abs(amount), unit);
+  const std::string other = fmt::format(
+      "({0} {1:.12g} {3} instead of {2:.12g} {3})", angle ? "free_angle" : "free_length", number.of(addition),
+      number.of(0), unit_text(angle ? dimension::kAngle : dimension::kLength, profile.units));
+  if (joint == nullptr) {
+    return fmt::format("springs.{} {} by {} more {}", spring.name, addition > 0 ? "pulls" : "pushes", size,
+                       other);
+  }
+  return fmt::format("springs.{} {} by {} more towards {} coordinates {}", spring.name,
+                     angle ? "turns" : "pushes", size, addition > 0 ? "smaller" : "larger", other);
+}
+
+ContactForceReport report_contacts(const Profile& profile, const DriverSchedule& schedule, const Run& start) {
+  const RowPath rows = path_of(schedule);
+  ContactForces forces = follow_contact_forces(start, rows.path, preloads_of(profile.mechanism, start.plan));
+  ContactForceReport report;
+  const std::string advice = forces.openings.empty() ? "" : advice_text(forces, profile, rows.path, start);
+  for (const ContactOpening& opening : forces.openings) {
+    report.openings.push_back({opening, rows.row(opening.at), what_happens(opening.kind) + advice});
+  }
+  report.highest_speed = highest_speed(forces);
+  report.lowest = std::move(forces.lowest);
+  return report;
+}
+
+}  // namespace higherpair

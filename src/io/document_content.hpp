@@ -1,0 +1,16 @@
+#pragma once
+
+#include "document.hpp"
+#include "higherpair/io/profile_document.hpp"
+
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+struct ProfileDocument::Content {
+  io_detail::Value root;             ///< a table
+  std::vector<std::string> sources;  ///< what messages call the text and each override, by Mark::source
+};
+
+}  // namespace higherpair

@@ -1,0 +1,113 @@
+#include "higherpair/io/notes.hpp"
+
+#include "higherpair/analysis/start_ranges.hpp"
+#include "higherpair/io/units.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kFar = 2.0 / 3;  // of the mechanism's size, of a point from its place in the poses
+
+struct Moved {
+  std::string name;
+  double by = 0;  // [m]
+};
+
+// The point or curve of a body that has moved farthest from where the pose has it.
+Moved farthest(const Body& body, const Pose<double>& X_WB) {
+  const Pose<double> posed = {Rotation<double>::from_angle(body.guess_theta), body.guess_p_WB};
+  Moved moved;
+  const auto add = [&](const std::string& name, const Vector2d& p_B) {
+    const double by = (X_WB * p_B - posed * p_B).norm();
+    moved = by > moved.by ? Moved{name, by} : moved;
+  };
+  for (const NamedPoint& point : body.points) {
+    add(point.name, point.p_B);
+  }
+  for (const NamedCurve& curve : body.curves) {
+    add(curve.name, is_conic(curve.curve) && curve.curve.q > 0 ? center(curve.curve) : curve.curve.vertex_B);
+  }
+  return moved;
+}
+
+bool is_driven_body(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+    return joint.first.body == body || joint.second.body == body;
+  });
+}
+
+// Drawn in ground's frame, all bodies together: the drawing need not be that of the start.
+bool is_drawing(const Mechanism& mechanism) {
+  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
+}
+
+// "65.835 to 294.16": few digits, and still within the range.
+std::string rounded_inwards(double low, double high) {
+  const double unit = high > low ? std::pow(10, std::floor(std::log10(high - low)) - 3) : 0;
+  const auto inside = [&](double x) { return unit > 0 && x >= low && x <= high ? x : (low + high) / 2; };
+  return fmt::format("{:.12g} to {:.12g}", inside(std::ceil(low / unit) * unit),
+                     inside(std::floor(high / unit) * unit));
+}
+
+}  // namespace
+
+Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& bodies) {
+  const Mechanism& mechanism = profile.mechanism;
+  Diagnostics notes;
+  if (is_drawing(mechanism)) {
+    return notes;
+  }
+  const double size = size_of(mechanism);
+  const Scaling length = from_si(dimension::kLength, profile.units);
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    const Moved moved = farthest(body, bodies[i].X_WB);
+    if (moved.by > kFar * size && !is_driven_body(mechanism, static_cast<int>(i))) {
+      const std::string_view unit = name_of(profile.units.length);
+      notes.push_back(
+          about(profile.source,
+                fmt::format("bodies.{0}: {1} is {2:.4g} {3} from where the pose has it at the start, in a "
+                            "mechanism of {4:.4g} {3}; is that the assembly that is meant? Else give a "
+                            "better pose",
+                            body.name, moved.name, length.apply(moved.by), unit, length.apply(size))));
+    }
+  }
+  return notes;
+}
+
+std::string start_advice(const Profile& profile, const std::vector<double>& drivers, double tolerance) {
+  const Mechanism& mechanism = profile.mechanism;
+  const auto ranges = find_start_ranges(mechanism, drivers, tolerance);
+  if (!ranges) {
+    return "";
+  }
+  const Driver& driver = mechanism.drivers.front();
+  const std::string key = driver.name.empty() ? "driver.start" : "drivers." + driver.name + ".start";
+  if (ranges->empty()) {
+    return fmt::format("; it can be with no other {} that was tried", key);
+  }
+  const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+  const Dimension dimension = turns ? dimension::kAngle : dimension::kLength;
+  const Scaling scaling = from_si(dimension, profile.units);
+  std::string text;
+  for (const StartRange& range : *ranges) {
+    text += fmt::format("{}from {}", text.empty() ? "" : " or ",
+                        rounded_inwards(scaling.apply(range.low), scaling.apply(range.high)));
+  }
+  return fmt::format("; it can be with {} {} {}", key, text, unit_text(dimension, profile.units));
+}
+
+std::string note_text(const Diagnostic& note) {
+  return to_string({note.place, "note: " + note.message});
+}
+
+}  // namespace higherpair

@@ -1,0 +1,268 @@
+#include "profile_notes.hpp"
+
+#include "contact_notes.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr double kEarth = 9.80665;  // [m/s²]
+
+const Value* find_at(const Value& document, std::initializer_list<std::string_view> path) {
+  const Value* value = &document;
+  for (const std::string_view key : path) {
+    const Table* table = value == nullptr ? nullptr : std::get_if<Table>(&value->content);
+    value = table == nullptr ? nullptr : find(*table, key);
+  }
+  return value;
+}
+
+// A number that is written without a unit of its own.
+std::optional<double> plain_number(const Value* value) {
+  if (value == nullptr) return std::nullopt;
+  if (const auto* integer = std::get_if<std::int64_t>(&value->content)) return static_cast<double>(*integer);
+  const auto* number = std::get_if<double>(&value->content);
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+bool is_near(double a, double b, double relative) {
+  return std::abs(a - b) <= relative * std::abs(b);
+}
+
+bool is_whole(double x) {
+  return std::abs(x - std::round(x)) <= 1e-9 * std::max(1.0, std::abs(x)) && std::abs(x) >= 0.5;
+}
+
+class Notes {
+public:
+  Notes(const Reading& reading, const Value& document, const Profile& profile)
+      : reading_(reading), document_(document), profile_(profile), mechanism_(profile.mechanism) {}
+
+  Diagnostics all() {
+    gravity();
+    size();
+    ground();
+    for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
+      body(mechanism_.bodies[i], static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
+      curves(mechanism_.bodies[i], static_cast<int>(i));
+    }
+    for (const Contact& contact : mechanism_.contacts) {
+      if (const std::string text = contact_note(mechanism_, contact, profile_.units); !text.empty()) {
+        add(find_at(document_, {"contacts", contact.name, "between"}), "contacts." + contact.name, text);
+      }
+    }
+    for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
+      driver(mechanism_.drivers[i], profile_.programs[i]);
+    }
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Mistake& a, const Mistake& b) { return a.mark < b.mark; });
+    Diagnostics notes;
+    for (const Mistake& note : found_) {
+      notes.push_back({place_of(reading_, note.mark), note.message});
+    }
+    return notes;
+  }
+
+private:
+  void add(const Value* value, const std::string& path, const std::string& text) {
+    found_.push_back({value == nullptr ? Mark{} : value->mark, path + ": " + text});
+  }
+
+  void add_with_value(const Value* value, const std::string& path, const std::string& text) {
+    add(value, fmt::format("{} = {}", path, text_of(*value)), text);
+  }
+
+  [[nodiscard]] double length(double metres) const {
+    return from_si(dimension::kLength, profile_.units).apply(metres);
+  }
+
+  [[nodiscard]] std::string_view length_unit() const { return name_of(profile_.units.length); }
+
+  // 9.81 where lengths are in millimetres.
+  void gravity() {
+    const Value* value = find_at(document_, {"gravity"});
+    const auto* items = value == nullptr ? nullptr : std::get_if<Array>(&value->content);
+    if (items == nullptr || items->size() != 2) return;
+    const auto x = plain_number(&(*items)[0]);
+    const auto y = plain_number(&(*items)[1]);
+    if (!x || !y) return;
+    const double written = std::hypot(*x, *y);
+    const double share = mechanism_.gravity_W.norm() / kEarth;
+    constexpr double kNumbers[] = {kEarth, 100 * kEarth, 1000 * kEarth, kEarth / 0.3048, kEarth / 0.0254};
+    const bool is_earths = std::any_of(std::begin(kNumbers), std::end(kNumbers),
+                                       [&](double number) { return is_near(written, number, 0.02); });
+    if (is_earths && !is_near(share, 1, 0.05)) {
+      add_with_value(
+          value, "gravity",
+          fmt::format("{:.3g} times the earth's: numbers here are in {}, in which the earth's is {:.6g}; or "
+                      "write it with its unit, \"9.81 m/s^2\"",
+                      share, unit_text(dimension::kAcceleration, profile_.units),
+                      from_si(dimension::kAcceleration, profile_.units).apply(kEarth)));
+    }
+  }
+
+  // Numbers of a drawing in millimetres, read as metres.
+  void size() {
+    constexpr double kLarge = 50;  // [m]
+    const double metres = size_of(mechanism_);
+    if (metres > kLarge && !mechanism_.joints.empty()) {
+      add(find_at(document_, {"units", "length"}), "units.length",
+          fmt::format("the mechanism is {:.3g} {} large: are its numbers in \"{}\"?", length(metres),
+                      length_unit(), length_unit()));
+    }
+  }
+
+  void ground() {
+    const auto any = [&](auto concerns_ground) {
+      return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns_ground) ||
+             std::any_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns_ground);
+    };
+    if (!any([](const auto& element) { return element.first.body == 0 || element.second.body == 0; })) {
+      add(find_at(document_, {"joints"}), "joints",
+          "nothing is joined to ground: the frame is the body `ground`, give it points and join bodies to "
+          "them");
+    }
+  }
+
+  void body(const Body& body, int index) {
+    const auto concerns = [&](const auto& element) {
+      return element.first.body == index || element.second.body == index;
+    };
+    if (std::none_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns) &&
+        std::none_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns)) {
+      add(find_at(document_, {"bodies", body.name}), "bodies." + body.name,
+          "no joint and no contact holds this body");
+    }
+    const Value* angle = find_at(document_, {"bodies", body.name, "pose", "angle"});
+    angle_unit(angle, "bodies." + body.name + ".pose.angle");
+    if (body.mass && body.mass->mass > 0 && body.mass->inertia > 0) {
+      inertia(body);
+    }
+  }
+
+  // Another unit of length shows in the radius of gyration by its factor.
+  void inertia(const Body& body) {
+    const Vector2d& center_B = body.mass->center_of_mass_B;
+    double extent = 0;
+    for (const NamedPoint& point : body.points) {
+      extent = std::max(extent, (point.p_B - center_B).norm());
+    }
+    for (const NamedCurve& curve : body.curves) {
+      extent = std::max(extent, (curve.curve.vertex_B - center_B).norm());
+    }
+    const double gyration = std::sqrt(body.mass->inertia / body.mass->mass);
+    constexpr double kOff = 100;
+    if (extent > 0 && (gyration > kOff * extent || gyration < extent / kOff)) {
+      const Value* value = find_at(document_, {"bodies", body.name, "inertia"});
+      add_with_value(
+          value, "bodies." + body.name + ".inertia",
+          fmt::format("a radius of gyration of {:.3g} {} in a body of {:.3g} {}: numbers here are in {}",
+                      length(gyration), length_unit(), length(extent), length_unit(),
+                      unit_text(dimension::kInertia, profile_.units)));
+    }
+  }
+
+  void curves(const Body& body, int index) {
+    for (std::size_t k = 0; k < body.curves.size(); ++k) {
+      const auto is_this = [&](const CurveRef& ref) {
+        return ref.body == index && ref.curve == static_cast<int>(k);
+      };
+      const bool used = std::any_of(
+          mechanism_.contacts.begin(), mechanism_.contacts.end(),
+          [&](const Contact& contact) { return is_this(contact.first) || is_this(contact.second); });
+      if (!used) {
+        const std::string& name = body.curves[k].name;
+        add(find_at(document_, {"bodies", body.name, "curves", name}),
+            fmt::format("bodies.{}.curves.{}", body.name, name), "no contact names this curve");
+      }
+    }
+  }
+
+  // Degrees read as radians or turns, and the other way round.
+  void angle_unit(const Value* value, const std::string& path) {
+    const auto number = plain_number(value);
+    if (!number) return;
+    const Unit unit = profile_.units.angle;
+    const double least = unit == Unit::kRevolution ? 90 : 30;  // so many turns may well be meant
+    const bool could_be_degrees = std::abs(*number) >= least && is_whole(*number / (least == 90 ? 90 : 15));
+    const double quarters = *number / (kPi / 2);
+    const bool could_be_radians = std::abs(quarters) >= 0.5 &&
+                                  std::abs(*number - std::round(quarters) * kPi / 2) <= 1e-3 &&
+                                  std::abs(quarters) < 9;
+    const double turns = to_si(dimension::kAngle, profile_.units).apply(*number) / (2 * kPi);
+    if (unit != Unit::kDegree && could_be_degrees) {
+      add_with_value(
+          value, path,
+          fmt::format("{:.4g} turns, for angles here are in {}; write \"{:g} deg\" if that is meant", turns,
+                      name_of(unit), *number));
+    } else if (unit == Unit::kDegree && could_be_radians) {
+      add_with_value(
+          value, path,
+          fmt::format("{:.3g} turns, for angles here are in deg; write \"{:g} rad\" if that is meant", turns,
+                      *number));
+    }
+  }
+
+  void driver(const Driver& driver, const DriverProgram& program) {
+    const std::string path = driver.name.empty() ? "driver" : "drivers." + driver.name;
+    const auto at = [&](std::string_view key) {
+      return driver.name.empty() ? find_at(document_, {"driver", key})
+                                 : find_at(document_, {"drivers", driver.name, key});
+    };
+    const bool turns = mechanism_.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    if (turns) {
+      angle_unit(at("start"), path + ".start");
+      angle_unit(at("end"), path + ".end");
+    }
+    if (!program.positions.empty()) {
+      for (const char* key : {"end", "samples"}) {
+        if (const Value* value = at(key))
+          add_with_value(value, path + "." + key, "not used, for `positions` are given");
+      }
+    } else if (!turns && !program.end && !program.duration) {
+      add(at("joint"), path + ".joint", "this joint slides, and without an `end` it stays at its start");
+    } else {
+      spacing(at("samples"), path, program, turns);
+    }
+    if (program.time_step && program.duration && *program.time_step > *program.duration) {
+      add_with_value(at("time_step"), path + ".time_step", "longer than the duration");
+    }
+  }
+
+  // 360 rows over 360 degrees, both ends included.
+  void spacing(const Value* value, const std::string& path, const DriverProgram& program, bool turns) {
+    if (value == nullptr || !program.samples || *program.samples < 10) return;
+    const double full_turn = from_si(dimension::kAngle, profile_.units).apply(2 * kPi);
+    const double span = program.end ? *program.end - program.start : turns ? full_turn : 0;
+    const auto rows = static_cast<double>(*program.samples);
+    const auto is_round = [](double x) { return is_whole(x) || is_whole(1 / x); };
+    if (span != 0 && is_round(span / rows) && !is_round(span / (rows - 1))) {
+      add_with_value(value, path + ".samples",
+                     fmt::format("both ends are rows, so they are {:.6g} apart; {} rows are {:g} apart",
+                                 span / (rows - 1), *program.samples + 1, span / rows));
+    }
+  }
+
+  const Reading& reading_;
+  const Value& document_;
+  const Profile& profile_;
+  const Mechanism& mechanism_;
+  std::vector<Mistake> found_;
+};
+
+}  // namespace
+
+Diagnostics profile_notes(const Reading& reading, const Value& document, const Profile& profile) {
+  return Notes(reading, document, profile).all();
+}
+
+}  // namespace higherpair::io_detail

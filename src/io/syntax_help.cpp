@@ -1,0 +1,171 @@
+#include "syntax_help.hpp"
+
+#include "names.hpp"
+#include "syntax_rules.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// `text` as far as it is outside of quotes and in front of a comment, all else blanked.
+std::string without_strings(std::string_view text) {
+  std::string bare;
+  char quote = 0;
+  for (const char c : text) {
+    if (quote == 0 && c == '#') {
+      break;
+    }
+    const bool is_quote = c == '"' || c == '\'';
+    bare += quote == 0 && !is_quote ? c : ' ';
+    quote = is_quote && (quote == 0 || quote == c) ? (quote == 0 ? c : char{0}) : quote;
+  }
+  return bare;
+}
+
+// What a typesetter's character stands for; empty for any other.
+std::string_view plain_character(char32_t c) {
+  constexpr std::u32string_view kQuotes = U"“”„‟«»‘’‚‛′″‴`´＂＇";
+  constexpr std::u32string_view kDashes = U"−–—‐‑‒―";
+  if (kQuotes.find(c) != std::u32string_view::npos) return "\"";
+  if (kDashes.find(c) != std::u32string_view::npos) return "-";
+  if (c == 0xA0 || (c >= 0x2000 && c <= 0x200F) || c == 0x202F || c == 0x205F || c == 0x3000 || c == 0xFEFF) {
+    return " ";
+  }
+  return "";
+}
+
+std::string describe_character(char32_t c, std::string_view text, std::string_view plain) {
+  if (plain == " ") {
+    return fmt::format("the blank here (U+{:04X}) is not an ordinary one: replace it by a space",
+                       static_cast<unsigned>(c));
+  }
+  return fmt::format("{} is {}; write the plain {}", text,
+                     plain == "-" ? "a dash, not the minus sign of the keyboard"
+                                  : "a typographic quotation mark, not the one of the keyboard",
+                     plain);
+}
+
+// Characters that word processors and web pages put for those of the keyboard.
+Finding typographic_character(const SyntaxScan& scan) {
+  const std::size_t begin = scan.quote.value_or(scan.token);
+  const std::string_view line = scan.line_from(std::min(begin, scan.text.size()));
+  const std::string bare = scan.quote ? std::string(line) : without_strings(line);
+  for (std::size_t i = 0; i < bare.size();) {
+    const std::string_view rest = line.substr(i);
+    const std::size_t length = std::max<std::size_t>(character_length(rest), 1);
+    const char32_t c = length > 1 ? character_at(rest) : static_cast<unsigned char>(rest[0]);
+    const std::string_view plain = plain_character(c);
+    if (!plain.empty()) {
+      return Found{begin + i, describe_character(c, rest.substr(0, length), plain)};
+    }
+    i += length;
+  }
+  return std::nullopt;
+}
+
+Finding string_mistake(const SyntaxScan& scan, std::string_view message) {
+  if (!scan.quote) {
+    return std::nullopt;
+  }
+  const char quote = scan.text[*scan.quote];
+  if (contains(message, "unknown escape") || contains(message, "hex digit")) {
+    return Found{
+        *scan.quote,
+        "a backslash begins an escape within \"…\": write it twice, or the text in single quotes '…'"};
+  }
+  if (scan.text.substr(*scan.quote).starts_with(std::string(3, quote))) {
+    return Found{*scan.quote, fmt::format("this text in {0}{0}{0} is not closed", quote)};
+  }
+  if (scan.stop < scan.text.size() && scan.text[scan.stop] != '\n' && scan.text[scan.stop] != '\r') {
+    return Found{scan.stop, "a control character within a text"};
+  }
+  return Found{*scan.quote,
+               fmt::format("the closing quotation mark {} of this text is missing on its line", quote)};
+}
+
+Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
+  return contains(message, "after '\\r'")
+             ? Finding(
+                   {scan.stop,
+                    "a line ends with a carriage return alone: save the file with the line ends of today"})
+             : std::nullopt;
+}
+
+// As many quotation marks as there should be would have made the word in front of the place a part of a text.
+Finding missing_quote(const SyntaxScan& scan) {
+  if (!scan.after_value || scan.in_table()) {
+    return std::nullopt;
+  }
+  const std::string_view line = scan.line_from(scan.text.substr(0, scan.stop).rfind('\n') + 1);
+  return std::count(line.begin(), line.end(), '"') % 2 != 0
+             ? Finding({scan.stop,
+                        fmt::format("a quotation mark \" is missing in this line, before or after `{}`",
+                                    shown(word_of(scan.line_from(scan.stop))))})
+             : std::nullopt;
+}
+
+// "Error while parsing decimal integer: expected digit, saw '/'" without its beginning, on one line.
+std::string parsers_own(std::string_view message) {
+  constexpr std::string_view kBeginning = "Error while parsing ";
+  if (message.starts_with(kBeginning)) {
+    message.remove_prefix(kBeginning.size());
+  }
+  std::string text;
+  for (const char c : message) {
+    text += c == '\n' ? "\\n" : c == '\r' ? "\\r" : std::string(1, c);
+  }
+  return "this is no TOML: " + text;
+}
+
+constexpr std::size_t kLongestShown = 40;  // bytes, and what completes the last character
+
+}  // namespace
+
+std::string shown(std::string_view text) {
+  text = trimmed(text.substr(0, text.find('\n')));
+  std::size_t length = 0;
+  while (length < std::min(text.size(), kLongestShown)) {
+    length += std::max<std::size_t>(character_length(text.substr(length)), 1);
+  }
+  return visible(text.substr(0, length)) + (length < text.size() ? "…" : "");
+}
+
+std::string_view word_of(std::string_view text) {
+  std::size_t length = 0;
+  while (length < text.size() && (std::isalnum(static_cast<unsigned char>(text[length])) != 0 ||
+                                  text[length] == '_' || text[length] == '-')) {
+    ++length;
+  }
+  return text.substr(0, length);
+}
+
+bool begins_statement(std::string_view text) {
+  static const std::regex kStatement(R"(\s*(\[\[?[A-Za-z_][\w.-]*\]|[A-Za-z_"][\w."-]*\s*=).*)");
+  return std::regex_match(text.begin(), text.end(), kStatement);
+}
+
+TextMistake explain_syntax(std::string_view text, const Mark& place, std::string_view message) {
+  const SyntaxScan scan = scan_syntax(text, byte_at(text, place.line, place.column));
+  Finding found = redefinition(scan, message);
+  const auto otherwise = [&](Finding next) {
+    if (!found) found = std::move(next);
+  };
+  otherwise(line_end_mistake(scan, message));
+  otherwise(typographic_character(scan));
+  otherwise(string_mistake(scan, message));
+  otherwise(heading_mistake(scan, message));
+  otherwise(missing_quote(scan));
+  otherwise(unit_mistake(scan));
+  otherwise(bracket_mistake(scan, message));
+  otherwise(value_mistake(scan, message));
+  otherwise(key_mistake(scan));
+  return found ? TextMistake{mark_at(text, found->at), found->message}
+               : TextMistake{place, parsers_own(message)};
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,178 @@
+#include "encoding.hpp"
+#include "names.hpp"
+#include "syntax_rules.hpp"
+
+#include <algorithm>
+#include <regex>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::string_view kKeyCharacters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
+
+// What was written before: the same heading or key; else the table that the heading or key is in.
+const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
+  const auto path = [](const Statement& statement) {
+    return statement.key.empty() || statement.heading.empty() ? statement.heading + statement.key
+                                                              : statement.heading + "." + statement.key;
+  };
+  const std::string wanted = path(last);
+  const auto end = scan.statements.end() - 1;
+  const auto same =
+      std::find_if(scan.statements.begin(), end, [&](const Statement& s) { return path(s) == wanted; });
+  if (same != end) {
+    return &*same;
+  }
+  const auto around = std::find_if(scan.statements.begin(), end, [&](const Statement& s) {
+    const std::string other = path(s);
+    return (!s.key.empty() && wanted.starts_with(other + ".")) || other.starts_with(wanted + ".");
+  });
+  return around == end ? nullptr : &*around;
+}
+
+// The path of the value that a bracket belongs to, as far as it is written in front of it.
+std::string path_before(const SyntaxScan& scan) {
+  const Statement& last = scan.statements.back();
+  return last.heading.empty() || last.key.empty() ? last.heading + last.key : last.heading + "." + last.key;
+}
+
+}  // namespace
+
+Finding redefinition(const SyntaxScan& scan, std::string_view message) {
+  if ((!contains(message, "cannot redefine") && !contains(message, "cannot insert")) ||
+      scan.statements.empty()) {
+    return std::nullopt;
+  }
+  const Statement& last = scan.statements.back();
+  const Statement* before = earlier(scan, last);
+  if (before == nullptr) {
+    return Found{last.at, "a key is written a second time here"};
+  }
+  const int line = mark_at(scan.text, before->at).line;
+  const bool same = before->heading == last.heading && before->key == last.key;
+  if (last.key.empty()) {
+    const std::string_view hint =
+        last.heading == "driver" ? " (several drivers are tables [drivers.NAME])" : "";
+    return Found{
+        last.at,
+        same ? fmt::format("[{}] is here a second time after line {}: put all its keys under one heading{}",
+                           last.heading, line, hint)
+             : fmt::format("[{}] is written in line {} already, as a key: put all its keys there",
+                           last.heading, line)};
+  }
+  return Found{last.at,
+               same
+                   ? fmt::format("`{}` is here a second time after line {}: keep one of them", last.key, line)
+                   : fmt::format("`{}` is written in line {} already, as a whole: put all of it there",
+                                 last.key, line)};
+}
+
+Finding heading_mistake(const SyntaxScan& scan, std::string_view message) {
+  if (scan.expecting != Expecting::kHeading) {
+    return std::nullopt;
+  }
+  const std::string_view line = scan.line_from(scan.token);
+  const std::size_t close = line.find(']');
+  const std::string_view name = trimmed(line.substr(std::min(line.find_first_not_of('['), line.size())));
+  if (contains(message, "blank bare keys") || name.empty() || name[0] == ']') {
+    return Found{scan.token, "a heading needs a name between its brackets, such as [driver]"};
+  }
+  if (close == std::string_view::npos) {
+    return Found{scan.token, fmt::format("the closing ] of the heading {} is missing", shown(line))};
+  }
+  if (line.starts_with("[[") || line.substr(close).starts_with("]]")) {
+    return Found{scan.token, fmt::format("the heading of a table has one pair of brackets: [{}]",
+                                         shown(name.substr(0, name.find(']'))))};
+  }
+  const std::string_view behind = trimmed(line.substr(close + 1));
+  if (!behind.empty() && behind[0] != '#') {
+    return Found{scan.token + close + 1,
+                 fmt::format("a heading is a line of its own: put `{}` on the next one", shown(behind))};
+  }
+  return Found{scan.token,
+               fmt::format("[{}] is no heading: it is names of letters, digits, _ and -, joined by points, "
+                           "as in [bodies.cam]",
+                           shown(name.substr(0, name.find(']'))))};
+}
+
+Finding bracket_mistake(const SyntaxScan& scan, std::string_view message) {
+  const std::string_view here = scan.line_from(scan.stop);
+  const char c = here.empty() ? '\n' : here.front();
+  if (scan.open.empty()) {
+    return scan.expecting == Expecting::kValue && (c == ']' || c == '}')
+               ? Finding({scan.stop, fmt::format("this {} closes nothing: there is one too many", c)})
+               : std::nullopt;
+  }
+  if (scan.in_table() && (trimmed(here).empty() || here.front() == '#')) {
+    return Found{
+        scan.open.back(),
+        fmt::format("the table that {{ begins here must be closed by }} on the same line; longer ones are "
+                    "written as a table of their own, [{}], with a line for each key",
+                    path_before(scan))};
+  }
+  if (contains(message, "dangling comma") || contains(message, "saw comma")) {
+    return Found{scan.stop, "there is a comma too many here"};
+  }
+  if (scan.in_list() && (here.empty() || begins_statement(here))) {
+    return Found{scan.open.back(), "the list that [ begins here is not closed by ]"};
+  }
+  if (contains(message, "expected comma")) {
+    return Found{scan.stop, fmt::format("a comma is missing before `{}`", shown(here))};
+  }
+  if (c == ';') {
+    return Found{scan.stop, "write a comma instead of the semicolon"};
+  }
+  return std::nullopt;
+}
+
+Finding key_mistake(const SyntaxScan& scan) {
+  if (scan.expecting != Expecting::kKey) {
+    return std::nullopt;
+  }
+  const std::size_t at = std::min(scan.text.find_first_not_of(" \t", scan.token), scan.text.size());
+  const std::string_view line = scan.line_from(at);
+  if (at == 0 && (line.starts_with('{') || line.starts_with('<'))) {
+    return Found{
+        at, fmt::format("this looks like {}; a profile is TOML: lines key = value under headings [table]",
+                        line[0] == '{' ? "JSON" : "XML or HTML")};
+  }
+  for (const std::string_view comment : {"//", "/*", ";", "%", "--", "!", "'"}) {
+    if (line.starts_with(comment)) return Found{at, "a comment begins with #"};
+  }
+  const std::string_view key = line.substr(0, std::min(line.find_first_not_of(kKeyCharacters), line.size()));
+  const std::string_view behind = trimmed(line.substr(key.size()));
+  if (line.starts_with('=')) {
+    return Found{at, "a key is missing before the ="};
+  }
+  if (character_length(line) > 1 || (key.empty() && !line.empty())) {
+    return Found{at, fmt::format("`{}` cannot begin a key: keys are of letters, digits, _ and -",
+                                 shown(line.substr(0, std::max<std::size_t>(character_length(line), 1))))};
+  }
+  if (key.front() == '.' || key.back() == '.' || contains(key, "..")) {
+    return Found{at, "the parts of a key are words, joined by single points"};
+  }
+  if (behind.starts_with(']')) {
+    return Found{at, fmt::format("the opening [ of the heading [{}] is missing", shown(key))};
+  }
+  if (behind.starts_with(':')) {
+    return Found{scan.stop, "key and value are joined by =, not by :"};
+  }
+  if (behind.empty()) {
+    return Found{
+        at, fmt::format("`{}` is no line of TOML: expected key = value, or a heading [table]", shown(key))};
+  }
+  static const std::regex kWords(R"((\w+(?:[ \t]+\w+)+)[ \t]*=.*)");
+  std::cmatch match;
+  if (std::regex_match(line.data(), line.data() + line.size(), match, kWords)) {
+    std::string joined = match[1].str();
+    std::replace_if(
+        joined.begin(), joined.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
+    return Found{at, fmt::format("a key is one word: {}", shown(joined))};
+  }
+  return Found{at, fmt::format("expected = after the key `{}`", shown(key))};
+}
+
+}  // namespace higherpair::io_detail

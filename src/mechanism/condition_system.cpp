@@ -1,0 +1,233 @@
+#include "higherpair/mechanism/condition_system.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// \param number  makes a D of the same number of the mechanism and of its derivative
+template <class D, class F>
+Dimensions<D> make_dimensions(const Mechanism& mechanism, const Mechanism& derivative, F number) {
+  const auto vector = [&](const Vector2d& v, const Vector2d& dv) {
+    return Vector2<D>(number(v.x(), dv.x()), number(v.y(), dv.y()));
+  };
+  const auto curve = [&](const CurveRef& ref) {
+    const Curve& c = curve_of(mechanism, ref);
+    const Curve& dc = curve_of(derivative, ref);
+    return CurveDimensions<D>{c.kind,
+                              c.side == Side::kInside ? 1.0 : -1.0,
+                              vector(c.vertex_B, dc.vertex_B),
+                              vector(c.axis_B, dc.axis_B),
+                              number(c.semi_latus, dc.semi_latus),
+                              number(c.q, dc.q)};
+  };
+  Dimensions<D> dimensions;
+  dimensions.bodies = mechanism.bodies.size();
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const auto of = joint_dimensions<D>(mechanism, joint, derivative, derivative.joints[i], number);
+    dimensions.joints.push_back({joint.first.body, joint.second.body, joint.carrier, of});
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    dimensions.contacts.push_back({contact.first.body, contact.second.body, curve(contact.first),
+                                   curve(contact.second), contact.rolling});
+  }
+  for (const Driver& driver : mechanism.drivers) {
+    dimensions.drivers.push_back(driver.joint);
+  }
+  return dimensions;
+}
+
+// Where the derivatives by the coordinates of some bodies, and then by φ, go.
+struct Columns {
+  std::array<Eigen::Index, 3> bodies;  // -1: nowhere
+  Eigen::Index phi = -1;
+};
+
+template <class T>
+void write(const T& value, const Columns& columns, double size, Eigen::Index row, Eigen::VectorXd& values,
+           Eigen::MatrixXd& J) {
+  values(row) = value.c[0];
+  for (std::size_t body = 0; 3 * body + 3 <= T::kLast; ++body) {
+    if (const Eigen::Index column = columns.bodies[body]; column >= 0) {
+      J(row, column) += value.c[3 * body + 1];
+      J(row, column + 1) += value.c[3 * body + 2];
+      J(row, column + 2) += value.c[3 * body + 3] / size;
+    }
+  }
+  if (columns.phi >= 0) {
+    J(row, columns.phi) = value.c[T::kLast] / size;
+  }
+}
+
+}  // namespace
+
+Dimensions<double> dimensions_of(const Mechanism& mechanism) {
+  return make_dimensions<double>(mechanism, mechanism, [](double x, double /*dx*/) { return x; });
+}
+
+Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism, const Mechanism& derivative) {
+  return make_dimensions<Partials<double, 1>>(mechanism, derivative, [](double x, double dx) {
+    Partials<double, 1> number(x);
+    number.c[1] = dx;
+    return number;
+  });
+}
+
+std::optional<CommonNormal> facing_at(const Dimensions<double>::Contact& contact, const BodyAt<double>& first,
+                                      const BodyAt<double>& second, double phi) {
+  const FacingPoints<double> at = facing_points(contact.curve1, first, contact.curve2, second, phi);
+  if (!at.exist) {
+    return std::nullopt;
+  }
+  CommonNormal touch{at.n_W, at.p1_W, at.p2_W, at.rho1, at.rho2};
+  const double gap = touch.gap();
+  if (contact.curve1.kind == CurveKind::kLine) {
+    touch.p1_W = at.p2_W - gap * at.n_W;
+  } else if (contact.curve2.kind == CurveKind::kLine) {
+    touch.p2_W = at.p1_W + gap * at.n_W;
+  }
+  return touch;
+}
+
+ConditionSet all_conditions(const Mechanism& mechanism, std::vector<int> idle_bodies) {
+  const auto indices = [](std::size_t from, std::size_t end) {
+    std::vector<int> all;
+    for (std::size_t i = from; i < end; ++i) {
+      all.push_back(static_cast<int>(i));
+    }
+    return all;
+  };
+  return {indices(1, mechanism.bodies.size()), indices(0, mechanism.joints.size()),
+          indices(0, mechanism.contacts.size()), indices(0, mechanism.drivers.size()),
+          std::move(idle_bodies)};
+}
+
+ConditionSystem::ConditionSystem(Dimensions<double> dimensions, ConditionSet set, double size)
+    : set_(std::move(set)),
+      dimensions_(std::move(dimensions)),
+      size_(size),
+      body_columns_(dimensions_.bodies, -1),
+      contact_columns_(dimensions_.contacts.size(), -1),
+      driver_rows_(dimensions_.drivers.size(), -1) {
+  for (const int body : set_.bodies) {
+    body_columns_[static_cast<std::size_t>(body)] = columns_;
+    columns_ += 3;
+  }
+  const auto label = [&](ConditionLabel::Of of, int index, int count) {
+    labels_.insert(labels_.end(), static_cast<std::size_t>(count), {of, index});
+  };
+  for (const int joint : set_.joints) {
+    label(ConditionLabel::Of::kJoint, joint,
+          condition_count(dimensions_.joints[static_cast<std::size_t>(joint)].of.type));
+  }
+  for (const int contact : set_.contacts) {
+    contact_columns_[static_cast<std::size_t>(contact)] = columns_++;
+    label(ConditionLabel::Of::kContact, contact,
+          dimensions_.contacts[static_cast<std::size_t>(contact)].rolling ? 3 : 2);
+  }
+  for (const int driver : set_.drivers) {
+    driver_rows_[static_cast<std::size_t>(driver)] = row_count();
+    label(ConditionLabel::Of::kDriver, driver, 1);
+  }
+  for (const int body : set_.idle_bodies) {
+    label(ConditionLabel::Of::kIdleBody, body, 1);
+  }
+}
+
+double ConditionSystem::by_driver(int driver) const {
+  const int joint = dimensions_.drivers[static_cast<std::size_t>(driver)];
+  return has_angle(dimensions_.joints[static_cast<std::size_t>(joint)].of.type) ? -size_ : -1;
+}
+
+bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& values,
+                               Eigen::MatrixXd& J) const {
+  values.resize(row_count());
+  J.setZero(row_count(), columns_);
+  Eigen::Index row = 0;
+  bool exist = true;
+  const auto body = [&](int index) -> const BodyAt<double>& {
+    return at.bodies[static_cast<std::size_t>(index)];
+  };
+  const auto append = [&](const auto& some, const Columns& columns) {
+    exist = exist && some.exist;
+    for (int i = 0; i < some.count; ++i) {
+      write(some.value[static_cast<std::size_t>(i)], columns, size_, row++, values, J);
+    }
+  };
+  for (const int index : set_.joints) {
+    const auto& joint = dimensions_.joints[static_cast<std::size_t>(index)];
+    const Columns columns{{body_column(joint.first), body_column(joint.second), body_column(joint.carrier)}};
+    if (couples_turning(joint.of.type)) {
+      append(joint_conditions(joint.of, variable<9>(body(joint.first), 1), variable<9>(body(joint.second), 4),
+                              variable<9>(body(joint.carrier), 7), size_),
+             columns);
+    } else {
+      const auto first = variable<6>(body(joint.first), 1);
+      append(joint_conditions(joint.of, first, variable<6>(body(joint.second), 4), first, size_), columns);
+    }
+  }
+  for (const int index : set_.contacts) {
+    const auto i = static_cast<std::size_t>(index);
+    const auto& contact = dimensions_.contacts[i];
+    Partials<double, 7> phi(at.phi[i]);
+    phi.c[7] = 1;
+    append(contact_conditions(contact.curve1, variable<7>(body(contact.first), 1), contact.curve2,
+                              variable<7>(body(contact.second), 4), phi,
+                              contact.rolling ? std::optional<Partials<double, 7>>(at.arcs[i]) : std::nullopt,
+                              size_),
+           Columns{{body_column(contact.first), body_column(contact.second), -1}, contact_column(index)});
+  }
+  for (const int index : set_.drivers) {
+    const auto i = static_cast<std::size_t>(index);
+    const auto& joint = dimensions_.joints[static_cast<std::size_t>(dimensions_.drivers[i])];
+    ConditionValues<Partials<double, 6>> value;
+    value.add(driver_condition(joint.of, variable<6>(body(joint.first), 1),
+                               variable<6>(body(joint.second), 4), Partials<double, 6>(at.drivers[i]),
+                               size_));
+    append(value, Columns{{body_column(joint.first), body_column(joint.second), -1}});
+  }
+  for (const int idle : set_.idle_bodies) {
+    values(row) = size_ * (body(idle).theta - at.held_angles[static_cast<std::size_t>(idle)]);
+    if (const Eigen::Index column = body_column(idle); column >= 0) {
+      J(row, column + 2) = 1;
+    }
+    ++row;
+  }
+  return exist;
+}
+
+bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& values) const {
+  std::vector<double> all;
+  all.reserve(labels_.size());
+  const bool exist = append_conditions(dimensions_, set_, at, size_, all);
+  values = Eigen::Map<const Eigen::VectorXd>(all.data(), row_count());
+  return exist;
+}
+
+Eigen::VectorXd ConditionSystem::unknowns(const Coordinates<double>& at) const {
+  Eigen::VectorXd x(columns_);
+  for (const int index : set_.bodies) {
+    const BodyAt<double>& body = at.bodies[static_cast<std::size_t>(index)];
+    x.segment<3>(body_column(index)) << body.X_WB.p_WB, size_ * body.theta;
+  }
+  for (const int contact : set_.contacts) {
+    x(contact_column(contact)) = size_ * at.phi[static_cast<std::size_t>(contact)];
+  }
+  return x;
+}
+
+void ConditionSystem::set_unknowns(const Eigen::VectorXd& x, Coordinates<double>& at) const {
+  for (const int index : set_.bodies) {
+    BodyAt<double>& body = at.bodies[static_cast<std::size_t>(index)];
+    const Eigen::Vector3d coordinates = x.segment<3>(body_column(index));
+    body.theta = coordinates.z() / size_;
+    body.X_WB = {Rotation<double>::from_angle(body.theta), coordinates.head<2>()};
+  }
+  for (const int contact : set_.contacts) {
+    at.phi[static_cast<std::size_t>(contact)] = x(contact_column(contact)) / size_;
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace higherpair {
+
+/// Appends the shortest decimal number that is read as x, without the sign of a zero.
+void append_decimal(double x, std::string& out);
+
+/// The same with no more digits than it needs, as 1.25e+20: append_decimal() writes out whole numbers of up
+/// to 21 digits.
+[[nodiscard]] std::string shortest_digits(double x);
+
+/// std::from_chars for double, which some standard libraries (libc++ before 20) do not have.
+std::from_chars_result read_decimal(const char* first, const char* last, double& x);
+
+}  // namespace higherpair

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+namespace higherpair {
+
+/// Solves J x = b for J of any shape and rank: by least squares where there are more conditions than
+/// unknowns, and of all solutions the one of least norm where some freedom is left (complete orthogonal
+/// decomposition).
+class LeastNormSolver {
+public:
+  /// \param rank_tolerance  a pivot below it, as a fraction of the largest one, counts as zero
+  explicit LeastNormSolver(double rank_tolerance) { decomposition_.setThreshold(rank_tolerance); }
+  LeastNormSolver(const Eigen::MatrixXd& J, double rank_tolerance) : LeastNormSolver(rank_tolerance) {
+    compute(J);
+  }
+
+  void compute(const Eigen::MatrixXd& J);
+
+  [[nodiscard]] Eigen::Index rank() const { return decomposition_.rank(); }
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  [[nodiscard]] Eigen::MatrixXd pseudoinverse() const;
+
+private:
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition_;
+};
+
+/// Number of independent rows of a matrix: pivots of its QR decomposition above an absolute `floor`.
+[[nodiscard]] int rank_of(const Eigen::MatrixXd& matrix, double floor);
+
+}  // namespace higherpair

@@ -1,0 +1,152 @@
+// The one form of the conditions: it holds where positions were found by other means, and its Jacobian is
+// that of differences.
+#include "analysis/run_testing.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
+
+#include <filesystem>
+#include <random>
+
+namespace higherpair {
+namespace {
+
+using testing::shipped;
+
+Coordinates<double> coordinates_of(const MotionRow& row, const std::vector<double>& drivers) {
+  Coordinates<double> at;
+  for (const BodyMotion& body : row.bodies) {
+    at.bodies.push_back({body.X_WB, body.theta});
+    at.held_angles.push_back(body.theta);
+  }
+  for (const ContactMotion& contact : row.contacts) at.phi.push_back(contact.phi);
+  at.drivers = drivers;
+  return at;
+}
+
+// What rolling holds from here on.
+std::vector<double> arcs_at(const Dimensions<double>& dimensions, const Coordinates<double>& at) {
+  std::vector<double> arcs;
+  for (const auto& contact : dimensions.contacts) {
+    const BodyAt<double>& first = at.bodies[static_cast<std::size_t>(contact.first)];
+    const BodyAt<double>& second = at.bodies[static_cast<std::size_t>(contact.second)];
+    const double phi = at.phi[arcs.size()];
+    arcs.push_back(arc_difference(contact.curve1, first, contact.curve2, second,
+                                  facing_points(contact.curve1, first, contact.curve2, second, phi)));
+  }
+  return arcs;
+}
+
+struct Placed {
+  ConditionSystem system;
+  Coordinates<double> at;
+};
+
+// All conditions of a shipped profile, at a row far from its start.
+Placed placed(const std::string& name) {
+  const Profile profile = shipped(name);
+  const DriverSchedule schedule = DriverSchedule::analyze(profile).value();
+  const auto drivers_at = [&](std::int64_t k) {
+    std::vector<double> drivers;
+    for (std::size_t i = 0; i < schedule.driver_count(); ++i)
+      drivers.push_back(schedule.state(k, i).si.position);
+    return drivers;
+  };
+  auto run = start_run(profile.mechanism, drivers_at(0)).value();
+  const ConditionSystem system(dimensions_of(run.mechanism),
+                               all_conditions(run.mechanism, run.plan.idle_bodies), run.plan.size);
+  const std::vector<double> arcs = arcs_at(system.dimensions(), coordinates_of(run.row, drivers_at(0)));
+  const std::vector<double> drivers = drivers_at(schedule.size() / 7);
+  std::vector<DriverMotion> motions;
+  for (const double driver : drivers) motions.push_back({driver, 1, 0});
+  move_to(run, motions);
+  EXPECT_EQ(run.row.status, RowStatus::kOk) << name;
+  Coordinates<double> at = coordinates_of(run.row, drivers);
+  at.arcs = arcs;
+  return {system, at};
+}
+
+std::vector<std::string> shipped_names() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
+    if (file.path().extension() == ".toml") names.push_back(file.path().stem());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void expect_jacobian_of_differences(const ConditionSystem& system, const Coordinates<double>& at) {
+  Eigen::VectorXd values, alone, before, after;
+  Eigen::MatrixXd J;
+  ASSERT_TRUE(system.evaluate(at, values, J));
+  ASSERT_TRUE(system.evaluate(at, alone));
+  EXPECT_LE((values - alone).lpNorm<Eigen::Infinity>(), 1e-15 * system.size());
+  const Eigen::VectorXd x = system.unknowns(at);
+  const double h = 1e-6 * system.size();
+  for (Eigen::Index column = 0; column < system.column_count(); ++column) {
+    Coordinates<double> moved = at;
+    const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(x.size(), column);
+    system.set_unknowns(x - step, moved);
+    ASSERT_TRUE(system.evaluate(moved, before));
+    system.set_unknowns(x + step, moved);
+    ASSERT_TRUE(system.evaluate(moved, after));
+    const Eigen::VectorXd difference = (after - before) / (2 * h);
+    for (Eigen::Index row = 0; row < difference.size(); ++row) {
+      EXPECT_NEAR(J(row, column), difference(row), 1e-8 * (1 + std::abs(J(row, column))))
+          << "row " << row << ", column " << column;
+    }
+  }
+  for (const int driver : system.set().drivers) {
+    Coordinates<double> moved = at;
+    moved.drivers[static_cast<std::size_t>(driver)] += 1;
+    ASSERT_TRUE(system.evaluate(moved, after));
+    const Eigen::VectorXd expected =
+        system.by_driver(driver) * Eigen::VectorXd::Unit(values.size(), system.driver_row(driver));
+    EXPECT_LE((after - values - expected).lpNorm<Eigen::Infinity>(), 1e-14 * (1 + system.size()));
+  }
+}
+
+class Conditions : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Conditions, HoldWhereTheRowsWereSolvedAndHaveTheJacobianOfDifferences) {
+  const auto [system, at] = placed(GetParam());
+  Eigen::VectorXd values;
+  ASSERT_TRUE(system.evaluate(at, values));
+  EXPECT_LE(values.lpNorm<Eigen::Infinity>(), 1e-9 * system.size());
+  expect_jacobian_of_differences(system, at);
+}
+
+// Where no term of the Jacobian is hidden by a gap of 0.
+TEST_P(Conditions, HaveTheJacobianOfDifferencesBesideTheSolution) {
+  auto [system, at] = placed(GetParam());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(-0.02, 0.02);
+  Eigen::VectorXd x = system.unknowns(at);
+  for (double& coordinate : x) coordinate += share(random) * system.size();
+  system.set_unknowns(x, at);
+  expect_jacobian_of_differences(system, at);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Conditions, ::testing::ValuesIn(shipped_names()),
+                         [](const auto& name) { return name.param; });
+
+TEST(ConditionSystems, LabelTheirRowsInTheOrderOfJointsContactsDriversAndIdleBodies) {
+  using Of = ConditionLabel::Of;
+  const auto system = placed("roller_body").system;
+  std::size_t joints = 0;
+  std::vector<ConditionLabel> others;
+  for (const ConditionLabel& label : system.labels()) {
+    if (label.of == Of::kJoint) {
+      EXPECT_TRUE(others.empty());
+      ++joints;
+    } else {
+      others.push_back(label);
+    }
+  }
+  EXPECT_EQ(joints, 6U);  // three joints
+  const int roller = system.set().idle_bodies.at(0);
+  EXPECT_EQ(others, (std::vector<ConditionLabel>{
+                        {Of::kContact, 0}, {Of::kContact, 0}, {Of::kDriver, 0}, {Of::kIdleBody, roller}}));
+}
+
+}  // namespace
+}  // namespace higherpair

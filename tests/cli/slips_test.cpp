@@ -1,0 +1,148 @@
+// What the program says to slips on its command line and in profiles that can be run.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string shipped(const std::string& name) {
+  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
+}
+
+class Slips : public ::testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("higherpair-slips-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    fs::copy_file(shipped("four_bar.toml"), profile_, fs::copy_options::overwrite_existing);
+    text_ = read_file(profile_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM + " " + arguments +
+                                " >" + (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("higherpair-slips-" + std::to_string(getpid()));
+  fs::path profile_ = folder_ / "p.toml";
+  std::string text_;
+};
+
+TEST_F(Slips, AnOutputThatIsTheProfileIsRefused) {
+  fs::create_symlink("p.toml", folder_ / "link");
+  fs::create_symlink("link", folder_ / "link_to_link");
+  fs::create_hard_link(profile_, folder_ / "hard");
+  for (const std::string command : {"analyze", "step", "forces", "branches", "mobility", "map"}) {
+    for (const std::string& path :
+         std::vector<std::string>{"p.toml", "./p.toml", "../" + folder_.filename().string() + "/p.toml",
+                                  profile_.string(), "link", "link_to_link", "hard"}) {
+      for (const std::string option : {"--csv", "--json"}) {
+        const Outcome outcome = run(command + " p.toml " + option + " " + path);
+        EXPECT_EQ(outcome.code, 2) << command << path;
+        EXPECT_THAT(outcome.err,
+                    HasSubstr(option + ": " + path +
+                              " is the file that is read as FILE; give the output a name of its own"));
+        EXPECT_THAT(outcome.out, IsEmpty());
+      }
+    }
+  }
+  EXPECT_EQ(run("analyze link --csv p.toml").code, 2);
+  EXPECT_EQ(run("analyze p.toml --csv a --json a").code, 2);
+  EXPECT_EQ(read_file(profile_), text_);
+}
+
+TEST_F(Slips, AnInputOfVerifyIsNotWrittenTo) {
+  std::ofstream(folder_ / "table.csv") << "driver[deg]\n0\n";
+  EXPECT_THAT(run("verify p.toml table.csv --json table.csv").err,
+              HasSubstr("is the file that is read as TABLE"));
+  EXPECT_EQ(run("verify p.toml table.csv --json p.toml").code, 2);
+  EXPECT_EQ(read_file(folder_ / "table.csv"), "driver[deg]\n0\n");
+  EXPECT_EQ(read_file(profile_), text_);
+}
+
+TEST_F(Slips, StandardOutputThatGoesIntoTheProfileIsRefused) {
+  const std::string command =
+      "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM + " analyze p.toml >>p.toml 2>err";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_EQ(read_file(profile_), text_);
+}
+
+TEST_F(Slips, DevicesAndPipesMayBeNamedTwice) {
+  EXPECT_EQ(run("analyze p.toml --csv /dev/null --json /dev/null").code, 0);
+  EXPECT_EQ(run("analyze p.toml --csv new.csv --json new.json").code, 0);
+}
+
+TEST_F(Slips, NotesGoToStandardErrorAndChangeNothing) {
+  const Outcome plain = run("analyze p.toml");
+  const Outcome noted = run("analyze p.toml --set 'gravity=[0,-9.81]'");
+  EXPECT_EQ(noted.code, plain.code);
+  EXPECT_EQ(noted.out, plain.out);
+  EXPECT_THAT(noted.err,
+              HasSubstr("--set gravity=[0,-9.81]: note: gravity = [0, -9.81]: 0.01 times the earth's"));
+  EXPECT_THAT(plain.err, Not(HasSubstr("note:")));
+  EXPECT_THAT(run("analyze p.toml --quiet --set 'gravity=[0,-9.81]'").err, Not(HasSubstr("note:")));
+  for (const std::string command : {"branches", "mobility"}) {
+    EXPECT_THAT(run(command + " p.toml --set 'gravity=[0,-9.81]'").err, HasSubstr("note:"));
+    EXPECT_THAT(run(command + " p.toml --quiet --set 'gravity=[0,-9.81]'").err, Not(HasSubstr("note:")));
+  }
+}
+
+TEST_F(Slips, UnknownOptionsAndCommandsGetTheNearest) {
+  const auto message = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    return outcome.err;
+  };
+  EXPECT_EQ(message("analyze p.toml --cvs a.csv"),
+            "higherpair: analyze has no option --cvs; did you mean `--csv`?\n");
+  EXPECT_EQ(message("analyze p.toml --rows=7"),
+            "higherpair: analyze has no option --rows; did you mean `--samples`?\n");
+  EXPECT_EQ(message("step p.toml --output a"),
+            "higherpair: step has no option --output; did you mean `--csv` or `--json`?\n");
+  EXPECT_EQ(message("mobility p.toml --wibble"),
+            "higherpair: mobility has no option --wibble; see higherpair mobility --help\n");
+  EXPECT_EQ(message("analyze p.toml q.toml"), "higherpair: analyze does not take `q.toml`\n");
+  EXPECT_EQ(message("analyse p.toml"),
+            "higherpair: there is no command analyse; did you mean `analyze`?; see higherpair --help\n");
+  EXPECT_EQ(
+      message("simulate p.toml"),
+      "higherpair: there is no command simulate; did you mean `analyze` or `step`?; see higherpair --help\n");
+}
+
+TEST_F(Slips, AStartThatCannotBeAssembledNamesThoseThatCan) {
+  const Outcome outcome = run("analyze " + shipped("lock_up.toml") + " --set driver.start=90");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("; it can be with driver.start from -65.8 to 65.8 deg\n"));
+}
+
+}  // namespace

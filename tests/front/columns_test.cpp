@@ -1,0 +1,204 @@
+// Columns: which there are, in which units, and that only those asked for come.
+#include "front/cam_profile.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kCam;
+using testing::model_of;
+
+std::vector<std::string> heads(const std::vector<Column>& columns) {
+  std::vector<std::string> heads;
+  for (const Column& column : columns) {
+    heads.push_back(column.name + " " + column.unit);
+  }
+  return heads;
+}
+
+std::vector<std::string> heads_of(const Model& model, const RunSettings& settings) {
+  return heads(model.start(settings).value().columns());
+}
+
+Motion forces_at(const Model& model, double position) {
+  RunSettings settings;
+  settings.forces = true;
+  settings.positions = {position};
+  return model.run(settings).value();
+}
+
+double cell(const Motion& motion, const std::string& name) {
+  return motion.column(name)[0];
+}
+
+constexpr const char* kLoad = "\n[loads]\ndown = { body = \"follower\", point = \"P\", force = [0, -12] }\n";
+
+TEST(Columns, OfForcesComeBeforeStatusAndResidual) {
+  const Model model = model_of(kCam);
+  const auto motion = heads_of(model, {});
+  RunSettings settings;
+  settings.forces = true;
+  const auto all = heads_of(model, settings);
+  const auto first = static_cast<std::ptrdiff_t>(motion.size()) - 2;
+  EXPECT_TRUE(std::equal(motion.begin(), motion.begin() + first, all.begin()));
+  EXPECT_THAT(std::vector<std::string>(all.begin() + first, all.end()),
+              ElementsAre("O.fx N", "O.fy N", "guide.fx N", "guide.fy N", "guide.m N*mm", "touch.force N",
+                          "touch.friction N", "driver.effort N*mm", "driver.effort_check N*mm", "status ",
+                          "residual mm"));
+}
+
+TEST(Columns, ShowForcesAndTorquesInTheProfilesUnits) {
+  const double theta = 0.5;
+  for (const auto& [units, force, length] :
+       {std::tuple("", 1.0, 1.0), std::tuple("units = { length = \"cm\", force = \"kN\" }\n", 1e3, 10.0)}) {
+    const Model model =
+        model_of(units + std::string(kCam) + kLoad,
+                 {"bodies.cam.curves.disc.center=[\"10 mm\", 0]", "bodies.cam.curves.disc.radius=\"30 mm\"",
+                  "bodies.follower.pose.y=\"30 mm\"", "loads.down.force=[0, \"-12 N\"]"});
+    const Motion motion = forces_at(model, theta * 180 / kPi);
+    const double torque = 120 * std::cos(theta) / (force * length);
+    EXPECT_NEAR(cell(motion, "touch.force"), 12 / force, 1e-11 / force);
+    EXPECT_EQ(cell(motion, "touch.friction"), 0);
+    EXPECT_NEAR(cell(motion, "O.fy"), 12 / force, 1e-11 / force);
+    EXPECT_NEAR(cell(motion, "driver.effort"), torque, 1e-10 / force);
+    EXPECT_NEAR(cell(motion, "driver.effort_check"), torque, 1e-10 / force);
+    EXPECT_NEAR(cell(motion, "guide.m"), -torque, 1e-10 / force);
+    EXPECT_EQ(motion.statuses()[0], RowStatus::kOk);
+  }
+}
+
+TEST(Columns, NameTheEffortOfSeveralDriversByTheirNames) {
+  std::string text = kCam;
+  text.replace(text.find("[driver]"), 8, "[drivers.motor]");
+  RunSettings settings;
+  settings.forces = true;
+  settings.columns = {"driver.motor.eff*"};
+  EXPECT_THAT(heads_of(model_of(text), settings),
+              ElementsAre("driver.motor.effort N*mm", "driver.motor.effort_check N*mm"));
+}
+
+TEST(Columns, SayThatAContactIsOpenAndKeepItsPullingForce) {
+  const Motion motion = forces_at(model_of(std::string(kCam) + kLoad, {"loads.down.force=[0, 7]"}), 30);
+  EXPECT_NEAR(cell(motion, "touch.force"), -7, 1e-11);
+  EXPECT_EQ(motion.statuses()[0], RowStatus::kContactOpen);
+  const auto status = motion.column("status");
+  EXPECT_EQ(word_of(motion.columns()[motion.columns().size() - 2], status[0]), "contact_open");
+  EXPECT_FALSE(motion.good());
+}
+
+TEST(Columns, OfOneNameAreRefused) {
+  // A body and a contact both have x and y.
+  std::string shared = kCam;
+  for (std::size_t at = shared.find("touch"); at != std::string::npos; at = shared.find("touch")) {
+    shared.replace(at, 5, "cam");
+  }
+  const auto refused = model_of(shared).start();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kInput);
+  EXPECT_THAT(to_string(refused.error()), HasSubstr("two columns would be called 'cam.x': rename one of"));
+}
+
+TEST(Columns, AreChosenByGlobsInTheOrderOfTheTable) {
+  RunSettings settings;
+  settings.columns = {"touch.rho?", "driver", "follower.P.*x", "driver"};
+  EXPECT_THAT(heads_of(model_of(kCam), settings),
+              ElementsAre("driver deg", "follower.P.x mm", "follower.P.vx mm/s", "follower.P.ax mm/s^2",
+                          "touch.rho1 mm", "touch.rho2 mm"));
+}
+
+TEST(Columns, ChosenOneByOneAreBitForBitThoseOfTheWholeTable) {
+  RunSettings settings;
+  settings.forces = true;
+  settings.jerk = true;
+  settings.derivatives = 4;
+  settings.samples = 25;
+  const Model model = model_of(std::string(kCam) + kLoad);
+  const Motion all = model.run(settings).value();
+  for (const Column& column : all.columns()) {
+    settings.columns = {column.name};
+    const Motion one = model.run(settings).value();
+    ASSERT_EQ(one.columns().size(), 1U);
+    EXPECT_EQ(one.columns()[0].unit, column.unit);
+    const auto expected = all.column(column.name);
+    const auto found = one.column(column.name);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      EXPECT_TRUE(found[k] == expected[k] || (std::isnan(found[k]) && std::isnan(expected[k])))
+          << column.name << ", row " << k;
+    }
+  }
+}
+
+TEST(Columns, ThatNoGlobMatchesAreAnErrorWithTheNearestNames) {
+  const Model model = model_of(kCam);
+  for (const auto& [glob, hint] :
+       {std::pair("folower.y", "did you mean `follower.y`"),
+        std::pair("cam.omga", "did you mean `cam.omega`"), std::pair("nothing.*", "no column of this run"),
+        std::pair("", "--columns ")}) {
+    RunSettings settings;
+    settings.columns = {"driver", glob};
+    const auto refused = model.start(settings);
+    ASSERT_FALSE(refused) << glob;
+    EXPECT_EQ(refused.error().kind, ErrorKind::kInput);
+    EXPECT_THAT(to_string(refused.error()), HasSubstr(hint));
+  }
+}
+
+TEST(Columns, ComeInTheUnitsAskedFor) {
+  RunSettings settings;
+  settings.samples = 7;
+  const Model model = model_of(kCam);
+  const Motion own = model.run(settings).value();
+  settings.units = kSiUnits;
+  const Motion si = model.run(settings).value();
+  for (const auto& [name, unit, factor] :
+       {std::tuple("driver", "rad", kPi / 180), std::tuple("driver.velocity", "rad/s", kPi / 180),
+        std::tuple("follower.y", "m", 1e-3), std::tuple("follower.vy", "m/s", 1e-3),
+        std::tuple("cam.angle", "rad", kPi / 180)}) {
+    const auto column = si.column(name);
+    EXPECT_EQ(column.unit, unit);
+    for (std::size_t k = 0; k < si.size(); ++k) {
+      EXPECT_NEAR(column[k], factor * own.column(name)[k], 4e-15) << name;
+    }
+  }
+  ASSERT_EQ(own.events().size(), si.events().size());
+  for (std::size_t i = 0; i < own.events().size(); ++i) {
+    EXPECT_EQ(si.events()[i].driver, own.events()[i].driver_si);
+  }
+}
+
+TEST(Columns, AMissingOneIsAnErrorWithTheNearestNames) {
+  const Motion motion = model_of(kCam).run().value();
+  EXPECT_TRUE(motion.find_column("follower.alpha"));
+  const auto missing = motion.find_column("folower.alpha");
+  ASSERT_FALSE(missing);
+  EXPECT_THROW((void)motion.column("folower.alpha"), std::out_of_range);
+  EXPECT_THAT(to_string(missing.error()), HasSubstr("did you mean `follower.alpha`"));
+}
+
+TEST(Columns, AsTextAreTheLinesOfTheProgram) {
+  RunSettings settings;
+  settings.samples = 1;
+  settings.columns = {"driver", "touch.linkage", "touch.transmission", "status"};
+  Analysis analysis = model_of(kCam).start(settings).value();
+  Row row;
+  ASSERT_TRUE(analysis.next(row));
+  std::string text;
+  append_csv_header(analysis.columns(), text);
+  append_csv_row(analysis.columns(), row, text);
+  EXPECT_EQ(text, "driver[deg],touch.linkage,touch.transmission[deg],status\n0,scotch yoke,,ok\n");
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,270 @@
+// Models: from files, from text, built in C++, and with other dimensions.
+#include "front/cam_profile.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::kCam;
+using testing::model_of;
+using testing::shipped_model;
+using ::testing::SizeIs;
+using testing::text_of;
+
+TEST(Model, ThatCannotBeReadSaysWhatIsWrongAndWhere) {
+  const auto missing = Model::open("no/such/file.toml");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, ErrorKind::kInput);
+  EXPECT_THAT(to_string(missing.error()), HasSubstr("no/such/file.toml: cannot be opened"));
+  const std::vector<std::string> overrides = {"bodies.cam.curves.disc.radius=-1", "joints.O.type=\"pin\""};
+  const auto wrong = Model::from_text(kCam, "cam.toml", overrides);
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().diagnostics, SizeIs(::testing::Ge(2U)));
+  EXPECT_THAT(to_string(wrong.error()), HasSubstr("--set bodies.cam.curves.disc.radius=-1"));
+}
+
+TEST(Model, WithoutADriverCannotBeRun) {
+  Mechanism mechanism = model_of(kCam).mechanism();
+  mechanism.drivers.clear();
+  const auto refused = Model::from(mechanism).value().run();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kMechanism);
+}
+
+// A four-bar of 10, 20, 35, 40 mm.
+Mechanism four_bar() {
+  Mechanism mechanism;
+  mechanism.title = "four-bar";
+  const PointRef A = add_point(mechanism, kGround, "A", {0, 0});
+  const PointRef D = add_point(mechanism, kGround, "D", {0.040, 0});
+  const int crank = add_body(mechanism, "crank");
+  const int coupler = add_body(mechanism, "coupler", {0.010, 0}, 1.0);
+  const int rocker = add_body(mechanism, "rocker", {0.040, 0}, 2.0);
+  const int driven = add_revolute(mechanism, "a", A, add_point(mechanism, crank, "A", {0, 0}));
+  add_revolute(mechanism, "b", add_point(mechanism, crank, "B", {0.010, 0}),
+               add_point(mechanism, coupler, "B", {0, 0}));
+  add_revolute(mechanism, "c", add_point(mechanism, coupler, "C", {0.035, 0}),
+               add_point(mechanism, rocker, "C", {0.020, 0}));
+  add_revolute(mechanism, "d", D, add_point(mechanism, rocker, "D", {0, 0}));
+  add_driver(mechanism, driven);
+  return mechanism;
+}
+
+TEST(Model, CanBeBuiltWithoutAFile) {
+  const Model model = Model::from(four_bar()).value();
+  const Motion motion = model.run().value();
+  ASSERT_EQ(motion.size(), 361U);
+  EXPECT_TRUE(motion.good());
+  const auto bx = motion.column("crank.B.x");
+  const auto by = motion.column("crank.B.y");
+  const auto cx = motion.column("coupler.C.x");
+  const auto cy = motion.column("coupler.C.y");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    EXPECT_NEAR(std::hypot(cx[k] - bx[k], cy[k] - by[k]), 35, 1e-13);
+    EXPECT_NEAR(std::hypot(cx[k] - 40, cy[k]), 20, 1e-13);
+  }
+  EXPECT_EQ(motion.column("driver.velocity")[0], 180 / kPi);
+}
+
+TEST(Model, ThatIsBuiltRunsAsTheOneThatIsRead) {
+  const Model read = model_of(kCam);
+  Mechanism cam;
+  const PointRef O = add_point(cam, kGround, "O", {0, 0});
+  const int disc = add_body(cam, "cam");
+  const int follower = add_body(cam, "follower", {0, 0.030});
+  const PointRef pivot = add_point(cam, disc, "O", {0, 0});
+  const PointRef P = add_point(cam, follower, "P", {0, 0});
+  const CurveRef edge = add_curve(cam, disc, "disc", make_circle({0.010, 0}, 0.030).value());
+  const CurveRef face = add_curve(cam, follower, "face", make_line({0, 0}, {0, -1}).value());
+  add_driver(cam, add_revolute(cam, "O", O, pivot));
+  add_prismatic(cam, "guide", O, P, {0, 5});
+  add_contact(cam, "touch", edge, face);
+  const Motion one = read.run().value();
+  const Motion other = Model::from(cam).value().run().value();
+  EXPECT_EQ(text_of(one), text_of(other));
+}
+
+TEST(Model, HasSlots) {
+  Mechanism yoke;
+  const PointRef O = add_point(yoke, kGround, "O", {0, 0});
+  const int crank = add_body(yoke, "crank");
+  const int slide = add_body(yoke, "slide", {0.02, 0});
+  add_driver(yoke, add_revolute(yoke, "O", O, add_point(yoke, crank, "O", {0, 0})));
+  const PointRef pin = add_point(yoke, crank, "P", {0.02, 0});
+  add_prismatic(yoke, "guide", O, add_point(yoke, slide, "S", {0, 0}), {1, 0});
+  add_slot(yoke, "slot", add_point(yoke, slide, "T", {0, 0}), pin, {0, 1});
+  const Motion motion = Model::from(yoke, kSiUnits).value().run().value();
+  const auto x = motion.column("slide.x");
+  const auto theta = motion.column("driver");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    EXPECT_NEAR(x[k], 0.02 * std::cos(theta[k]), 1e-16);
+  }
+}
+
+TEST(Model, ThatIsBuiltWrongNamesTheFault) {
+  const auto refusal = [](const std::function<void(Mechanism&)>& change) {
+    Mechanism mechanism = four_bar();
+    change(mechanism);
+    const auto refused = Model::from(mechanism);
+    EXPECT_FALSE(refused);
+    return refused ? "" : to_string(refused.error());
+  };
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies.clear(); }),
+            "four-bar: bodies: there are none: bodies[0] is ground");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[1].first.body = 7; }),
+            "four-bar: joints.b.first.body = 7: there are 4 bodies");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[1].second.point = -1; }),
+            "four-bar: joints.b.second.point = -1: there are 2 points on this body");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[1].second = m.joints[1].first; }),
+            "four-bar: joints.b: joins a body with itself");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[0].name = ""; }), "four-bar: joints[0]: needs a name");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.joints[3].type = JointType::kPrismatic;
+              m.joints[3].direction_A = {2, 0};
+            }),
+            "four-bar: joints.d.direction_A: must be a unit vector");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.drivers[0].joint = 9; }),
+            "four-bar: drivers[0].joint = 9: there are 4 joints");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.drivers.push_back({"second", 0});
+            }),
+            "four-bar: drivers[0]: another driver drives joints.a already");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.drivers.push_back({"second", 3});
+            }),
+            "four-bar: drivers[0]: each of several drivers needs a name");
+  EXPECT_EQ(
+      refusal([](Mechanism& m) { m.bodies[2].points[0].p_B.x() = std::numeric_limits<double>::quiet_NaN(); }),
+      "four-bar: bodies.coupler.points.B: needs a name and finite coordinates");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.bodies[1].mass = MassProperties{-1, Vector2d::Zero(), 0};
+            }),
+            "four-bar: bodies.crank.mass: mass and inertia must be >= 0");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.contacts.push_back({"k", {1, 0}, {2, 0}});
+            }),
+            "four-bar: contacts.k.first.curve = 0: there are 0 curves on this body");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.loads.push_back({"push", 5});
+            }),
+            "four-bar: loads.push.body = 5: there are 4 bodies");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.springs.push_back({"s", 4, {}, {}});
+            }),
+            "four-bar: springs.s.joint = 4: there are 4 joints");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.gravity_W = {INFINITY, 0}; }), "four-bar: gravity: must be finite");
+  const auto programs = Model::from(four_bar(), {}, std::vector<DriverProgram>(2));
+  ASSERT_FALSE(programs);
+  EXPECT_THAT(to_string(programs.error()), HasSubstr("2 programs for 1 drivers"));
+}
+
+TEST(Model, WithOtherNumbersRunsAsIfReadWithThem) {
+  const std::vector<std::pair<std::string, std::vector<Setting>>> cases = {
+      {"ellipse_cam_roller", {{"bodies.cam.curves.oval.semi_axes.0", 31.25}, {"driver.samples", 30}}},
+      {"watt_sixbar", {{"driver.samples", 31}}},
+      {"quick_return", {{"driver.samples", 31}}},
+      {"slider_crank", {{"driver.samples", 31}, {"gravity", "[0, -1]"}}},
+      {"cam_chain", {{"driver.samples", 31}}},
+      {"geared_five_bar", {{"driver.samples", 31}}}};
+  for (const auto& [name, settings] : cases) {
+    std::vector<std::string> overrides;
+    for (const Setting& setting : settings) {
+      overrides.push_back(fmt::format("{}={}", setting.path, setting.value));
+    }
+    const auto fresh = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml", overrides);
+    const auto changed = shipped_model(name).with(settings);
+    ASSERT_EQ(fresh.has_value(), changed.has_value()) << name << (fresh ? "" : to_string(fresh.error()));
+    if (fresh) {
+      EXPECT_EQ(text_of(fresh->run().value()), text_of(changed->run().value())) << name;
+    }
+  }
+}
+
+// Every number of every kind of group, a little larger.
+TEST(Model, WithEveryNumberChangedRunsAsIfReadWithThem) {
+  for (const std::string name :
+       {"watt_sixbar", "quick_return", "sixbar_slider", "slider_crank", "scotch_yoke", "ellipse_cam_roller",
+        "roller_body", "cam_chain", "five_bar", "planetary_gear", "belt_drive", "rolling_ellipses"}) {
+    const Model model = shipped_model(name);
+    EXPECT_FALSE(model.parameters().empty());
+    for (const Parameter& parameter : model.parameters()) {
+      const Setting setting(parameter.path, 1.01 * parameter.value);
+      const std::vector<std::string> overrides = {fmt::format("{}={}", setting.path, setting.value)};
+      const auto changed = model.with({setting});
+      const auto fresh = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml", overrides);
+      ASSERT_EQ(fresh.has_value(), changed.has_value()) << name << " " << parameter.path;
+      if (!fresh) {
+        continue;
+      }
+      RunSettings settings;
+      settings.positions = {fresh->profile().programs.front().start};
+      if (fresh->profile().programs.size() != 1) {
+        settings.positions.clear();
+      }
+      const auto one = fresh->run(settings);
+      const auto other = changed->run(settings);
+      ASSERT_EQ(one.has_value(), other.has_value()) << name << " " << parameter.path;
+      EXPECT_EQ(one ? text_of(*one) : to_string(one.error()),
+                other ? text_of(*other) : to_string(other.error()))
+          << name << " " << parameter.path;
+    }
+  }
+}
+
+TEST(Model, WithAnotherStructureIsPlannedAnew) {
+  const Model model = model_of(kCam);
+  const Model rolls = model.with({{"contacts.touch.rolling", "true"}}).value();
+  EXPECT_FALSE(rolls.run());
+  EXPECT_TRUE(model.run());
+  const Model more = model.with({{"bodies.roller.points.C", "[0, 0]"}, {"driver.samples", 2}}).value();
+  EXPECT_FALSE(more.run());
+}
+
+TEST(Model, WithAKeyThatIsWrongSaysSo) {
+  const Model model = model_of(kCam);
+  const auto wrong = model.with({{"bodies.cam.curves.disc.radius", -3}});
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(to_string(wrong.error()), HasSubstr("--set bodies.cam.curves.disc.radius=-3"));
+  EXPECT_THAT(to_string(model.with({{"bodies.cam.curves.disc.radios", 3}}).error()),
+              HasSubstr("did you mean `radius`"));
+  const auto built = Model::from(four_bar()).value().with({{"driver.end", 3}});
+  ASSERT_FALSE(built);
+  EXPECT_THAT(to_string(built.error()), HasSubstr("change a copy of its mechanism()"));
+}
+
+TEST(Model, ThatWasBuiltIsRedimensionedByAnotherMechanism) {
+  const Model model = Model::from(four_bar()).value();
+  Mechanism longer = model.mechanism();
+  longer.bodies[2].points[1].p_B.x() = 0.036;
+  EXPECT_EQ(text_of(model.with_mechanism(longer).value().run().value()),
+            text_of(Model::from(longer).value().run().value()));
+  longer.drivers.clear();
+  const auto refused = model.with_mechanism(longer);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(to_string(refused.error()), HasSubstr("0 drivers instead of 1"));
+}
+
+TEST(Model, NamesTheNumbersOfItsProfile) {
+  std::vector<std::string> paths;
+  for (const Parameter& parameter : model_of(kCam).parameters()) {
+    paths.push_back(fmt::format("{} = {}", parameter.path, parameter.value));
+  }
+  EXPECT_THAT(paths,
+              ::testing::IsSupersetOf({"bodies.cam.curves.disc.center.0 = 10",
+                                       "bodies.cam.curves.disc.radius = 30", "bodies.follower.pose.y = 30"}));
+  EXPECT_TRUE(Model::from(four_bar()).value().parameters().empty());
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,250 @@
+#include "higherpair/io/notes.hpp"
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "io/profile_testing.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::crank_profile;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::slider_profile;
+
+std::vector<std::string> texts(const Diagnostics& notes) {
+  std::vector<std::string> lines;
+  for (const Diagnostic& note : notes) lines.push_back(note_text(note));
+  return lines;
+}
+
+std::vector<std::string> notes(const std::string& text) {
+  return texts(testing::read(text).notes);
+}
+
+Diagnostics notes_at_start(const Profile& profile) {
+  const auto schedule = DriverSchedule::analyze(profile);
+  const auto run = start_run(profile.mechanism, schedule.value().first_positions(), 1e-9);
+  return run ? start_notes(profile, run->state.bodies) : Diagnostics{};
+}
+
+TEST(Notes, AreNoneAboutTheShippedProfiles) {
+  for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
+    const auto profile = read_profile_file(entry.path().string());
+    ASSERT_TRUE(profile) << entry.path();
+    EXPECT_THAT(texts(profile->notes), IsEmpty());
+    EXPECT_THAT(texts(notes_at_start(*profile)), IsEmpty());
+  }
+  EXPECT_THAT(notes(testing::kCamProfile), IsEmpty());
+}
+
+TEST(Notes, GravityInTheWrongUnit) {
+  EXPECT_THAT(
+      notes(crank_profile("", "gravity = [0, -9.81]\n")),
+      ElementsAre("test.toml:1:11: note: gravity = [0, -9.81]: 0.001 times the earth's: numbers here are in "
+                  "mm/s^2, in which the earth's is 9806.65; or write it with its unit, \"9.81 m/s^2\""));
+  EXPECT_THAT(notes(crank_profile("", "gravity = [0, -9810]\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("", "gravity = [0, \"-9.81 m/s^2\"]\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("", "gravity = [0, -1620]\n")), IsEmpty());  // the moon's
+  EXPECT_THAT(notes(crank_profile("", "gravity = [0, -32.17]\n[units]\nlength = \"ft\"\n")), IsEmpty());
+}
+
+TEST(Notes, DegreesInAProfileInRadiansAndTheOtherWayRound) {
+  EXPECT_THAT(
+      notes(crank_profile("end = 360\n", "[units]\nangle = \"rad\"\n")),
+      ElementsAre(
+          "test.toml:14:7: note: driver.end = 360: 57.3 turns, for angles here are in rad; write \"360 deg\" "
+          "if that is meant"));
+  EXPECT_THAT(
+      notes(crank_profile("end = 360\n", "[units]\nangle = \"rev\"\n")),
+      ElementsAre(
+          "test.toml:14:7: note: driver.end = 360: 360 turns, for angles here are in rev; write \"360 deg\" "
+          "if that is meant"));
+  EXPECT_THAT(
+      notes(crank_profile("end = 6.283\n")),
+      ElementsAre("test.toml:12:7: note: driver.end = 6.283: 0.0175 turns, for angles here are in deg; write "
+                  "\"6.283 rad\" if that is meant"));
+  EXPECT_THAT(
+      notes(crank_profile("[bodies.crank.pose]\nangle = 90\n", "[units]\nangle = \"rad\"\n")),
+      ElementsAre(
+          "test.toml:15:9: note: bodies.crank.pose.angle = 90: 14.32 turns, for angles here are in rad; "
+          "write \"90 deg\" if that is meant"));
+  EXPECT_THAT(notes(crank_profile("end = \"360 deg\"\n", "[units]\nangle = \"rad\"\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("end = 6.283185307179586\n", "[units]\nangle = \"rad\"\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("end = 100\n", "[units]\nangle = \"rad\"\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("end = 30\n", "[units]\nangle = \"rev\"\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("end = 3600\n")), IsEmpty());
+}
+
+TEST(Notes, AMechanismAsLargeAsAHouse) {
+  EXPECT_THAT(
+      notes(crank_profile(
+          "[joints.far]\ntype = \"slot\"\ndirection = 0\nbetween = [\"ground.B\", \"crank.P\"]\n",
+          "[units]\nlength = \"m\"\n")),
+      ElementsAre(
+          "test.toml:2:10: note: units.length: the mechanism is 127 m large: are its numbers in \"m\"?"));
+}
+
+TEST(Notes, NothingJoinedToGroundAndBodiesThatNothingHolds) {
+  EXPECT_THAT(
+      notes(
+          "[bodies.a]\npoints.P = [0, 0]\n[bodies.b]\npoints.P = [0, 0]\n[bodies.c]\n[joints]\nj = { type = "
+          "\"revolute\", between = [\"a.P\", \"b.P\"] }\n[driver]\njoint = \"j\"\n"),
+      ElementsAre(
+          "test.toml:5:1: note: bodies.c: no joint and no contact holds this body",
+          "test.toml:6:1: note: joints: nothing is joined to ground: the frame is the body `ground`, give it "
+          "points and join bodies to them"));
+}
+
+std::string face_profile(const std::string& normal) {
+  return crank_profile(
+      "[bodies.crank.curves]\ndisc = { type = \"circle\", center = [8, 0], radius = 12 }\n"
+      "[bodies.arm]\npose = { x = 60, angle = -20 }\npoints.O = [0, 0]\n"
+      "curves.face = { type = \"line\", point = [0, 3], normal = " +
+      normal +
+      " }\n[joints.arm]\ntype = \"revolute\"\nbetween = [\"ground.B\", \"arm.O\"]\n"
+      "[contacts.touch]\nbetween = [\"crank.disc\", \"arm.face\"]\n");
+}
+
+TEST(Notes, AFaceWhoseNormalPointsAwayFromTheOtherBody) {
+  EXPECT_THAT(notes(face_profile("[0, -1]")), IsEmpty());
+  EXPECT_THAT(
+      notes(face_profile("[0, 1]")),
+      ElementsAre(
+          "test.toml:22:11: note: contacts.touch: crank.disc lies behind the face arm.face in the poses, "
+          "20.79 mm from it; the normal of a face points out of its body, towards what touches it: reverse "
+          "it if that side is meant"));
+}
+
+TEST(Notes, ADiscWithinADisc) {
+  const auto discs = [](const std::string& side) {
+    return notes(crank_profile(
+        "[bodies.ground.curves]\nhole = { type = \"circle\", center = [1, 0], radius = 40" + side +
+        " }\n[bodies.crank.curves]\ndisc = { type = \"circle\", center = [8, 0], radius = 12 "
+        "}\n[contacts.touch]\n"
+        "between = [\"ground.hole\", \"crank.disc\"]\n"));
+  };
+  EXPECT_THAT(discs(", side = \"outside\""), IsEmpty());
+  EXPECT_THAT(
+      discs(""),
+      ElementsAre("test.toml:17:11: note: contacts.touch: crank.disc lies within ground.hole in the "
+                  "poses, which is the outline of a solid body; that of a hole has side = \"outside\""));
+}
+
+TEST(Notes, ACurveThatNoContactNames) {
+  EXPECT_THAT(notes(crank_profile("[bodies.crank.curves]\ndisc = { type = \"point\", at = [8, 0] }\n")),
+              ElementsAre("test.toml:13:8: note: bodies.crank.curves.disc: no contact names this curve"));
+}
+
+TEST(Notes, AnInertiaInOtherUnits) {
+  const auto inertia = [](const std::string& value) {
+    return notes(
+        "[bodies.ground]\npoints.A = [0, 0]\n[bodies.crank]\npoints.A = [0, 0]\npoints.P = [31, 0]\nmass = "
+        "0.4\n"
+        "center_of_mass = [15, 0]\ninertia = " +
+        value +
+        "\n[joints.pivot]\ntype = \"revolute\"\nbetween = [\"ground.A\", \"crank.A\"]\n[driver]\njoint = "
+        "\"pivot\"\n");
+  };
+  EXPECT_THAT(inertia("2.1e-6"), ElementsAre("test.toml:8:11: note: bodies.crank.inertia = 2.1e-06: a radius "
+                                             "of gyration of 0.00229 mm in a body "
+                                             "of 16 mm: numbers here are in kg*mm^2"));
+  EXPECT_THAT(inertia("21"), IsEmpty());
+  EXPECT_THAT(inertia("\"2.1e-5 kg m^2\""), IsEmpty());
+}
+
+TEST(Notes, WhatADriverDoesNotUse) {
+  EXPECT_THAT(notes(crank_profile("positions = [0, 15]\nend = 90\nsamples = 4\n")),
+              ElementsAre("test.toml:13:7: note: driver.end = 90: not used, for `positions` are given",
+                          "test.toml:14:11: note: driver.samples = 4: not used, for `positions` are given"));
+  EXPECT_THAT(notes(slider_profile()), ElementsAre("test.toml:12:9: note: driver.joint: this joint slides, "
+                                                   "and without an `end` it stays at its start"));
+  EXPECT_THAT(notes(slider_profile("end = 40\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("duration = 1\ntime_step = 2\n")),
+              ElementsAre("test.toml:13:13: note: driver.time_step = 2: longer than the duration"));
+}
+
+TEST(Notes, ARowTooFewForRoundSteps) {
+  EXPECT_THAT(
+      notes(crank_profile("samples = 360\n")),
+      ElementsAre(
+          "test.toml:12:11: note: driver.samples = 360: both ends are rows, so they are 1.00279 apart; 361 "
+          "rows are 1 apart"));
+  EXPECT_THAT(
+      notes(crank_profile("start = 10\nend = 100\nsamples = 180\n")),
+      ElementsAre(
+          "test.toml:14:11: note: driver.samples = 180: both ends are rows, so they are 0.502793 apart; 181 "
+          "rows are 0.5 apart"));
+  EXPECT_THAT(notes(crank_profile("samples = 361\n")), IsEmpty());
+  EXPECT_THAT(notes(crank_profile("samples = 100\n")), IsEmpty());
+}
+
+// The lever of a crank rocker, its pose on the other side of the frame.
+TEST(Notes, AStartFarFromThePoses) {
+  const Profile profile = testing::read(R"([bodies.ground]
+points.A = [0, 0]
+points.D = [70, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [20, 0]
+[bodies.coupler]
+pose = { x = 20, y = 0, angle = -50 }
+points.B = [0, 0]
+points.C = [60, 0]
+[bodies.rocker]
+pose = { x = 70, y = 0, angle = 70 }
+points.D = [0, 0]
+points.C = [50, 0]
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "coupler.B"] }
+c = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+d = { type = "revolute", between = ["ground.D", "rocker.D"] }
+[driver]
+joint = "a"
+)");
+  EXPECT_THAT(
+      texts(notes_at_start(profile)),
+      ElementsAre("test.toml: note: bodies.coupler: C is 94 mm from where the pose has it at the start, in a "
+                  "mechanism of 98.97 mm; is that the assembly that is meant? Else give a better pose"));
+}
+
+TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {
+  const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
+  ASSERT_TRUE(profile);
+  // The limits are at 65.83442067466342 and 360 less that.
+  EXPECT_EQ(start_advice(*profile, {kPi / 2}, 1e-9), "; it can be with driver.start from -65.8 to 65.8 deg");
+  EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "");
+}
+
+TEST(StartAdvice, SaysThatNoOtherStartWillDo) {
+  const Profile profile = testing::read(R"([bodies.ground]
+points.A = [0, 0]
+points.D = [70, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [20, 0]
+[bodies.coupler]
+points.B = [0, 0]
+points.C = [20, 0]
+[bodies.rocker]
+points.D = [0, 0]
+points.C = [20, 0]
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "coupler.B"] }
+c = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+d = { type = "revolute", between = ["ground.D", "rocker.D"] }
+[driver]
+joint = "a"
+)");
+  EXPECT_EQ(start_advice(profile, {0.0}, 1e-9), "; it can be with no other driver.start that was tried");
+}
+
+}  // namespace
+}  // namespace higherpair

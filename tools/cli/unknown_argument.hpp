@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+namespace higherpair::cli {
+
+/// "there is no command analyse; did you mean `analyze`?"
+[[nodiscard]] std::string unknown_command(const CLI::App& app, std::string_view name);
+
+/// "analyze has no option --cvs; did you mean `--csv`?", "analyze does not take `b.toml`": of the first
+/// argument that the command does not know. Empty if it knows all.
+[[nodiscard]] std::string unknown_argument(const CLI::App& command);
+
+}  // namespace higherpair::cli

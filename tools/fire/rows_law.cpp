@@ -1,0 +1,324 @@
+#include "rows_law.hpp"
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/front/motion.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace higherpair::fire {
+namespace {
+
+constexpr std::array<std::int64_t, 3> kSamples{7, 61, 601};  // the rows of each are rows of the next
+
+constexpr double kPlaceTolerance = 1e-8;  // where an event happens, of the range of the driver
+constexpr double kLimitTolerance =
+    1e-9;  // the same of a limit: u' = 0 there, so that it is known to rounding
+constexpr double kValueTolerance = 1e-9;  // of positions, relative to their size; of rates to theirs
+
+RowValues values_of(const Run& run) {
+  RowValues values;
+  values.status = static_cast<int>(run.row.status);
+  values.rates = run.row.all_rates;
+  for (std::size_t i = 1; i < run.row.bodies.size(); ++i) {
+    const BodyMotion& B = run.row.bodies[i];
+    const auto add = [](std::vector<double>& to, const Vector2d& linear, double angular) {
+      to.insert(to.end(), {linear.x(), linear.y(), angular});
+    };
+    add(values.place, B.X_WB.p_WB, B.theta);
+    add(values.velocity, B.v_WB, B.omega);
+    add(values.acceleration, B.a_WB, B.alpha);
+  }
+  return values;
+}
+
+// A run and what it has said so far.
+class Recorder {
+public:
+  Recorder(const Profile& profile, const DriverSchedule& schedule) : profile_(profile), schedule_(schedule) {}
+
+  RunRecord record();
+
+private:
+  void move(Run& run, std::int64_t k);
+  void note(const Run& run, std::int64_t k, double from, double to);
+
+  const Profile& profile_;
+  const DriverSchedule& schedule_;
+  RunRecord record_;
+};
+
+void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
+  const auto rows = static_cast<double>(schedule_.size() - 1);
+  for (const RunEvent& event : run.events) {
+    Happening happening{std::string(name_of(event.type)), "", 0, event.driver};
+    if (event.contact) {
+      happening.item = profile_.mechanism.contacts[static_cast<std::size_t>(*event.contact)].name;
+    } else if (event.joint) {
+      happening.item = profile_.mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
+    }
+    const double share = std::lerp(from, to, event.share);
+    happening.share = (static_cast<double>(k - 1) + share) / rows;
+    if (schedule_.is_timed() && schedule_.driver_count() == 1) {
+      const Joint& driven =
+          profile_.mechanism.joints[static_cast<std::size_t>(profile_.mechanism.drivers.front().joint)];
+      const Dimension unit = has_angle(driven.type) ? dimension::kAngle : dimension::kLength;
+      const double position = from_si(unit, profile_.units).apply(event.driver);
+      happening.share = schedule_.passing_time(k, position, share) / schedule_.time(schedule_.size() - 1);
+    }
+    record_.events.push_back(happening);
+  }
+}
+
+void Recorder::move(Run& run, std::int64_t k) {
+  const auto turning = schedule_.turning_point(k);
+  if (turning) {
+    move_to(run, {{turning->si.position, turning->si.velocity, turning->si.acceleration}});
+    note(run, k, 0, turning->share);
+  }
+  std::vector<DriverMotion> motions;
+  for (std::size_t i = 0; i < schedule_.driver_count(); ++i) {
+    const DriverValues si = schedule_.state(k, i).si;
+    motions.push_back({si.position, si.velocity, si.acceleration});
+  }
+  move_to(run, motions);
+  note(run, k, turning ? turning->share : 0, 1);
+}
+
+RunRecord Recorder::record() {
+  auto run = start_run(profile_.mechanism, schedule_.first_positions());
+  if (!run) {
+    record_.not_started = run.error().reason;
+    return record_;
+  }
+  for (std::int64_t k = 0; k < schedule_.size(); ++k) {
+    move(*run, k);
+    record_.rows.push_back(values_of(*run));
+  }
+  return record_;
+}
+
+const Happening* first_limit(const RunRecord& run) {
+  const auto found = std::find_if(run.events.begin(), run.events.end(),
+                                  [](const Happening& event) { return event.type == "limit_position"; });
+  return found == run.events.end() ? nullptr : &*found;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) {
+    most = std::max(most, std::abs(value));
+  }
+  return most;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    most = std::max(most, std::abs(a[i] - b[i]));
+  }
+  return std::isnan(most) ? std::numeric_limits<double>::infinity() : most;
+}
+
+std::string status_name(int status) {
+  return std::string(name_of(static_cast<RowStatus>(status)));
+}
+
+// Compares two runs of one mechanism.
+class Comparison {
+public:
+  Comparison(const RunRecord& coarse, const RunRecord& fine) : coarse_(coarse), fine_(fine) {}
+
+  Failure compare();
+
+private:
+  [[nodiscard]] std::string at(std::size_t k) const {
+    return fmt::format("row {} of {} and {}", k, coarse_.rows.size(), fine_.rows.size());
+  }
+  Failure limits();
+  Failure events(bool beyond);
+  Failure rows(bool beyond);
+  Failure row(std::size_t k, const RowValues& a, const RowValues& b);
+
+  const RunRecord& coarse_;
+  const RunRecord& fine_;
+  double end_ = 2;  ///< share of the path where the first limit is
+};
+
+Failure Comparison::limits() {
+  const Happening* a = first_limit(coarse_);
+  const Happening* b = first_limit(fine_);
+  const auto text = [](const Happening* limit) {
+    return limit == nullptr ? std::string("none")
+                            : fmt::format("{} ({} of the path)", limit->driver, limit->share);
+  };
+  if (a == nullptr && b == nullptr) {
+    return {};
+  }
+  const auto numbers =
+      fmt::format("{} at {} rows, {} at {}", text(a), coarse_.rows.size(), text(b), fine_.rows.size());
+  if (a == nullptr || b == nullptr) {
+    return {"limit in one run only", numbers, 0};
+  }
+  end_ = std::min(a->share, b->share);
+  if (!(std::abs(a->share - b->share) <= kLimitTolerance)) {
+    return {"limit elsewhere", numbers, 0};
+  }
+  return {};
+}
+
+Failure Comparison::events(bool beyond) {
+  const auto chosen = [&](const RunRecord& run) {
+    std::vector<Happening> events;
+    for (const Happening& event : run.events) {
+      const bool behind = event.share > end_ + kPlaceTolerance;
+      if (behind == beyond && (beyond || event.type != "limit_position")) {
+        events.push_back(event);
+      }
+    }
+    return events;
+  };
+  const std::vector<Happening> few = chosen(coarse_);
+  std::vector<Happening> many = chosen(fine_);
+  const auto differs = [&](const Happening& event, const RunRecord& in) {
+    return Failure{fmt::format("{}event {}", beyond ? "beyond: " : "", event.type),
+                   fmt::format("{} at {} ({} of the path) only at {} rows", event.item, event.driver,
+                               event.share, in.rows.size()),
+                   0};
+  };
+  for (const Happening& event : few) {
+    const auto twin = std::find_if(many.begin(), many.end(), [&](const Happening& other) {
+      return other.type == event.type && other.item == event.item &&
+             std::abs(other.share - event.share) <= kPlaceTolerance;
+    });
+    if (twin == many.end()) {
+      return differs(event, coarse_);
+    }
+    many.erase(twin);
+  }
+  return many.empty() ? Failure{} : differs(many.front(), fine_);
+}
+
+Failure Comparison::row(std::size_t k, const RowValues& a, const RowValues& b) {
+  if (a.status != b.status) {
+    return {"status", fmt::format("{}: {} and {}", at(k), status_name(a.status), status_name(b.status)),
+            static_cast<int>(k)};
+  }
+  if (a.status == static_cast<int>(RowStatus::kNotAssemblable)) {
+    return {};
+  }
+  // The drivers' coordinates are rounded to eps; near a limit the derivatives grow like δ^(-1/2), δ^(-3/2),
+  // δ^(-5/2), and what eps makes of position, velocity and acceleration with them.
+  constexpr double kDriverRounding = 1e-14;
+  const double V = largest(b.velocity);
+  const double A = largest(b.acceleration);
+  const double J = V > 0 ? A * A / V : 0;
+  const auto check = [&](const char* what, const std::vector<double>& x, const std::vector<double>& y,
+                         double size, double steep) -> Failure {
+    const double tolerance = kValueTolerance * size + kDriverRounding * steep;
+    const double error = difference(x, y);
+    return error <= tolerance
+               ? Failure{}
+               : Failure{what, fmt::format("{}: differ by {}, tolerance {}", at(k), error, tolerance),
+                         static_cast<int>(k)};
+  };
+  if (auto f = check("value: position", a.place, b.place, 1 + largest(b.place), V)) {
+    return f;
+  }
+  if (!a.rates || !b.rates) {
+    return a.rates == b.rates ? Failure{} : Failure{"value: rates defined", at(k), static_cast<int>(k)};
+  }
+  if (auto f = check("value: velocity", a.velocity, b.velocity, V, A)) {
+    return f;
+  }
+  return check("value: acceleration", a.acceleration, b.acceleration, A, J);
+}
+
+Failure Comparison::rows(bool beyond) {
+  const std::size_t stride = (fine_.rows.size() - 1) / (coarse_.rows.size() - 1);
+  for (std::size_t k = 0; k < coarse_.rows.size(); ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(coarse_.rows.size() - 1);
+    // A row at a limit to rounding may count to either side.
+    if ((share > end_) != beyond || std::abs(share - end_) < kLimitTolerance) {
+      continue;
+    }
+    if (auto f = row(k, coarse_.rows[k], fine_.rows[k * stride])) {
+      f.law = (beyond ? "beyond: " : "") + f.law;
+      return f;
+    }
+  }
+  return {};
+}
+
+Failure Comparison::compare() {
+  if (coarse_.not_started.empty() != fine_.not_started.empty()) {
+    return {"start", coarse_.not_started + fine_.not_started, 0};
+  }
+  if (!coarse_.not_started.empty()) {
+    return {};
+  }
+  if (auto f = limits()) {
+    return f;
+  }
+  for (const bool beyond : {false, true}) {
+    if (auto f = rows(beyond)) {
+      return f;
+    }
+    if (auto f = events(beyond)) {
+      return f;
+    }
+  }
+  return {};
+}
+
+// What a single run must not say.
+Failure sound(const RunRecord& run) {
+  const Happening* limit = first_limit(run);
+  for (std::size_t k = 0; k < run.rows.size(); ++k) {
+    const int status = run.rows[k].status;
+    const auto fail = [&](const char* law) {
+      return Failure{law, fmt::format("row {} of {}", k, run.rows.size()), static_cast<int>(k)};
+    };
+    if (status == static_cast<int>(RowStatus::kNotConverged)) {
+      return fail("not converged");
+    }
+    const double share = static_cast<double>(k) / static_cast<double>(run.rows.size() - 1);
+    if (status == static_cast<int>(RowStatus::kNotAssemblable) &&
+        (limit == nullptr || limit->share > share + kLimitTolerance)) {
+      return fail("not assemblable without a limit");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+RunRecord record_run(const Profile& profile, bool timed, std::int64_t samples) {
+  const auto schedule =
+      timed ? DriverSchedule::step(profile, samples) : DriverSchedule::analyze(profile, samples);
+  if (!schedule) {
+    return {to_string(schedule.error().front()), {}, {}};
+  }
+  return Recorder(profile, *schedule).record();
+}
+
+Failure rows_law(const Profile& profile, bool timed) {
+  std::vector<RunRecord> runs;
+  for (const std::int64_t samples : kSamples) {
+    runs.push_back(record_run(profile, timed, samples));
+  }
+  for (const RunRecord& run : {runs[2], runs[1], runs[0]}) {
+    if (auto f = sound(run)) {
+      return f;
+    }
+  }
+  const Failure near = Comparison(runs[1], runs[2]).compare();
+  return near ? near : Comparison(runs[0], runs[2]).compare();
+}
+
+}  // namespace higherpair::fire

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sketch.hpp"
+
+#include <functional>
+
+namespace higherpair::fire {
+
+/// A smaller mechanism that still fails: without bodies that it does not need, with rounder numbers.
+[[nodiscard]] Sketch shrink(Sketch sketch, const std::function<bool(const Sketch&)>& fails);
+
+}  // namespace higherpair::fire

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace higherpair::fire {
+
+/// A whole mechanism by the numbers of its profile; lengths [m], angles [rad].
+struct Sketch {
+  struct Point {
+    double x = 0, y = 0;  ///< in the body's frame
+  };
+  struct Body {
+    double x = 0, y = 0, angle = 0;  ///< the pose
+    std::vector<Point> points;       ///< named P0, P1, …
+    std::vector<Shape> curves;       ///< named C0, C1, …
+  };
+  struct Ref {
+    int body = 0;
+    int item = 0;  ///< of its points or curves
+  };
+  enum class JointKind { kRevolute, kPrismatic, kSlot, kGears, kBelt };
+  struct Joint {
+    JointKind kind = JointKind::kRevolute;
+    Ref first, second;
+    double direction = 0;    ///< of a slide or slot, in the first body's frame
+    double ratio = 1;        ///< of gears and belts
+    bool same_sense = true;  ///< internal gears, an open belt
+    int carrier = 0;         ///< of gears and belts
+  };
+  struct Contact {
+    Ref first, second;
+    bool rolling = false;
+  };
+  struct Driver {
+    int joint = 0;
+    double start = 0, end = 0;  ///< `end` of analyze
+    double velocity = 1, acceleration = 0;
+  };
+
+  std::vector<Body> bodies{1};  ///< bodies[0] is ground
+  std::vector<Joint> joints;
+  std::vector<Contact> contacts;
+  std::vector<Driver> drivers;
+  double duration = 0;  ///< of step [s]; 0: a case for analyze
+};
+
+/// The numbers that its profile shows, to be rounded one by one.
+[[nodiscard]] std::vector<double*> numbers(Sketch& sketch);
+
+/// Its profile, numbers to the last digit.
+[[nodiscard]] std::string profile_of(const Sketch& sketch, const std::string& title);
+
+}  // namespace higherpair::fire

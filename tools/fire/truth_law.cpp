@@ -1,0 +1,88 @@
+#include "truth_law.hpp"
+
+#include "analysis/reference_follower.hpp"
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/io/driver_schedule.hpp"
+#include "rows_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair::fire {
+namespace {
+
+constexpr std::int64_t kSamples = 61;
+constexpr double kLimitTolerance = 1e-9;     // share of the path
+constexpr double kPositionTolerance = 1e-8;  // of what is nowhere near a limit
+
+// What the reference does not know: contacts that are taken over by others.
+bool changes_contact(const RunRecord& run, double before) {
+  return std::any_of(run.events.begin(), run.events.end(), [&](const Happening& event) {
+    return event.share <= before && (event.type == "second_contact" || event.type == "conforming");
+  });
+}
+
+Failure compare_rows(const RunRecord& run, const testing::ReferenceMotion& reference) {
+  for (std::size_t k = 0; k < reference.places.size(); ++k) {
+    const RowValues& row = run.rows[k];
+    if (row.status != static_cast<int>(RowStatus::kOk)) {
+      continue;  // overlaps, say: that there is no limit has been compared
+    }
+    double error = 0;
+    double size = 1;
+    for (std::size_t i = 0; i < row.place.size(); ++i) {
+      error = std::max(error, std::abs(row.place[i] - reference.places[k][i]));
+      size = std::max(size, std::abs(row.place[i]));
+    }
+    // Beside a limit, and beside near crossings, rounding grows with the rates.
+    double fastest = 0;
+    for (const double rate : row.velocity) {
+      fastest = std::max(fastest, std::abs(rate));
+    }
+    if (!(error <= kPositionTolerance * size + 1e-13 * fastest)) {
+      return {"truth: position", fmt::format("row {} of {}: off by {}", k, run.rows.size(), error),
+              static_cast<int>(k)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Failure truth_law(const Profile& profile) {
+  const RunRecord run = record_run(profile, false, kSamples);
+  if (!run.not_started.empty()) {
+    return {};
+  }
+  const auto schedule = DriverSchedule::analyze(profile, kSamples);
+  std::vector<double> to;
+  std::vector<double> stations;
+  for (std::size_t i = 0; i < schedule->driver_count(); ++i) {
+    to.push_back(schedule->state(kSamples - 1, i).si.position);
+  }
+  for (std::int64_t k = 0; k < kSamples; ++k) {
+    stations.push_back(static_cast<double>(k) / (kSamples - 1));
+  }
+  const auto reference =
+      testing::reference_motion(profile.mechanism, schedule->first_positions(), to, stations);
+  using End = testing::ReferenceMotion::End;
+  const auto limit = std::find_if(run.events.begin(), run.events.end(),
+                                  [](const Happening& event) { return event.type == "limit_position"; });
+  const double found = limit == run.events.end() ? 2 : limit->share;
+  const double wanted = reference.end == End::kLimit ? reference.share : 2;
+  if (reference.end == End::kGaveUp || changes_contact(run, std::min(found, wanted))) {
+    return {"", "gave up: " + reference.why, 0};
+  }
+  if (!(std::abs(found - wanted) <= kLimitTolerance)) {
+    const auto text = [](double share) { return share > 1 ? std::string("none") : fmt::format("{}", share); };
+    return {found > 1    ? "truth: limit missed"
+            : wanted > 1 ? "truth: limit where there is none"
+                         : "truth: limit elsewhere",
+            fmt::format("{} of the path, true {}", text(found), text(wanted)), 0};
+  }
+  return compare_rows(run, reference);
+}
+
+}  // namespace higherpair::fire
