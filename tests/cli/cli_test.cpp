@@ -136,7 +136,43 @@ TEST_F(Program, SummarisesARunWithJerk) {
   const Outcome outcome = run("analyze " + profile("ellipse_cam_roller.toml") + " --jerk --summary");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("rows: 361 ok"));
-  EXPECT_THAT(outcome.out, HasSubstr("follower.jerk"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nfollower\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  jerk "));
+}
+
+// Greatest and least angle of the demo's follower: where the cranks are in line, at 47.92 and 211.10 degrees.
+TEST_F(Program, SummarisesWhatChangesAndWhereItIsExtreme) {
+  const Outcome outcome =
+      run("analyze " + profile("eccentric_disc_oscillating_roller.toml") + " --summary --quiet");
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\n  angle                   -33.82627        48     -12.42927       211  deg\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("constant: driver.velocity 60 deg/s, cam.omega 60 deg/s, follower.x 80 mm,\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nalways 0: 25 columns\n"));
+  EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("-0 ")));
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 80U) << line;
+  }
+}
+
+TEST_F(Program, WritesEventsAsATableOfTheirOwn) {
+  const std::string table = (folder_ / "table.csv").string(), events = (folder_ / "events.csv").string();
+  const std::string command =
+      "analyze " + profile("eccentric_disc_oscillating_roller.toml") + " --csv " + table;
+  EXPECT_EQ(run(command + " --events " + events).code, 0);
+  std::ifstream file(events);
+  std::string header, first, second, end;
+  std::getline(file, header);
+  std::getline(file, first);
+  std::getline(file, second);
+  EXPECT_EQ(header, "type,driver[deg],time[s],item,row,cause");
+  EXPECT_EQ(first.substr(0, 24), "stroke_end,47.9222147823");
+  EXPECT_THAT(second, HasSubstr(",,follower_pivot,212,\"the motion of this joint reverses\""));
+  EXPECT_FALSE(std::getline(file, end));
+  const Outcome shared = run(command + " --events " + table);
+  EXPECT_EQ(shared.code, 2);
+  EXPECT_THAT(shared.err, HasSubstr("--csv and --events: both name"));
 }
 
 TEST_F(Program, EndsWithExitCodeFourWhereThePathIsNotGoodBetweenRowsThatAre) {
@@ -165,8 +201,8 @@ TEST_F(Program, WritesTheColumnsAskedFor) {
   const Outcome json = run(command + "--columns driver,status --json -");
   EXPECT_EQ(nlohmann::json::parse(json.out).at("rows").at(0), nlohmann::json::parse("[0, \"ok\"]"));
   const Outcome summary = run(command + "--columns follower.omega --summary");
-  EXPECT_THAT(summary.out, HasSubstr("follower.omega"));
-  EXPECT_THAT(summary.out, ::testing::Not(HasSubstr("follower.alpha")));
+  EXPECT_THAT(summary.out, HasSubstr("\n  omega "));
+  EXPECT_THAT(summary.out, ::testing::Not(HasSubstr("  alpha")));
   EXPECT_THAT(summary.out, HasSubstr("rows: 3 ok"));
   const Outcome wrong = run(command + "--columns driver,folower.omega --csv " + (folder_ / "table").string());
   EXPECT_EQ(wrong.code, 2);

@@ -24,13 +24,15 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
       {"mechanism", {"numeric", "geometry", "linkage", "contact"}},
       {"analysis", {"numeric", "geometry", "linkage", "contact", "mechanism"}},
       {"dynamics", {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis"}},
+      {"drawing", {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis", "dynamics"}},
       {"cam", {"numeric", "geometry", "contact"}},
       {"design", {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis"}},
       {"sweep", {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis"}},
       {"io",
-       {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis", "dynamics", "cam", "design",
-        "sweep"}},
-      {"front", {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis", "dynamics", "io"}},
+       {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis", "dynamics", "drawing", "cam",
+        "design", "sweep"}},
+      {"front",
+       {"numeric", "geometry", "linkage", "contact", "mechanism", "analysis", "dynamics", "drawing", "io"}},
   };
   return table;
 }

@@ -88,6 +88,17 @@ stand_in sudo "echo sudo >>'$folder/calls'; exec \"\$@\""
 run
 expect "no root but sudo" '[ $status = 0 ] && [[ $calls == "sudo"*"install"*"libfmt-dev" ]]'
 
+new_system "chromium" 0
+add_apt chromium
+run
+expect "no browser is no failure" '[ $status = 0 ] && [[ $output == *"chromium cannot be installed"*"setup: done"* ]]'
+
+new_system "nodejs npm chromium" 0
+add_apt none
+for program in node npm chromium; do stand_in $program ""; done
+run
+expect "node, npm and a browser from elsewhere will do" '[ $status = 0 ] && [ -z "$calls" ]'
+
 new_system "libfmt-dev" 1000
 rm "$folder/bin/id"
 stand_in id "echo 1000"

@@ -13,7 +13,8 @@ namespace {
 bool is_foreign_folder(const fs::path& folder) {
   const std::string name = folder.filename().string();
   const bool at_top = folder.parent_path() == root();
-  return (name.starts_with('.') && name != ".ci") || (at_top && (name == "build" || name == "out"));
+  return (name.starts_with('.') && name != ".ci") || name == "node_modules" ||
+         (at_top && (name == "build" || name == "out"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "checks.hpp"
 #include "front/column_set.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/drawing/scene.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "linkages.hpp"
@@ -140,7 +141,23 @@ void run_rows(benchmark::State& state, const Case& reference, double floor, int 
   }
 }
 
+// A row and what a picture of it shows.
+void run_scenes(benchmark::State& state, const Case& reference, double floor) {
+  Run run = reference.run;
+  std::vector<DriverMotion> motions{{driver_position(0), 1, 0}};
+  move_to(run, motions);
+  SceneMaker maker(reference.profile.mechanism, {run.row});
+  const auto step = [&](int k) {
+    motions[0] = {driver_position(k), 1, 0};
+    move_to(run, motions);
+    benchmark::DoNotOptimize(maker.at(run.row).moving.data());
+  };
+  run_turns(state, floor, step, [&] { run = reference.run; });
+}
+
 void register_rows(const Case& reference, double floor) {
+  add("scene/" + reference.name,
+      [=](benchmark::State& state) { run_scenes(state, reference, floor); });
   static constexpr std::array kLevels{"move_to/", "move_to_and_cells/", "move_to_and_csv/"};
   for (int level = 0; level < 3; ++level) {
     add(kLevels[static_cast<std::size_t>(level)] + reference.name,

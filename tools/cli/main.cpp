@@ -1,9 +1,13 @@
 #include "branches_command.hpp"
+#include "draw_command.hpp"
 #include "higherpair/analysis/derivatives.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
 #include "output_options.hpp"
+#include "plot_command.hpp"
+#include "polygon_command.hpp"
 #include "positive_number.hpp"
+#include "report_command.hpp"
 #include "run_command.hpp"
 #include "unknown_argument.hpp"
 #include "verify_command.hpp"
@@ -28,7 +32,9 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
   CLI::App* command = app.add_subcommand(name, text);
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_output_options(*command, options.profile, {"the table", options.csv},
-                     {"the table and the events", options.json});
+                     {"the table and the events", options.json}, nullptr, &options.events);
+  command->add_option("--events", options.events,
+                      "write the events as CSV to this file (-: standard output)");
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
@@ -111,6 +117,14 @@ int run(int argc, char** argv) {
   const CLI::App* mobility_command = higherpair::cli::add_mobility_command(app, mobility);
   higherpair::cli::MapOptions map;
   const CLI::App* map_command = higherpair::cli::add_map_command(app, map);
+  higherpair::cli::DrawOptions draw;
+  const CLI::App* draw_command = higherpair::cli::add_draw_command(app, draw);
+  higherpair::cli::PlotOptions plot;
+  const CLI::App* plot_command = higherpair::cli::add_plot_command(app, plot);
+  higherpair::cli::PolygonOptions polygon;
+  const CLI::App* polygon_command = higherpair::cli::add_polygon_command(app, polygon);
+  higherpair::cli::ReportOptions report;
+  const CLI::App* report_command = higherpair::cli::add_report_command(app, report);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
   bool known = argc < 2 || argv[1][0] == '-';
@@ -138,6 +152,18 @@ int run(int argc, char** argv) {
   }
   if (map_command->parsed()) {
     return higherpair::cli::map_command(map);
+  }
+  if (draw_command->parsed()) {
+    return higherpair::cli::draw_command(draw);
+  }
+  if (plot_command->parsed()) {
+    return higherpair::cli::plot_command(plot);
+  }
+  if (polygon_command->parsed()) {
+    return higherpair::cli::polygon_command(polygon);
+  }
+  if (report_command->parsed()) {
+    return higherpair::cli::report_command(report);
   }
   if (verify_command->parsed()) {
     return higherpair::cli::verify_command(verify);

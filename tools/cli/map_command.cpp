@@ -1,9 +1,11 @@
 #include "map_command.hpp"
 
+#include "higherpair/front/plot.hpp"
 #include "json_text.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
+#include "picture.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
 
@@ -16,9 +18,14 @@ namespace higherpair::cli {
 namespace {
 
 bool write_all(const MapOptions& options, const MapReport& report) {
+  std::vector<FileText> pictures;
+  if (options.output) {
+    pictures.push_back({*options.output, picture_for(*options.output, plots_svg(plots_of(report)))});
+  }
   return write_forms(options.csv, options.json,
                      {[&] { return map_csv(report); }, [&] { return text_of(map_json(report), -1) + "\n"; },
-                      [&] { return map_text(report); }});
+                      [&] { return map_text(report); }},
+                     pictures);
 }
 
 void print_remarks(const MapOptions& options, const MapReport& report) {
@@ -47,7 +54,10 @@ CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
       "map",
       "every contact of the two curves over the driver's turn: branches, and where they begin and end");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the branches", options.csv}, {"the map", options.json});
+  add_output_options(*command, options.profile, {"the branches", options.csv}, {"the map", options.json},
+                     &options.output);
+  command->add_option("-o,--output", options.output,
+                      "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
   command
       ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);

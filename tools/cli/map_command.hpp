@@ -15,6 +15,7 @@ struct MapOptions {
   std::string profile;
   std::optional<std::string> csv;
   std::optional<std::string> json;
+  std::optional<std::string> output;  ///< the picture
   std::vector<std::string> overrides;
   std::optional<std::int64_t> samples;
   double tolerance = 1e-9;

@@ -140,7 +140,7 @@ bool write_files(const std::vector<FileText>& files) {
 }
 
 bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
-                 const Forms& forms) {
+                 const Forms& forms, const std::vector<FileText>& pictures) {
   std::vector<FileText> files;
   if (csv) {
     files.push_back({*csv, forms.csv()});
@@ -151,6 +151,7 @@ bool write_forms(const std::optional<std::string>& csv, const std::optional<std:
   if (files.empty()) {
     files.push_back({"-", forms.text()});
   }
+  files.insert(files.end(), pictures.begin(), pictures.end());
   return write_files(files);
 }
 

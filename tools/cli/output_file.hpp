@@ -67,8 +67,9 @@ struct Forms {
   std::function<std::string()> text;
 };
 
-/// Writes CSV and JSON to the files named, readable text to standard output where neither is; as write_files.
+/// Writes CSV and JSON to the files named, readable text to standard output where neither is, and the
+/// pictures; as write_files.
 [[nodiscard]] bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
-                               const Forms& forms);
+                               const Forms& forms, const std::vector<FileText>& pictures = {});
 
 }  // namespace higherpair::cli

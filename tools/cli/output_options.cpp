@@ -1,6 +1,7 @@
 #include "output_options.hpp"
 
 #include "output_file.hpp"
+#include "picture.hpp"
 
 #include <filesystem>
 
@@ -43,17 +44,22 @@ void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector
   }
 }
 
-void add_output_options(CLI::App& command, const std::string& profile, const Output& csv,
-                        const Output& json) {
+void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
+                        const std::optional<std::string>* picture, const std::optional<std::string>* events) {
   command.add_option("--csv", csv.path, "write " + csv.what + " as CSV to this file (-: standard output)");
   command.add_option("--json", json.path,
                      "write " + json.what + " as JSON to this file (-: standard output)");
-  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path] {
+  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path, picture, events] {
     std::vector<NamedFile> outputs;
     if (csv_path) outputs.push_back({"--csv", *csv_path});
     if (json_path) outputs.push_back({"--json", *json_path});
     if (outputs.empty()) outputs.push_back({"standard output", "-"});
+    if (picture != nullptr && *picture) {
+      outputs.push_back({"--output", **picture});
+    }
+    if (events != nullptr && *events) outputs.push_back({"--events", **events});
     refuse_shared_files({{"FILE", profile}}, outputs);
+    if (picture != nullptr && *picture) check_picture(**picture);
   });
 }
 

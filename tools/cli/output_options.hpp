@@ -16,7 +16,10 @@ struct Output {
 
 /// Adds --csv and --json to a command that reads `profile`. Both into one file, or both to standard output,
 /// are refused, and so is either into the profile.
-void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json);
+/// \param picture, events  other outputs, if the command has them: of --output and --events
+void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
+                        const std::optional<std::string>* picture = nullptr,
+                        const std::optional<std::string>* events = nullptr);
 
 /// A file that the command line names, and what names it there.
 struct NamedFile {

@@ -21,17 +21,6 @@ void on_interrupt(int) {
   interrupted = true;
 }
 
-// A write that waits for a reader comes back with an error instead of beginning again; a pipe that nobody
-// reads is an error of its write.
-void listen_to_signals() {
-  struct sigaction action {};
-  action.sa_handler = on_interrupt;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaction(number, &action, nullptr);
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
 std::vector<RowWriter> open_outputs(const RunOptions& options) {
   std::vector<RowWriter> writers;
   if (options.csv) {
@@ -51,9 +40,36 @@ bool failed(const std::vector<RowWriter>& writers) {
                      [](const RowWriter& writer) { return report_failure(writer.file()); });
 }
 
+std::string quoted(const std::string& text) {
+  std::string doubled;
+  for (const char c : text) {
+    doubled += c;
+    if (c == '"') doubled += c;
+  }
+  return fmt::format("\"{}\"", doubled);
+}
+
+std::string driver_unit(const Model& model) {
+  const Mechanism& mechanism = model.mechanism();
+  const Joint& driven = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
+  return unit_text(has_angle(driven.type) ? dimension::kAngle : dimension::kLength, model.units());
+}
+
+std::string events_csv(const std::vector<Event>& events, const Model& model) {
+  std::string text = fmt::format("type,driver[{}],time[{}],item,row,cause\n", driver_unit(model),
+                                 unit_text(dimension::kTime, model.units()));
+  for (const Event& event : events) {
+    text += fmt::format("{},{},{},{},{},{}\n", name_of(event.type), event.driver,
+                        event.time ? fmt::format("{}", *event.time) : "", event.item, event.row,
+                        quoted(event.cause));
+  }
+  return text;
+}
+
 // All tables into their places, or none.
-bool finish(std::vector<RowWriter>& writers, const Analysis& analysis) {
+bool finish(std::vector<RowWriter>& writers, OutputFile* events, const Analysis& analysis) {
   std::vector<OutputFile*> files;
+  if (events != nullptr) files.push_back(events);
   for (RowWriter& writer : writers) {
     writer.end(analysis.events(), analysis.good());
     files.push_back(&writer.file());
@@ -61,22 +77,13 @@ bool finish(std::vector<RowWriter>& writers, const Analysis& analysis) {
   return commit_all(files);
 }
 
-void print_events(const std::vector<Event>& events) {
-  for (const Event& event : events) {
-    const std::string item = event.item.empty() ? "" : ": " + event.item;
-    const std::string time = event.time ? fmt::format(", time = {}", *event.time) : "";
-    fmt::print(stderr, "{} at driver = {}{}{}: {}\n", name_of(event.type), event.driver, time, item,
-               event.cause);
-  }
-}
-
 // Writes all rows; returns the exit code.
-int write_rows(const RunOptions& options, const std::string& title, Analysis& analysis) {
+int write_rows(const RunOptions& options, const Model& model, Analysis& analysis) {
   std::vector<RowWriter> writers = open_outputs(options);
   for (RowWriter& writer : writers) {
-    writer.begin(title, analysis.columns());
+    writer.begin(model.mechanism().title, analysis.columns());
   }
-  Summary summary;
+  Summary summary(analysis);
   Progress progress(!options.quiet);
   Row row;
   while (analysis.next(row)) {
@@ -94,14 +101,20 @@ int write_rows(const RunOptions& options, const std::string& title, Analysis& an
   if (analysis.stopped()) {
     return kExitInterrupted;
   }
-  if (!finish(writers, analysis)) {
+  std::optional<OutputFile> events;
+  if (options.events) {
+    events.emplace(*options.events);
+    events->write(events_csv(analysis.events(), model));
+    events->finish();
+  }
+  if (!finish(writers, events ? &*events : nullptr, analysis)) {
     return interrupted ? kExitInterrupted : kExitMachine;
   }
   if (options.summary) {
-    summary.print(title, analysis);
+    summary.print(model.mechanism().title);
   }
   if (!options.quiet) {
-    print_events(analysis.events());
+    print_events(analysis.events(), model);
   }
   return analysis.good() ? kExitOk : kExitRows;
 }
@@ -120,6 +133,31 @@ RunSettings settings_of(const RunOptions& options) {
 }
 
 }  // namespace
+
+// A write that waits for a reader comes back with an error instead of beginning again; a pipe that nobody
+// reads is an error of its write.
+void listen_to_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(number, &action, nullptr);
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+void print_events(const std::vector<Event>& events, const Model& model) {
+  const std::string unit = driver_unit(model);
+  for (const Event& event : events) {
+    const std::string item = event.item.empty() ? "" : ": " + event.item;
+    const std::string time = event.time ? fmt::format(", time = {:.15g}", *event.time) : "";
+    fmt::print(stderr, "{} at driver = {:.15g} {}{}{}: {}\n", name_of(event.type), event.driver, unit, time,
+               item, event.cause);
+  }
+}
+
+const std::atomic<bool>& interruption() {
+  return interrupted;
+}
 
 int report_error(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
@@ -159,7 +197,7 @@ int run_command(const RunOptions& options) {
     return report_error(analysis.error());
   }
   print_notes(analysis->notes(), options.quiet);
-  return write_rows(options, model->mechanism().title, *analysis);
+  return write_rows(options, *model, *analysis);
 }
 
 }  // namespace higherpair::cli

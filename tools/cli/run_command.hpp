@@ -2,6 +2,7 @@
 
 #include "higherpair/higherpair.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct RunOptions {
   bool forces = false;  ///< forces instead of analyze
   std::optional<std::string> csv;
   std::optional<std::string> json;
+  std::optional<std::string> events;  ///< file of the events, as CSV
   std::vector<std::string> overrides;
   std::optional<std::int64_t> samples;
   double tolerance = 1e-9;
@@ -41,6 +43,13 @@ void print_notes(const Diagnostics& notes, bool quiet);
 /// The model of a profile file, its notes printed unless `quiet`.
 [[nodiscard]] Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides,
                                        bool quiet);
+
+/// Prints what happened on the path on standard error.
+void print_events(const std::vector<Event>& events, const Model& model);
+
+/// From now on INT, TERM and HUP set interruption(), and a pipe that nobody reads is an error of its write.
+void listen_to_signals();
+[[nodiscard]] const std::atomic<bool>& interruption();
 
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

@@ -93,6 +93,8 @@ public:
 
   /// Moves on to the next row and writes it into `row`. False after the last one, and once stopped.
   [[nodiscard]] bool next(Row& row);
+  /// Positions and rates of all bodies and contacts in the row that next() gave last; SI units, ground frame.
+  [[nodiscard]] const MotionRow& motion() const;
   /// Whether RunSettings::stop ended it.
   [[nodiscard]] bool stopped() const;
 

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace higherpair {
+
+/// What a shape shows. The names are those of `data-role` in SVG and of the layers in draw and report.
+enum class Role {  // in the order in which they are drawn, one over the other
+  kLink,           ///< bars and plates between the points of a body
+  kBody,           ///< a body within its curves
+  kGear,           ///< pitch circles of gears and belts
+  kSpring,         ///< springs and dampers
+  kGround,         ///< symbols of what is fixed
+  kJoint,          ///< pins, slides, slots
+  kCurvature,      ///< osculating circles and their centres
+  kTangent,        ///< common tangent
+  kNormal,         ///< common normal
+  kLinkage,        ///< the equivalent linkage
+  kContact,        ///< the touching point
+  kCenter,         ///< instant centres
+  kTrace,          ///< path of a point
+  kVelocity,       ///< arrows
+  kAcceleration,   ///< arrows
+  kForce,          ///< arrows
+  kLabel,          ///< names
+};
+inline constexpr int kRoleCount = 17;
+
+/// "body", "equivalent linkage" is "linkage", …
+[[nodiscard]] std::string_view name_of(Role role);
+[[nodiscard]] std::optional<Role> role_of(std::string_view name);
+
+/// One shape of a drawing.
+struct Shape {
+  enum class Kind {
+    kPath,    ///< points x, y, x, y, …; `closed`: filled. Pieces apart are separated by two NaN
+    kCircle,  ///< center x, y, radius
+    kArrow,   ///< from x, y to x, y
+    kText,    ///< at x, y, and the direction x, y in which it keeps clear of it
+  };
+  Role role = Role::kBody;
+  Kind kind = Kind::kPath;
+  std::string name;             ///< of the body, joint, contact or point: "cam", "touch", "coupler.P"
+  int body = 0;                 ///< whose frame the numbers are in; 0: ground
+  bool closed = false;          ///< of a path
+  std::string text;             ///< of kText
+  std::vector<double> numbers;  ///< [mm]; empty where it is not defined in this row
+};
+
+/// An upright rectangle [mm].
+struct Box {
+  Vector2d low = Vector2d::Zero(), high = Vector2d::Zero();
+
+  [[nodiscard]] Vector2d size() const { return high - low; }
+};
+
+/// A mechanism as a picture shows it: shapes that never change in the frames of their bodies, where these
+/// are, and shapes that are another in every row, in ground.
+struct Scene {
+  struct Place {
+    double x = 0, y = 0, theta = 0;  ///< of a body's frame [mm, rad]
+  };
+  Box view;                       ///< holds all that moves, over the whole motion
+  double unit = 1;                ///< [mm] in which symbols are drawn: a pin has the radius 1
+  double velocity_scale = 0;      ///< length of an arrow for a velocity [mm/(mm/s)]; 0: nothing moves
+  double acceleration_scale = 0;  ///< the same for an acceleration [mm/(mm/s²)]
+  std::vector<Shape> fixed;       ///< drawn in this order, the ground first
+  std::vector<Shape> moving;      ///< drawn after them
+  bool defined = true;            ///< false: the row has no position
+  std::vector<Place> places;      ///< of Mechanism::bodies
+};
+
+/// Makes the scenes of one mechanism, row by row.
+class SceneMaker {
+public:
+  /// \param mechanism  outlives the maker
+  /// \param rows    of a motion, at least one with a position: how much room the picture needs, and how far
+  ///                slides and contacts travel
+  /// \param traces  points whose paths are drawn, besides those that are joined to nothing
+  SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
+             const std::vector<PointRef>& traces = {});
+
+  /// The shapes that never change, and the room; no row yet.
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  /// The scene of a row; the reference holds until the next call.
+  const Scene& at(const MotionRow& row);
+
+private:
+  const Mechanism* mechanism_;
+  Scene scene_;
+  double largest_ = 1;    // circle that is drawn [mm]
+  std::size_t next_ = 0;  // of scene_.moving, while it is filled
+
+  Shape& next(Role role, const std::string& name, Shape::Kind kind, bool closed = false);
+  void add_contact(const MotionRow& row, std::size_t index);
+  void add_linkage(const MotionRow& row, std::size_t index);
+  void add_spring(const MotionRow& row, const Spring& spring);
+  void add_belt(const MotionRow& row, const Joint& joint);
+  void add_motion(const MotionRow& row, int body);
+};
+
+}  // namespace higherpair

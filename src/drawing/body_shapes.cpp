@@ -1,0 +1,188 @@
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "outline.hpp"
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kBar = 1.6;   // half the width of a bar [units]
+constexpr double kFace = 2.5;  // thickness of faces and rings
+constexpr double kRoom = 4;    // beyond the touching points of a face
+constexpr double kWedge = 5;   // length of a knife edge
+constexpr double kWedgeSlope = 0.35;
+
+template <class F>
+void for_each_touch(const Sketch& sketch, int body, std::size_t curve, const F& found) {
+  const auto is_it = [&](const CurveRef& ref) {
+    return ref.body == body && ref.curve == static_cast<int>(curve);
+  };
+  for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
+    const Contact& contact = sketch.mechanism.contacts[i];
+    const bool first = is_it(contact.first);
+    if (!first && !is_it(contact.second)) {
+      continue;
+    }
+    for (const MotionRow* row : sketch.rows) {
+      const CommonNormal& at = row->contacts[i].at;
+      const Pose<double>& X_WB = body_in(*row, body).X_WB;
+      const Vector2d n_W = first ? at.n_W : Vector2d(-at.n_W);
+      if (!found(Touch{X_WB.inverse_times(first ? at.p1_W : at.p2_W), X_WB.R_WB.inverse() * n_W})) {
+        return;
+      }
+    }
+  }
+}
+
+void add_curve(Sketch& sketch, int body, std::size_t index) {
+  const NamedCurve& named = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index];
+  const Curve& curve = named.curve;
+  const double unit = sketch.unit;
+  const std::string& name = sketch.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  if (curve.kind == CurveKind::kSupport) {
+    return;
+  }
+  if (is_point(curve)) {
+    const auto touch = first_touch(sketch, body, index);
+    const Vector2d in = touch ? Vector2d(-touch->n_B) : Vector2d(-Vector2d::UnitY());
+    const Vector2d back = curve.vertex_B + kWedge * unit * in;
+    const Vector2d side = kWedgeSlope * kWedge * unit * perp(in);
+    const Vector2d a = back + side, b = back - side;
+    sketch.add(Role::kBody, name, body, {curve.vertex_B.x(), curve.vertex_B.y(), a.x(), a.y(), b.x(), b.y()},
+               true);
+    return;
+  }
+  if (curve.kind == CurveKind::kCircle && curve.side == Side::kInside) {
+    sketch.add_circle(Role::kBody, name, body, center(curve), curve.semi_latus);
+    return;
+  }
+  sketch.add(Role::kBody, name, body, material(curve, kFace * unit, touched_range(sketch, body, index)),
+             true);
+}
+
+// The points that a bar or plate holds together: named points, and where the curves are.
+std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  std::vector<Vector2d> anchors;
+  for (const NamedPoint& point : body.points) {
+    anchors.push_back(point.p_B);
+  }
+  for (std::size_t i = 0; i < body.curves.size(); ++i) {
+    const Curve& curve = body.curves[i].curve;
+    const auto middle = middle_of(curve);
+    if (middle && curve.side == Side::kInside) {
+      anchors.push_back(*middle);
+    } else if (is_line(curve) || (is_conic(curve) && curve.q <= 0)) {
+      const auto [low, high] = touched_range(sketch, index, i);
+      anchors.emplace_back(curve.vertex_B + (low + high) / 2 * perp(curve.axis_B) +
+                           kFace / 2 * sketch.unit * curve.axis_B);
+    } else if (is_point(curve)) {
+      const auto touch = first_touch(sketch, index, i);
+      anchors.emplace_back(curve.vertex_B -
+                           (touch ? kWedge * sketch.unit : 0) * (touch ? touch->n_B : Vector2d::UnitX()));
+    }
+  }
+  return anchors;
+}
+
+// Whether a closed curve of the body holds all of its points: then it needs no bar.
+bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>& anchors) {
+  return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& named) {
+    const auto middle = middle_of(named.curve);
+    if (!middle || !is_conic(named.curve) || named.curve.side == Side::kOutside) {
+      return false;
+    }
+    const double least = semi_axes(named.curve)[1] - sketch.unit;
+    return std::all_of(anchors.begin(), anchors.end(),
+                       [&](const Vector2d& p) { return (p - *middle).norm() <= least; });
+  });
+}
+
+void add_link(Sketch& sketch, int index) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const std::vector<Vector2d> anchors = anchors_of(sketch, index);
+  const bool has_length = std::any_of(anchors.begin(), anchors.end(), [&](const Vector2d& p) {
+    return (p - anchors.front()).norm() > sketch.unit;
+  });
+  if (has_length && !is_disc(sketch, body, anchors)) {
+    sketch.add(Role::kLink, body.name, index, rounded_hull(anchors, kBar * sketch.unit), true);
+  }
+}
+
+// Whether a body turns about this point of ground: other points of it need no name in a picture.
+bool is_pivot(const Mechanism& mechanism, int point) {
+  const auto is_it = [&](const PointRef& ref) { return ref.body == 0 && ref.point == point; };
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::kRevolute && (is_it(joint.first) || is_it(joint.second));
+  });
+}
+
+void add_names(Sketch& sketch, int index) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  std::vector<Vector2d> anchors = anchors_of(sketch, index);
+  if (anchors.empty()) {
+    return;
+  }
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& p : anchors) {
+    middle += p / static_cast<double>(anchors.size());
+  }
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    const NamedPoint& point = body.points[i];
+    if (index > 0 || is_pivot(sketch.mechanism, static_cast<int>(i))) {
+      sketch.add_text(body.name + "." + point.name, point.name, index, point.p_B, point.p_B - middle);
+    }
+  }
+  if (index > 0) {
+    sketch.add_text(body.name, body.name, index, middle, Vector2d::Zero());
+  }
+}
+
+}  // namespace
+
+std::optional<Touch> first_touch(const Sketch& sketch, int body, std::size_t curve) {
+  std::optional<Touch> touch;
+  for_each_touch(sketch, body, curve, [&](const Touch& found) {
+    touch = found;
+    return false;
+  });
+  return touch;
+}
+
+std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t index) {
+  const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
+  const Vector2d across = perp(curve.axis_B);
+  double low = INFINITY, high = -INFINITY;
+  for_each_touch(sketch, body, index, [&](const Touch& touch) {
+    const double t = (touch.p_B - curve.vertex_B).dot(across);
+    low = std::min(low, t);
+    high = std::max(high, t);
+    return true;
+  });
+  if (!(low <= high)) {
+    low = high = 0;
+  }
+  const double room = kRoom * sketch.unit + 0.1 * (high - low);
+  return {low - room, high + room};
+}
+
+void add_bodies(Sketch& sketch) {
+  const auto count = static_cast<int>(sketch.mechanism.bodies.size());
+  for (int body = 1; body < count; ++body) {
+    add_link(sketch, body);
+  }
+  for (int body = 0; body < count; ++body) {
+    const auto curves = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves.size();
+    for (std::size_t i = 0; i < curves; ++i) {
+      add_curve(sketch, body, i);
+    }
+  }
+  for (int body = 0; body < count; ++body) {
+    add_names(sketch, body);
+  }
+}
+
+}  // namespace higherpair

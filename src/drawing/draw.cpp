@@ -1,0 +1,254 @@
+#include "higherpair/drawing/draw.hpp"
+
+#include "labels.hpp"
+#include "svg_writer.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kFont = 14;     // [px]
+constexpr double kInkEvery = 5;  // [px]
+constexpr double kHead = 8;      // length of an arrow's head [px]
+constexpr double kFoot = 26;     // below the picture, for the scale [px]
+
+// Widths in px; lines are told apart by their dashes where there are no colours.
+constexpr const char* kStyle = R"(
+svg { background: #fff; }
+path, circle, line { fill: none; stroke: #111; stroke-width: 1.4; stroke-linejoin: round; stroke-linecap: round; }
+text { font: 14px "Helvetica Neue", Arial, "Liberation Sans", sans-serif; fill: #111; text-anchor: middle;
+  dominant-baseline: central; stroke: #fff; stroke-width: 3px; paint-order: stroke; stroke-linejoin: round; }
+text.name { font-style: italic; }
+.ground { stroke-width: 1; } .ground.filled { fill: #fff; stroke-width: 1.4; }
+.body { fill: #dce6f0; fill-rule: evenodd; }
+.link { fill: #f7f7f7; } .joint.filled { fill: #fff; }
+.gear { stroke: #555; stroke-dasharray: 12 3 2 3; stroke-width: 1.1; }
+.spring { stroke-width: 1.2; }
+.normal, .tangent { stroke: #555; stroke-width: 0.8; stroke-dasharray: 8 3 1.5 3; }
+.curvature { stroke: #0072b2; stroke-width: 1.1; stroke-dasharray: 5 3; }
+.curvature.filled { fill: #0072b2; stroke: none; }
+.contact { fill: #d55e00; stroke: #fff; stroke-width: 0.8; }
+.linkage { stroke: #d55e00; stroke-width: 2.6; } .linkage.filled { fill: #fff; stroke-width: 1.8; }
+.center { fill: #cc79a7; stroke: none; }
+.trace { stroke: #009e73; stroke-width: 1.3; }
+.velocity { stroke: #0072b2; stroke-width: 1.6; } .velocity.head { fill: #0072b2; }
+.acceleration { stroke: #d55e00; stroke-width: 1.6; stroke-dasharray: 6 2; }
+.acceleration.head { fill: #d55e00; stroke-dasharray: none; }
+.force { stroke: #009e73; stroke-width: 2; } .force.head { fill: #009e73; }
+.ghost path, .ghost circle { fill: none; stroke: #9aa5b1; stroke-width: 0.8; }
+.scale { stroke-width: 1.2; }
+)";
+
+using Kind = Shape::Kind;
+
+// From millimetres of the mechanism to px.
+struct Screen {
+  double scale = 1;  // [px/mm]
+  Vector2d origin;   // of ground [px]
+
+  [[nodiscard]] Vector2d operator()(const Vector2d& p_mm) const {
+    return {origin.x() + scale * p_mm.x(), origin.y() - scale * p_mm.y()};
+  }
+};
+
+// A shape of a scene in px: paths and arrows as points, circles as centre and radius.
+std::vector<double> on_screen(const Scene& scene, const Shape& shape, const Screen& screen) {
+  const Scene::Place& place = scene.places[static_cast<std::size_t>(shape.body)];
+  const double c = std::cos(place.theta), s = std::sin(place.theta);
+  std::vector<double> px = shape.numbers;
+  const std::size_t points = shape.kind == Kind::kCircle || shape.kind == Kind::kText ? 2 : px.size();
+  for (std::size_t i = 0; i + 1 < points; i += 2) {
+    const Vector2d p(place.x + c * px[i] - s * px[i + 1], place.y + s * px[i] + c * px[i + 1]);
+    const Vector2d q = screen(p);
+    px[i] = q.x();
+    px[i + 1] = q.y();
+  }
+  if (shape.kind == Kind::kCircle) {
+    px[2] *= screen.scale;
+  } else if (shape.kind == Kind::kText) {
+    const Vector2d d(px[2], px[3]);
+    px[2] = c * d.x() - s * d.y();
+    px[3] = -(s * d.x() + c * d.y());
+  }
+  return px;
+}
+
+class Picture {
+public:
+  Picture(SvgWriter& svg, const Screen& screen, const std::vector<Role>& layers)
+      : svg_(svg), screen_(screen), layers_(layers) {}
+
+  void draw(const Scene& scene, bool ghost) {
+    for (int role = 0; role < kRoleCount; ++role) {
+      for (const std::vector<Shape>* shapes : {&scene.fixed, &scene.moving}) {
+        for (const Shape& shape : *shapes) {
+          if (static_cast<int>(shape.role) == role && is_shown(shape, ghost)) {
+            draw(scene, shape, ghost);
+          }
+        }
+      }
+    }
+  }
+
+  void draw_labels(const Vector2d& size) {
+    place_labels(labels_, ink_, size, kFont);
+    for (const Label& label : labels_) {
+      svg_.text({{"class", label.is_body ? "label name" : "label"},
+                 {"data-role", "label"},
+                 {"data-name", label.text},
+                 {"x", label.placed.x()},
+                 {"y", label.placed.y()}},
+                label.text);
+    }
+  }
+
+private:
+  [[nodiscard]] bool is_shown(const Shape& shape, bool ghost) const {
+    const bool moves = shape.role == Role::kBody || shape.role == Role::kLink || shape.role == Role::kJoint;
+    return !shape.numbers.empty() && (!ghost || (moves && shape.body > 0)) &&
+           std::find(layers_.begin(), layers_.end(), shape.role) != layers_.end();
+  }
+
+  void draw(const Scene& scene, const Shape& shape, bool ghost) {
+    const std::vector<double> px = on_screen(scene, shape, screen_);
+    const std::string role(name_of(shape.role));
+    const std::string style = role + (shape.closed ? " filled" : "");
+    switch (shape.kind) {
+      case Kind::kText:
+        labels_.push_back({shape.text, shape.name == shape.text, {px[0], px[1]}, {px[2], px[3]}, {0, 0}});
+        return;
+      case Kind::kCircle:
+        svg_.element("circle", {{"class", style},
+                                {"data-role", role},
+                                {"data-name", shape.name},
+                                {"cx", px[0]},
+                                {"cy", px[1]},
+                                {"r", px[2]}});
+        break;
+      case Kind::kPath:
+        svg_.element("path", {{"class", style},
+                              {"data-role", role},
+                              {"data-name", shape.name},
+                              {"d", SvgPath().polyline(px, shape.closed)}});
+        break;
+      case Kind::kArrow:
+        draw_arrow(px, role, shape.name);
+        break;
+    }
+    if (!ghost) add_ink(shape.kind, px);
+  }
+
+  void draw_arrow(const std::vector<double>& px, const std::string& role, const std::string& name) {
+    const Vector2d from(px[0], px[1]), to(px[2], px[3]);
+    svg_.element("path",
+                 {{"class", role}, {"data-role", role}, {"data-name", name}, {"d", SvgPath().polyline(px)}});
+    const double length = (to - from).norm();
+    if (!(length > 0.5)) {
+      return;
+    }
+    const Vector2d d = (to - from) / length * std::min(kHead, length);
+    const Vector2d a = to - d + 0.32 * perp(d), b = to - d - 0.32 * perp(d);
+    const std::vector<double> head{to.x(), to.y(), a.x(), a.y(), b.x(), b.y()};
+    svg_.element(
+        "path",
+        {{"class", role + " head"}, {"data-role", role + "-head"}, {"d", SvgPath().polyline(head, true)}});
+  }
+
+  void add_ink(Kind kind, const std::vector<double>& px) {
+    if (kind == Kind::kCircle) {
+      const int count = std::clamp(static_cast<int>(2 * kPi * px[2] / kInkEvery), 4, 400);
+      for (int i = 0; i < count; ++i) {
+        ink_.emplace_back(Vector2d(px[0], px[1]) + px[2] * unit_vector(2 * kPi * i / count));
+      }
+      return;
+    }
+    for (std::size_t i = 0; i + 3 < px.size(); i += 2) {
+      const Vector2d a(px[i], px[i + 1]), b(px[i + 2], px[i + 3]);
+      if (!a.allFinite() || !b.allFinite()) {
+        continue;
+      }
+      const int count = std::clamp(static_cast<int>((b - a).norm() / kInkEvery), 1, 400);
+      for (int k = 0; k < count; ++k) {
+        ink_.emplace_back(a + (b - a) * k / count);
+      }
+    }
+  }
+
+  SvgWriter& svg_;
+  const Screen& screen_;
+  const std::vector<Role>& layers_;
+  std::vector<Label> labels_;
+  std::vector<Vector2d> ink_;
+};
+
+// 1, 2 or 5 times a power of ten, about a fifth of the width.
+double round_length(double width) {
+  const double wanted = width / 5;
+  const double power = std::pow(10, std::floor(std::log10(wanted)));
+  const double digit = wanted / power;
+  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
+void draw_scale(SvgWriter& svg, const Screen& screen, const Scene& scene, const DrawSettings& settings,
+                double height) {
+  const double length = round_length(scene.view.size().x() / settings.unit_mm);
+  const double px = length * settings.unit_mm * screen.scale;
+  const double left = 12, y = height - 9;
+  svg.element("path", {{"class", "scale"},
+                       {"data-role", "scale"},
+                       {"d", SvgPath()
+                                 .move_to(left, y - 4)
+                                 .line_to(left, y + 4)
+                                 .move_to(left, y)
+                                 .line_to(left + px, y)
+                                 .move_to(left + px, y - 4)
+                                 .line_to(left + px, y + 4)}});
+  svg.text({{"data-role", "scale"}, {"x", left + px / 2}, {"y", y - 10}},
+           fmt::format("{:g} {}", length, settings.unit));
+}
+
+}  // namespace
+
+std::vector<Role> default_layers() {
+  return {Role::kGround,  Role::kLink,    Role::kBody,   Role::kJoint,   Role::kGear,
+          Role::kSpring,  Role::kContact, Role::kNormal, Role::kTangent, Role::kCurvature,
+          Role::kLinkage, Role::kTrace,   Role::kLabel};
+}
+
+std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings) {
+  assert(!scenes.empty());
+  const Box& view = scenes.front().view;
+  const double scale = settings.width / view.size().x();
+  const double height = scale * view.size().y() + kFoot;
+  const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
+  const double count = settings.strip ? static_cast<double>(scenes.size()) : 1;
+  const Screen screen{scale, {-scale * view.low.x(), scale * view.high.y()}};
+  SvgWriter svg({settings.width * count, height, settings.title, kStyle},
+                {{"data-scale", fmt::format("{:.12g}", scale * settings.unit_mm)},
+                 {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool ghost = !settings.strip && i + 1 < scenes.size();
+    if (!scenes[i].defined) {
+      continue;
+    }
+    const double shift = settings.strip ? settings.width * static_cast<double>(i) : 0;
+    svg.open(
+        "svg",
+        {{"class", ghost ? "ghost" : "scene"}, {"x", shift}, {"width", settings.width}, {"height", height}});
+    Picture picture(svg, screen, layers);
+    picture.draw(scenes[i], ghost);
+    if (!ghost) {
+      picture.draw_labels({settings.width, height - kFoot});
+    }
+    svg.close();
+  }
+  draw_scale(svg, screen, scenes.front(), settings, height);
+  return std::move(svg).finish();
+}
+
+}  // namespace higherpair

@@ -1,0 +1,200 @@
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "outline.hpp"
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+// In units.
+constexpr double kPin = 1;
+constexpr double kHatch = 1.1;  // distance of hatch lines
+constexpr double kBlock = 5.5;  // length of a sliding block
+constexpr double kBlockWidth = 3.6;
+constexpr double kSlot = 1.35;  // half the width of a slot
+constexpr double kGuide = 3;    // length of a guide about a rod
+constexpr double kRod = 1.1;    // half the width of a rod
+
+void append_line(std::vector<double>& path, const Vector2d& a, const Vector2d& b) {
+  if (!path.empty()) {
+    append_break(path);
+  }
+  path.insert(path.end(), {a.x(), a.y(), b.x(), b.y()});
+}
+
+// A line with the hatching of what is fixed on its right side.
+std::vector<double> hatched(const Vector2d& a, const Vector2d& b, double unit) {
+  std::vector<double> path;
+  append_line(path, a, b);
+  const Vector2d along = (b - a).normalized();
+  const Vector2d slant = kHatch * unit * (-perp(along) - along);
+  const int count = std::max(1, static_cast<int>((b - a).norm() / (kHatch * unit)));
+  for (int i = 1; i <= count; ++i) {
+    const Vector2d foot = a + (b - a) * i / count;
+    append_line(path, foot, foot + slant);
+  }
+  return path;
+}
+
+void add_pivot(Sketch& sketch, const std::string& name, const Vector2d& p) {
+  const double u = sketch.unit;
+  const Vector2d left = p + u * Vector2d(-2, -3.2), right = p + u * Vector2d(2, -3.2);
+  sketch.add(Role::kGround, name, 0, {left.x(), left.y(), p.x(), p.y(), right.x(), right.y()}, true);
+  sketch.add(Role::kGround, name, 0, hatched(p + u * Vector2d(-3, -3.2), p + u * Vector2d(3, -3.2), u));
+}
+
+void add_pin(Sketch& sketch, const Joint& joint) {
+  for (const PointRef& ref : {joint.first, joint.second}) {
+    if (ref.body == 0) {
+      add_pivot(sketch, joint.name, point_of(sketch.mechanism, ref));
+    }
+  }
+  const PointRef& on = joint.second.body == 0 ? joint.first : joint.second;
+  sketch.add_circle(Role::kJoint, joint.name, on.body, point_of(sketch.mechanism, on), kPin * sketch.unit);
+}
+
+// A body that touches something is guided by its rod, any other one by a block.
+bool has_curves(const Sketch& sketch, int body) {
+  const auto is_of = [&](const CurveRef& ref) { return ref.body == body; };
+  return std::any_of(sketch.mechanism.contacts.begin(), sketch.mechanism.contacts.end(),
+                     [&](const Contact& contact) { return is_of(contact.first) || is_of(contact.second); });
+}
+
+// The rod goes away from where the body touches.
+double away_from_contact(const Sketch& sketch, const Joint& joint) {
+  const MotionRow& row = *sketch.rows.front();
+  for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
+    const Contact& contact = sketch.mechanism.contacts[i];
+    if (contact.first.body != joint.second.body && contact.second.body != joint.second.body) {
+      continue;
+    }
+    const bool second = contact.second.body == joint.second.body;
+    const Vector2d into = second ? row.contacts[i].at.n_W : Vector2d(-row.contacts[i].at.n_W);
+    const Vector2d d = body_in(row, joint.first.body).X_WB.R_WB * joint.direction_A;
+    return into.dot(d) >= 0 ? 1 : -1;
+  }
+  return 1;
+}
+
+void add_rod(Sketch& sketch, const Joint& joint) {
+  const double u = sketch.unit;
+  const auto [low, high] = travelled_range(sketch, joint);
+  const double sense = away_from_contact(sketch, joint);
+  const Vector2d d_A = sense * joint.direction_A;
+  const Rotation<double> R_BA = Rotation<double>::from_angle(-joint.relative_angle);
+  const Vector2d d_B = R_BA * d_A;
+  const Vector2d p_A = point_of(sketch.mechanism, joint.first),
+                 p_B = point_of(sketch.mechanism, joint.second);
+  const double farthest = sense > 0 ? high : -low, nearest = sense > 0 ? low : -high;
+  const double at = farthest + 9 * u;  // the middle of the guide
+  const double end = at - nearest + (kGuide + 2) * u;
+  sketch.shapes.insert(sketch.shapes.begin(),
+                       Shape{Role::kLink, Shape::Kind::kPath,
+                             sketch.mechanism.bodies[static_cast<std::size_t>(joint.second.body)].name,
+                             joint.second.body, true, "", rounded_hull({p_B, p_B + end * d_B}, kRod * u)});
+  const Role role = joint.first.body == 0 ? Role::kGround : Role::kJoint;
+  for (const double side : {1.0, -1.0}) {
+    const Vector2d middle = p_A + at * d_A + side * kRod * u * perp(d_A);
+    const Vector2d a = middle - side * kGuide * u * d_A, b = middle + side * kGuide * u * d_A;
+    sketch.add(role, joint.name, joint.first.body, hatched(b, a, u));
+  }
+}
+
+void add_block(Sketch& sketch, const Joint& joint) {
+  const double u = sketch.unit;
+  const auto [low, high] = travelled_range(sketch, joint);
+  const Vector2d p_A = point_of(sketch.mechanism, joint.first),
+                 p_B = point_of(sketch.mechanism, joint.second);
+  const Rotation<double> R_BA = Rotation<double>::from_angle(-joint.relative_angle);
+  const Vector2d& d = joint.direction_A;
+  const double room = (kBlock / 2 + 2) * u;
+  const Vector2d below = -kBlockWidth / 2 * u * perp(d);
+  const Vector2d a = p_A + (low - room) * d, b = p_A + (high + room) * d;
+  if (joint.first.body == 0) {
+    sketch.add(Role::kGround, joint.name, 0, hatched(a + below, b + below, u));
+  } else {
+    sketch.add(Role::kLink, joint.name, joint.first.body, rounded_hull({a, b}, 0.7 * u), true);
+  }
+  sketch.add(Role::kJoint, joint.name, joint.second.body,
+             rectangle(p_B, R_BA * d, kBlock * u, kBlockWidth * u), true);
+}
+
+void add_slot(Sketch& sketch, const Joint& joint) {
+  const double u = sketch.unit;
+  const auto [low, high] = travelled_range(sketch, joint);
+  const Vector2d p_A = point_of(sketch.mechanism, joint.first);
+  const Vector2d a = p_A + (low - u) * joint.direction_A, b = p_A + (high + u) * joint.direction_A;
+  sketch.add(Role::kLink, joint.name, joint.first.body, rounded_hull({a, b}, (kSlot + 0.9) * u), true);
+  sketch.add(Role::kJoint, joint.name, joint.first.body, rounded_hull({a, b}, kSlot * u), true);
+  sketch.add_circle(Role::kJoint, joint.name, joint.second.body, point_of(sketch.mechanism, joint.second),
+                    kPin * u);
+}
+
+// Each with a radius that shows how it turns.
+void add_wheels(Sketch& sketch, const Joint& joint) {
+  const MotionRow& row = *sketch.rows.front();
+  const auto center_W = [&](const PointRef& ref) {
+    return Vector2d(body_in(row, ref.body).X_WB * point_of(sketch.mechanism, ref));
+  };
+  const auto radii = wheel_radii(joint, (center_W(joint.first) - center_W(joint.second)).norm());
+  const std::array<PointRef, 2> wheels{joint.first, joint.second};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector2d p = point_of(sketch.mechanism, wheels[i]);
+    sketch.add_circle(Role::kGear, joint.name, wheels[i].body, p, radii[i]);
+    const Vector2d rim = p + Vector2d(radii[i], 0);
+    sketch.add(Role::kGear, joint.name, wheels[i].body, {p.x(), p.y(), rim.x(), rim.y()});
+  }
+}
+
+}  // namespace
+
+std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) {
+  double low = INFINITY, high = -INFINITY;
+  for (const MotionRow* row : sketch.rows) {
+    const Pose<double>& X_WA = body_in(*row, joint.first.body).X_WB;
+    const Vector2d b = body_in(*row, joint.second.body).X_WB * point_of(sketch.mechanism, joint.second);
+    const double t = (X_WA.inverse_times(b) - point_of(sketch.mechanism, joint.first)).dot(joint.direction_A);
+    low = std::min(low, t);
+    high = std::max(high, t);
+  }
+  return {low, high};
+}
+
+std::array<double, 2> wheel_radii(const Joint& joint, double distance) {
+  const double k = joint.turning_ratio;
+  const double first = std::abs(k);  // of the second wheel
+  if (joint.type == JointType::kBelt) {
+    const double largest = 0.4 * distance / std::max(first, 1.0);
+    return {largest * first, largest};
+  }
+  const double second = k == 1 ? distance / 2 : distance / std::abs(k - 1);
+  return {first * second, second};
+}
+
+void add_joints(Sketch& sketch) {
+  for (const Joint& joint : sketch.mechanism.joints) {
+    switch (joint.type) {
+      case JointType::kRevolute:
+        add_pin(sketch, joint);
+        break;
+      case JointType::kPrismatic:
+        if (has_curves(sketch, joint.second.body)) {
+          add_rod(sketch, joint);
+        } else {
+          add_block(sketch, joint);
+        }
+        break;
+      case JointType::kSlot:
+        add_slot(sketch, joint);
+        break;
+      case JointType::kGears:
+      case JointType::kBelt:
+        add_wheels(sketch, joint);
+        break;
+    }
+  }
+}
+
+}  // namespace higherpair

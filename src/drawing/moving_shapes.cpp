@@ -1,0 +1,215 @@
+#include "higherpair/contact/details.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+#include "outline.hpp"
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMillimetre = 1000;  // of a metre
+constexpr double kNormal = 9;         // half the length of normals and tangents [units]
+constexpr double kDot = 0.55;
+constexpr int kCoils = 8;
+
+using Kind = Shape::Kind;
+
+void set_line(Shape& shape, const Vector2d& a, const Vector2d& b) {
+  shape.numbers.assign({a.x(), a.y(), b.x(), b.y()});
+}
+
+void set_circle(Shape& shape, const Vector2d& center, double radius) {
+  shape.numbers.assign({center.x(), center.y(), radius});
+}
+
+void append(Shape& shape, const Vector2d& p) {
+  shape.numbers.insert(shape.numbers.end(), {p.x(), p.y()});
+}
+
+}  // namespace
+
+// The shapes of every row are the same ones; only their numbers change.
+Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool closed) {
+  if (next_ == scene_.moving.size()) {
+    scene_.moving.push_back({role, kind, name, 0, closed, "", {}});
+  }
+  Shape& shape = scene_.moving[next_++];
+  shape.numbers.clear();
+  return shape;
+}
+
+const Scene& SceneMaker::at(const MotionRow& row) {
+  scene_.defined = has_place(row);
+  for (std::size_t i = 0; scene_.defined && i < row.bodies.size(); ++i) {
+    const Vector2d p = kMillimetre * row.bodies[i].X_WB.p_WB;
+    scene_.places[i] = {p.x(), p.y(), row.bodies[i].theta};
+  }
+  next_ = 0;
+  for (const Joint& joint : mechanism_->joints) {
+    if (joint.type == JointType::kBelt) add_belt(row, joint);
+  }
+  for (const Spring& spring : mechanism_->springs) {
+    if (!spring.joint) add_spring(row, spring);
+  }
+  for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
+    add_contact(row, i);
+    add_linkage(row, i);
+  }
+  for (std::size_t i = 1; i < row.bodies.size(); ++i) {
+    add_motion(row, static_cast<int>(i));
+  }
+  if (!scene_.defined) {
+    for (Shape& shape : scene_.moving) {
+      shape.numbers.clear();
+    }
+  }
+  return scene_;
+}
+
+void SceneMaker::add_contact(const MotionRow& row, std::size_t index) {
+  const Contact& contact = mechanism_->contacts[index];
+  const CommonNormal& at = row.contacts[index].at;
+  const Vector2d p = kMillimetre * at.p_W();
+  const double length = kNormal * scene_.unit;
+  const auto add_curvature = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
+    const bool round = is_curved(curve_of(*mechanism_, ref)) && kMillimetre * std::abs(rho) <= largest_;
+    const Vector2d center = kMillimetre * (p_W - rho * n_W);
+    Shape& circle = next(Role::kCurvature, contact.name, Kind::kCircle);
+    if (round) set_circle(circle, center, kMillimetre * std::abs(rho));
+    Shape& middle = next(Role::kCurvature, contact.name, Kind::kCircle, true);
+    if (round) set_circle(middle, center, kDot * scene_.unit);
+  };
+  add_curvature(contact.first, at.p1_W, at.n_W, at.rho1);
+  add_curvature(contact.second, at.p2_W, -at.n_W, at.rho2);
+  set_line(next(Role::kTangent, contact.name, Kind::kPath), p - length * perp(at.n_W),
+           p + length * perp(at.n_W));
+  set_line(next(Role::kNormal, contact.name, Kind::kPath), p - length * at.n_W, p + length * at.n_W);
+  set_circle(next(Role::kContact, contact.name, Kind::kCircle, true), p, kDot * scene_.unit);
+}
+
+// O1, C1, C2, O2 as far as they are there. What slides, or is flat, has a block instead of a pin.
+void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
+  const Contact& contact = mechanism_->contacts[index];
+  const CommonNormal& at = row.contacts[index].at;
+  const double u = scene_.unit;
+  struct End {
+    std::optional<Vector2d> pivot, center;
+    Vector2d guide;  // of a block at the centre: along the slide
+    bool slides = false, flat = false;
+  };
+  const auto end_of = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
+    End end;
+    end.flat = is_line(curve_of(*mechanism_, ref));
+    end.guide = perp(n_W);
+    if (!end.flat && kMillimetre * std::abs(rho) <= largest_) end.center = kMillimetre * (p_W - rho * n_W);
+    if (const auto freedom = grounded_freedom(*mechanism_, ref.body)) {
+      end.slides = !freedom->turns;
+      if (freedom->turns) end.pivot = kMillimetre * freedom->p_WO;
+      if (end.slides && !end.flat) end.guide = freedom->direction_W;
+    }
+    return end;
+  };
+  std::array<End, 2> ends{end_of(contact.first, at.p1_W, at.n_W, at.rho1),
+                          end_of(contact.second, at.p2_W, -at.n_W, at.rho2)};
+  // A flat body is a slide along its face for the other one's centre.
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (ends[i].flat && ends[1 - i].center) {
+      ends[i].center = ends[1 - i].center;
+    }
+  }
+  Shape& links = next(Role::kLinkage, contact.name, Kind::kPath);
+  const bool whole = ends[0].center && ends[1].center;
+  for (std::size_t i = 0; whole && i < 2; ++i) {
+    const End& end = ends[i];
+    std::vector<Vector2d> way;
+    if (end.pivot && end.flat) {  // its guide goes through the centre; the pivot is off it
+      const Vector2d foot = *end.center + (*end.pivot - *end.center).dot(end.guide) * end.guide;
+      way = {*end.pivot, foot, *end.center};
+    } else if (end.pivot) {
+      way = {*end.pivot, *end.center};
+    } else {
+      way = {*end.center};
+    }
+    if (i == 1) std::reverse(way.begin(), way.end());
+    for (const Vector2d& p : way) append(links, p);
+  }
+  for (const End& end : ends) {
+    Shape& pivot = next(Role::kLinkage, contact.name, Kind::kCircle, true);
+    if (whole && end.pivot) set_circle(pivot, *end.pivot, 0.8 * u);
+    Shape& block = next(Role::kLinkage, contact.name, Kind::kPath, true);
+    if (whole && (end.slides || end.flat)) block.numbers = rectangle(*end.center, end.guide, 4 * u, 2.4 * u);
+    Shape& pin = next(Role::kLinkage, contact.name, Kind::kCircle, true);
+    if (whole) set_circle(pin, *end.center, 0.8 * u);
+  }
+}
+
+void SceneMaker::add_spring(const MotionRow& row, const Spring& spring) {
+  const auto place = [&](const PointRef& ref) {
+    return Vector2d(kMillimetre * (body_in(row, ref.body).X_WB * point_of(*mechanism_, ref)));
+  };
+  const Vector2d a = place(spring.first), b = place(spring.second);
+  Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
+  const double length = (b - a).norm();
+  if (!(length > 0)) {
+    return;
+  }
+  const Vector2d across = 1.6 * scene_.unit * perp(Vector2d((b - a) / length));
+  append(shape, a);
+  append(shape, a + 0.15 * (b - a));
+  for (int i = 0; i < kCoils; ++i) {
+    const double share = 0.15 + 0.7 * (i + 0.5) / kCoils;
+    append(shape, a + share * (b - a) + (i % 2 == 0 ? 1 : -1) * across);
+  }
+  append(shape, a + 0.85 * (b - a));
+  append(shape, b);
+}
+
+// Both sides of an open belt, or the two crossing ones.
+void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
+  const Vector2d a = body_in(row, joint.first.body).X_WB * point_of(*mechanism_, joint.first);
+  const Vector2d b = body_in(row, joint.second.body).X_WB * point_of(*mechanism_, joint.second);
+  const double distance = (b - a).norm();
+  Shape& shape = next(Role::kGear, joint.name, Kind::kPath);
+  if (!(distance > 0)) {
+    return;
+  }
+  const auto [r1, r2] = wheel_radii(joint, distance);
+  const double sense = joint.turning_ratio > 0 ? 1 : -1;
+  const double sine = (r1 - sense * r2) / distance;
+  const Vector2d along = (b - a) / distance;
+  for (const double side : {1.0, -1.0}) {
+    const Vector2d n = sine * along + side * std::sqrt(std::max(0.0, 1 - sine * sine)) * perp(along);
+    if (side < 0) append_break(shape.numbers);
+    append(shape, kMillimetre * (a + r1 * n));
+    append(shape, kMillimetre * (b + sense * r2 * n));
+  }
+}
+
+void SceneMaker::add_motion(const MotionRow& row, int index) {
+  const BodyMotion& body = body_in(row, index);
+  const Body& of = mechanism_->bodies[static_cast<std::size_t>(index)];
+  const bool rates = row.all_rates || row.has_rates[static_cast<std::size_t>(index)];
+  Shape& center = next(Role::kCenter, of.name, Kind::kCircle, true);
+  if (rates && body.omega != 0) {
+    const Vector2d p = kMillimetre * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+    const Vector2d middle = (scene_.view.low + scene_.view.high) / 2;
+    if ((p - middle).norm() <= largest_) set_circle(center, p, kDot * scene_.unit);
+  }
+  for (const NamedPoint& point : of.points) {
+    const PointMotion motion = point_motion(body, point.p_B);
+    const Vector2d p = kMillimetre * motion.p_W;
+    const auto add_arrow = [&](Role role, const Vector2d& length) {
+      Shape& arrow = next(role, of.name + "." + point.name, Kind::kArrow);
+      if (rates && length.norm() > 0) set_line(arrow, p, p + kMillimetre * length);
+    };
+    add_arrow(Role::kVelocity, scene_.velocity_scale * motion.v_W);
+    add_arrow(Role::kAcceleration, scene_.acceleration_scale * motion.a_W);
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,197 @@
+#include "plot_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMargin = 14;          // around the picture [px]
+constexpr double kTickGap = 8;          // from an axis to the labels of its ticks [px]
+constexpr double kSingleHeight = 280;   // of the only panel [px]
+constexpr double kStackedHeight = 150;  // of each of several [px]
+constexpr double kTicksApart = 64;      // at least, along x [px]
+constexpr double kTicksApartUp = 25;    // along y [px]
+constexpr double kEntryGap = 18;        // between names above a panel [px]
+constexpr double kPanelGap = 12;        // [px]
+
+// Of finite numbers only.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value) {
+    if (std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  [[nodiscard]] bool empty() const { return !(low <= high); }
+};
+
+AxisRange x_range(const PlotData& data) {
+  Extent extent;
+  for (const PlotSeries& series : data.series) {
+    for (const double x : series.x) extent.add(x);
+  }
+  for (const PlotRange& range : data.ranges) {
+    extent.add(range.from);
+    extent.add(range.to);
+  }
+  if (extent.empty()) {
+    return {0, 1};
+  }
+  const AxisRange padded = padded_range(extent.low, extent.high);
+  const bool wide = extent.high - extent.low > 1e-9 * std::max(std::abs(extent.low), std::abs(extent.high));
+  return wide && data.points.empty() && is_monotone(data) ? AxisRange{extent.low, extent.high} : padded;
+}
+
+AxisRange y_range(const PlotPanel& panel) {
+  Extent extent;
+  for (const PlotSeries* series : panel.series) {
+    for (const double y : series->y) extent.add(y);
+  }
+  for (const PlotPoint* point : panel.points) extent.add(point->y);
+  return extent.empty() ? AxisRange{0, 1} : padded_range(extent.low, extent.high);
+}
+
+std::vector<PlotPanel> make_panels(const PlotData& data) {
+  std::vector<PlotPanel> panels;
+  const auto of_unit = [&](const std::string& unit) -> PlotPanel& {
+    const auto found = std::find_if(panels.begin(), panels.end(),
+                                    [&](const PlotPanel& panel) { return panel.unit == unit; });
+    if (found != panels.end()) return *found;
+    panels.emplace_back().unit = unit;
+    return panels.back();
+  };
+  for (const PlotSeries& series : data.series) of_unit(series.unit).series.push_back(&series);
+  for (const PlotPoint& point : data.points) of_unit(point.unit).points.push_back(&point);
+  return panels;
+}
+
+std::string unit_in_brackets(const PlotPanel& panel) {
+  const std::string factor = printed_factor(panel.y.ticks.exponent);
+  const std::string unit = printed_unit(panel.unit);
+  const std::string both = factor + (factor.empty() || unit.empty() ? "" : " ") + unit;
+  return both.empty() ? "" : "[" + both + "]";
+}
+
+// The names above a panel from left to right, in as many lines as they take; returns that number.
+int lay_out_legend(PlotPanel& panel, const PlotData& data, double left, double right) {
+  const std::string unit = unit_in_brackets(panel);
+  const bool single = panel.series.size() == 1 && data.y_name.empty();
+  const std::string name = single ? panel.series[0]->name : data.y_name;
+  if (const std::string head = name + (name.empty() || unit.empty() ? "" : " ") + unit; !head.empty()) {
+    panel.legend.push_back({nullptr, head});
+  }
+  for (const PlotSeries* series : panel.series) {
+    if (!single && !series->name.empty()) panel.legend.push_back({series, series->name});
+  }
+  double x = left;
+  int line = 0;
+  for (LegendEntry& entry : panel.legend) {
+    const double width =
+        text_width(entry.text, kPlotFont) + (entry.series != nullptr ? kSampleLength + 6 : 0);
+    if (x > left && x + width > right) {
+      x = left;
+      ++line;
+    }
+    entry.x = x;
+    entry.line = line;
+    x += width + kEntryGap;
+  }
+  return panel.legend.empty() ? 0 : line + 1;
+}
+
+double widest_label(const std::vector<PlotPanel>& panels) {
+  double widest = 0;
+  for (const PlotPanel& panel : panels) {
+    for (const double value : panel.y.ticks.values) {
+      widest = std::max(widest, text_width(panel.y.ticks.label(value), kPlotFont));
+    }
+  }
+  return widest;
+}
+
+// Returns the number of lanes.
+int lay_out_flags(PlotLayout& layout) {
+  const PlotData& data = *layout.data;
+  std::vector<PlotFlag>& flags = layout.flags;
+  const auto add = [&](double x, const std::string& label, const std::string& name, const PlotMark* mark) {
+    PlotFlag& flag = flags.emplace_back();
+    flag.place.x = layout.x.px(x);
+    flag.place.width = text_width(label, kPlotFont) + 4;
+    flag.label = label;
+    flag.name = name;
+    flag.mark = mark;
+  };
+  for (const PlotRange& range : data.ranges) {
+    const double room = std::abs(layout.x.px(range.to) - layout.x.px(range.from));
+    if (text_width(range.label, kPlotFont) + 8 < room) {
+      layout.wide_ranges.push_back(&range);
+    } else {
+      add((range.from + range.to) / 2, range.label, range.label, nullptr);
+    }
+  }
+  for (const PlotMark& mark : data.marks) add(mark.x, mark.label, mark.name, &mark);
+  std::stable_sort(flags.begin(), flags.end(),
+                   [](const PlotFlag& a, const PlotFlag& b) { return a.place.x < b.place.x; });
+  std::vector<Flag> places;
+  for (const PlotFlag& flag : flags) places.push_back(flag.place);
+  place_flags(places, layout.x.begin, layout.x.end);
+  int lanes = 0;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    flags[i].place = places[i];
+    lanes = std::max(lanes, places[i].lane + 1);
+  }
+  return lanes;
+}
+
+}  // namespace
+
+bool is_monotone(const PlotData& data) {
+  return std::all_of(data.series.begin(), data.series.end(), [](const PlotSeries& series) {
+    return std::is_sorted(series.x.begin(), series.x.end()) ||
+           std::is_sorted(series.x.rbegin(), series.x.rend());
+  });
+}
+
+PlotLayout lay_out(const PlotData& data, double width, double top) {
+  PlotLayout layout;
+  layout.data = &data;
+  layout.title = wrapped(data.title, kPlotFont + 1, width - 2 * kMargin);
+  layout.title_top = top + kMargin;
+  layout.panels = make_panels(data);
+  const double height = layout.panels.size() == 1 ? kSingleHeight : kStackedHeight;
+  for (PlotPanel& panel : layout.panels) {
+    const AxisRange range = y_range(panel);
+    panel.y.ticks = make_ticks(range.low, range.high, panel.unit, static_cast<int>(height / kTicksApartUp));
+  }
+  layout.x.begin = kMargin + widest_label(layout.panels) + kTickGap;
+  layout.x.end = width - kMargin - 8;
+  const AxisRange range = x_range(data);
+  const double room = std::max(layout.x.end - layout.x.begin, kTicksApart);
+  layout.x.ticks = make_ticks(range.low, range.high, data.x.unit, static_cast<int>(room / kTicksApart));
+  const int lanes = lay_out_flags(layout);
+
+  double y = layout.title_top + kPlotLine * static_cast<double>(layout.title.size()) + 4;
+  for (PlotPanel& panel : layout.panels) {
+    panel.legend_top = y;
+    y += kPlotLine * lay_out_legend(panel, data, layout.x.begin, layout.x.end) + 6;
+    if (&panel == &layout.panels.front()) y += kPlotLine * lanes;
+    panel.y.end = y;
+    panel.y.begin = y + height;
+    y += height + kPanelGap;
+  }
+  layout.notes_top = y + 2 * kPlotLine + 4;
+  for (const std::string& note : data.notes) {
+    for (std::string& line : wrapped(note, kPlotFont, layout.x.end - layout.x.begin)) {
+      layout.notes.push_back(std::move(line));
+    }
+  }
+  layout.bottom = layout.notes_top + kPlotLine * static_cast<double>(layout.notes.size()) + kMargin;
+  return layout;
+}
+
+}  // namespace higherpair

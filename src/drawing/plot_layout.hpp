@@ -1,0 +1,73 @@
+#pragma once
+
+#include "higherpair/drawing/plot.hpp"
+#include "text_layout.hpp"
+#include "ticks.hpp"
+
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+inline constexpr double kPlotFont = 12;      // [px]
+inline constexpr double kPlotLine = 17;      // from one line of text to the next [px]
+inline constexpr double kSampleLength = 24;  // of the piece of line beside a name [px]
+
+/// The straight map from an axis to the screen.
+struct PlotScale {
+  Ticks ticks;
+  double begin = 0;  ///< where the low end is [px]
+  double end = 1;
+
+  [[nodiscard]] double px(double value) const {
+    return begin + (value - ticks.low) / (ticks.high - ticks.low) * (end - begin);
+  }
+};
+
+/// A name above a panel, with a piece of its line if it is one of several.
+struct LegendEntry {
+  const PlotSeries* series = nullptr;
+  std::string text;
+  double x = 0;  ///< [px]
+  int line = 0;
+};
+
+/// The lines of one unit, and where they are on the screen.
+struct PlotPanel {
+  std::string unit;
+  std::vector<const PlotSeries*> series;
+  std::vector<const PlotPoint*> points;
+  std::vector<LegendEntry> legend;
+  double legend_top = 0;  ///< [px]
+  PlotScale y;            ///< `begin` is below `end`
+};
+
+/// The label of a mark, or of a range that is too narrow for it.
+struct PlotFlag {
+  Flag place;
+  std::string label;
+  std::string name;
+  const PlotMark* mark = nullptr;  ///< null: a range
+};
+
+struct PlotLayout {
+  const PlotData* data = nullptr;
+  std::vector<std::string> title;  ///< its lines
+  double title_top = 0;
+  PlotScale x;
+  std::vector<PlotPanel> panels;
+  std::vector<PlotFlag> flags;                ///< by rising x
+  std::vector<const PlotRange*> wide_ranges;  ///< with room for their labels
+  std::vector<std::string> notes;             ///< lines
+  double notes_top = 0;
+  double bottom = 0;
+};
+
+/// Where everything is.
+/// \param top  of the plot in the picture [px]
+[[nodiscard]] PlotLayout lay_out(const PlotData& data, double width, double top);
+
+/// x never turns back, in any of the lines.
+[[nodiscard]] bool is_monotone(const PlotData& data);
+
+}  // namespace higherpair

@@ -1,0 +1,175 @@
+#include "polygon_layout.hpp"
+
+#include "point_labels.hpp"
+#include "rich_text.hpp"
+#include "text_layout.hpp"
+#include "ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kTallest = 400;  // drawn part of a polygon of motion, and of forces [px]
+constexpr double kTallestForces = 240;
+constexpr double kApart = 11;          // between arrows that would lie on each other [px]
+constexpr double kFlat = 0.015;        // of its longest arrow: a force polygon thinner than this is a line
+constexpr double kFlatMotion = 0.004;  // the same of velocities, where points are compared
+constexpr double kThin = 1e-3;         // the same, to find the scale
+constexpr double kNamed = 14;          // the shortest arrow with a name [px]
+
+struct Extent {
+  Vector2d low = Vector2d::Zero();  // the pole is always part of it
+  Vector2d high = Vector2d::Zero();
+
+  void add(const Vector2d& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+};
+
+Extent extent_of(const Polygon& polygon) {
+  Extent extent;
+  for (const PolygonArrow& arrow : polygon.arrows) {
+    extent.add(arrow.from);
+    extent.add(arrow.to);
+  }
+  return extent;
+}
+
+// The direction of the line on which all arrows are; none where they are not.
+std::optional<Vector2d> common_line(const Polygon& polygon, double longest) {
+  const auto first = std::max_element(polygon.arrows.begin(), polygon.arrows.end(),
+                                      [](const PolygonArrow& a, const PolygonArrow& b) {
+                                        return (a.to - a.from).squaredNorm() < (b.to - b.from).squaredNorm();
+                                      });
+  if (first == polygon.arrows.end()) return std::nullopt;
+  const Vector2d along = (first->to - first->from).normalized();
+  const double flat = polygon.kind == Polygon::Kind::kForce ? kFlat : kFlatMotion;
+  const bool all = std::all_of(polygon.arrows.begin(), polygon.arrows.end(), [&](const PolygonArrow& arrow) {
+    return std::abs(cross(along, arrow.to)) < flat * longest;
+  });
+  return all ? std::optional(along) : std::nullopt;
+}
+
+void set_ends(PolygonLayout& layout, const std::optional<Vector2d>& along_W) {
+  double shift = 0;
+  Vector2d across = Vector2d::Zero();
+  if (along_W) {
+    across = perp(Vector2d(along_W->x(), -along_W->y()));
+    if (across.y() < 0) across = -across;
+  }
+  for (const PolygonArrow& arrow : layout.polygon->arrows) {
+    layout.ends.emplace_back(layout.px(arrow.from) + shift * across, layout.px(arrow.to) + shift * across);
+    if (along_W && layout.is_long(layout.ends.size() - 1)) shift += kApart;
+  }
+}
+
+// Points where the lines are, so that no label lies on them.
+std::vector<TextBox> ink_of(const PolygonLayout& layout) {
+  constexpr double kStep = 5;
+  constexpr double kAway = 1.5;
+  std::vector<TextBox> boxes;
+  for (const auto& [from, to] : layout.ends) {
+    const double length = (to - from).norm();
+    for (double s = 0; s <= length; s += kStep) {
+      const Vector2d p = from + s / length * (to - from);
+      boxes.push_back({p.x() - kAway, p.y() - kAway, p.x() + kAway, p.y() + kAway});
+    }
+  }
+  return boxes;
+}
+
+std::vector<PolygonPoint> merged_points(const PolygonLayout& layout) {
+  std::vector<PolygonPoint> merged;
+  if (layout.polygon->kind != Polygon::Kind::kForce) merged.push_back({"o", Vector2d::Zero()});
+  for (const PolygonPoint& point : layout.polygon->points) {
+    const auto same = std::find_if(merged.begin(), merged.end(), [&](const PolygonPoint& other) {
+      return (other.at - point.at).norm() < 1e-6 * layout.longest;
+    });
+    if (same == merged.end()) {
+      merged.push_back(point);
+    } else {
+      same->name += ", " + point.name;
+    }
+  }
+  return merged;
+}
+
+}  // namespace
+
+bool PolygonLayout::is_long(std::size_t arrow) const {
+  return (ends[arrow].second - ends[arrow].first).norm() >= kNamed;
+}
+
+std::string PolygonLayout::unit() const {
+  const std::string name = printed_unit(polygon->unit);
+  const std::string factor = printed_factor(exponent);
+  return factor + (factor.empty() || name.empty() ? "" : " ") + name;
+}
+
+PolygonLayout lay_out(const Polygon& polygon, double width, double top) {
+  PolygonLayout layout;
+  layout.polygon = &polygon;
+  layout.width = width;
+  layout.top = top;
+  layout.bottom = top + kPolygonLine;
+  for (const PolygonArrow& arrow : polygon.arrows) {
+    layout.longest = std::max(layout.longest, (arrow.to - arrow.from).norm());
+  }
+  if (!(layout.longest > 0)) {
+    return layout;
+  }
+  layout.exponent = make_ticks(0, layout.longest, "", 4).exponent;
+  const bool is_force = polygon.kind == Polygon::Kind::kForce;
+  const auto line = common_line(polygon, layout.longest);
+  layout.flat = line.has_value() && polygon.arrows.size() > 1;
+  const Extent extent = extent_of(polygon);
+  const Vector2d size = extent.high - extent.low;
+  const double room = kDrawnShare * width - 2 * kPolygonAround;
+  layout.scale =
+      std::min(room / std::max(size.x(), kThin * layout.longest),
+               (is_force ? kTallestForces : kTallest) / std::max(size.y(), kThin * layout.longest));
+  const double left = kPolygonMargin + kPolygonAround + std::max(0.0, (room - size.x() * layout.scale) / 2);
+  layout.origin = {left - extent.low.x() * layout.scale,
+                   top + kPolygonLine + kPolygonAround + extent.high.y() * layout.scale};
+  set_ends(layout, layout.flat ? line : std::nullopt);
+  double lowest = layout.origin.y() - extent.low.y() * layout.scale;
+  for (const auto& [from, to] : layout.ends) lowest = std::max({lowest, from.y(), to.y()});
+  layout.bottom = lowest + kPolygonAround + kPolygonLine;
+  return layout;
+}
+
+std::vector<PolygonLabel> place_polygon_labels(const PolygonLayout& layout) {
+  std::vector<PolygonLabel> labels;
+  for (const PolygonPoint& point : merged_points(layout)) {
+    labels.push_back({point.name, true, layout.px(point.at)});
+  }
+  for (std::size_t i = 0; i < layout.ends.size(); ++i) {
+    const auto& [from, to] = layout.ends[i];
+    if (layout.is_long(i)) labels.push_back({layout.polygon->arrows[i].name, false, (from + to) / 2});
+  }
+  std::vector<LabelledPoint> places;
+  for (const PolygonLabel& label : labels) {
+    LabelledPoint& place = places.emplace_back();
+    place.x = label.names.x();
+    place.y = label.names.y();
+    place.width = rich_width(label.text, kPolygonFont) + 4;
+  }
+  const TextBox frame = {4, layout.top + kPolygonLine, kDrawnShare * layout.width + kPolygonAround,
+                         layout.bottom - kPolygonLine};
+  place_labels(places, frame, ink_of(layout));
+  std::vector<PolygonLabel> shown;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const LabelledPoint& place = places[i];
+    if (!place.shown) continue;
+    labels[i].at = {place.box.left + 2, place.box.bottom - 3};
+    labels[i].width = place.width - 4;
+    labels[i].far = place.far;
+    shown.push_back(labels[i]);
+  }
+  return shown;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,255 @@
+#include "higherpair/drawing/polygon.hpp"
+#include "polygon_layout.hpp"
+#include "rich_text.hpp"
+#include "svg_writer.hpp"
+#include "text_layout.hpp"
+#include "ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kHead = 10;         // length of an arrow's head [px]
+constexpr double kShortestBar = 60;  // of the scale [px]
+
+constexpr const char* kStyle = R"(
+.hp-polygon text { font-family: sans-serif; font-size: 12px; fill: #000; }
+.hp-polygon .title { font-size: 14px; font-weight: bold; }
+.hp-polygon .head { font-weight: bold; }
+.hp-polygon .name { paint-order: stroke; stroke: #fff; stroke-width: 3px; stroke-linejoin: round; }
+.hp-polygon .point { font-style: italic; paint-order: stroke; stroke: #fff; stroke-width: 3px; }
+.hp-polygon .stem { stroke: #999; stroke-width: 0.7; }
+.hp-polygon .bar { stroke: #000; stroke-width: 1.2; fill: none; }
+.hp-polygon .rule { stroke: #ccc; stroke-width: 0.8; }
+)";
+
+using Kind = PolygonArrow::Kind;
+
+struct Look {
+  const char* part;
+  const char* color;
+  const char* dash;
+  double width;
+};
+
+Look look_of(Kind kind) {
+  switch (kind) {
+    case Kind::kAbsolute:
+      return {"absolute", "#000000", "none", 1.9};
+    case Kind::kRelative:
+      return {"relative", "#0072b2", "none", 1.6};
+    case Kind::kNormal:
+      return {"normal", "#d55e00", "6 3", 1.5};
+    case Kind::kTangential:
+      return {"tangential", "#009e73", "2.5 2.5", 1.5};
+    case Kind::kSliding:
+      return {"sliding", "#b0528c", "9 3 2 3", 1.6};
+    case Kind::kCoriolis:
+      return {"coriolis", "#a87000", "4 2", 1.6};
+    case Kind::kForce:
+      break;
+  }
+  return {"force", "#000000", "none", 1.7};
+}
+
+const char* role_of(Polygon::Kind kind) {
+  return kind == Polygon::Kind::kVelocity       ? "velocity"
+         : kind == Polygon::Kind::kAcceleration ? "acceleration"
+                                                : "force";
+}
+
+class PolygonWriter {
+public:
+  PolygonWriter(SvgWriter& svg, const PolygonLayout& layout)
+      : svg_(svg), layout_(layout), polygon_(*layout.polygon) {}
+
+  /// Returns the bottom [px].
+  double write() {
+    svg_.open("g", {{"data-role", "polygon"},
+                    {"data-name", polygon_.title},
+                    {"data-unit", polygon_.unit},
+                    {"data-scale", fmt::format("{:.12g}", layout_.scale)},
+                    {"data-origin", svg_number(layout_.origin.x()) + " " + svg_number(layout_.origin.y())}});
+    svg_.text({{"class", "head"}, {"x", kPolygonMargin}, {"y", layout_.top + kPolygonLine - 4}}, heading());
+    if (!polygon_.arrows.empty()) {
+      for (std::size_t i = 0; i < polygon_.arrows.size(); ++i) write_arrow(i);
+      write_labels();
+      write_bar();
+    }
+    const double bottom = write_texts();
+    svg_.close();
+    return std::max(bottom, layout_.bottom) + kPolygonMargin;
+  }
+
+private:
+  [[nodiscard]] std::string heading() const {
+    const bool is_force = polygon_.kind == Polygon::Kind::kForce && !polygon_.arrows.empty();
+    const std::string unit = layout_.unit();
+    return (is_force ? "Forces on " : "") + polygon_.title + (unit.empty() ? "" : " [" + unit + "]");
+  }
+
+  void write_arrow(std::size_t index) {
+    const PolygonArrow& arrow = polygon_.arrows[index];
+    const Look look = look_of(arrow.kind);
+    const auto& [from, to] = layout_.ends[index];
+    const Vector2d along = (to - from).normalized();
+    const double head = std::min(kHead, 0.6 * (to - from).norm());
+    const Vector2d base = to - head * along;
+    const Vector2d side = 0.32 * head * perp(along);
+    svg_.open("g", {{"data-role", role_of(polygon_.kind)},
+                    {"data-name", arrow.item},
+                    {"data-part", look.part},
+                    {"data-label", plain_text(arrow.name)}});
+    svg_.element("line", {{"x1", from.x()},
+                          {"y1", from.y()},
+                          {"x2", base.x()},
+                          {"y2", base.y()},
+                          {"stroke", look.color},
+                          {"stroke-width", look.width},
+                          {"stroke-dasharray", look.dash}});
+    SvgPath path;
+    path.move_to(to.x(), to.y()).line_to(base.x() + side.x(), base.y() + side.y());
+    path.line_to(base.x() - side.x(), base.y() - side.y()).close();
+    svg_.element("path", {{"d", path}, {"fill", look.color}});
+    svg_.close();
+  }
+
+  void write_labels() {
+    for (const PolygonLabel& label : place_polygon_labels(layout_)) {
+      if (label.far) {
+        const double x = std::clamp(label.names.x(), label.at.x(), label.at.x() + label.width);
+        svg_.element("line", {{"class", "stem"},
+                              {"x1", label.names.x()},
+                              {"y1", label.names.y()},
+                              {"x2", x},
+                              {"y2", label.at.y() - 4}});
+      }
+      svg_.open("g", {{"data-role", "label"}, {"data-name", plain_text(label.text)}});
+      rich_text(svg_, label.at.x(), label.at.y(), label.text, kPolygonFont,
+                label.is_point ? "point" : "name");
+      svg_.close();
+    }
+  }
+
+  void write_bar() {
+    const Ticks ticks = make_ticks(0, kShortestBar / layout_.scale, "", 1);
+    const double length = ticks.step * layout_.scale;
+    const double x = kPolygonMargin + 4;
+    const double y = layout_.bottom - 4;
+    SvgPath path;
+    path.move_to(x, y - 4).line_to(x, y + 4).move_to(x, y).line_to(x + length, y);
+    path.move_to(x + length, y - 4).line_to(x + length, y + 4);
+    svg_.element("path", {{"class", "bar"}, {"data-role", "scale"}, {"d", path}});
+    svg_.text({{"x", x + length + 8}, {"y", y + 4}},
+              printed_number(ticks.step / std::pow(10, layout_.exponent), 9) + " " + layout_.unit());
+  }
+
+  // The equations, and what the arrows are; returns the bottom.
+  double write_texts() {
+    const double left = kDrawnShare * layout_.width + kPolygonAround + 8;
+    double y = layout_.top + kPolygonLine - 4;
+    const auto lines = [&](const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) {
+        rich_text(svg_, left, y, text, kPolygonFont);
+        y += kPolygonLine;
+      }
+    };
+    for (const std::string& note : polygon_.notes) {
+      lines(wrapped(note, kPolygonFont, layout_.width - kPolygonMargin - left));
+    }
+    if (layout_.flat) lines({"all on one line, drawn side by side"});
+    lines(wrapped_equations(layout_.width - kPolygonMargin - left));
+    if (polygon_.arrows.empty()) return y;
+    svg_.element("line", {{"class", "rule"},
+                          {"x1", left},
+                          {"y1", y - 9},
+                          {"x2", layout_.width - kPolygonMargin},
+                          {"y2", y - 9}});
+    y += 6;
+    for (const PolygonArrow& arrow : polygon_.arrows) {
+      write_value(arrow, left, y);
+      y += kPolygonLine;
+    }
+    return y;
+  }
+
+  // An equation that is too long goes on in the next line, before a sign.
+  [[nodiscard]] std::vector<std::string> wrapped_equations(double room) const {
+    std::vector<std::string> lines;
+    for (const std::string& equation : polygon_.equations) {
+      std::string line;
+      for (std::string_view rest = equation; !rest.empty();) {
+        const std::size_t next =
+            std::min({rest.find(" + ", 1), rest.find(" −", 1), rest.find(" = ", 1), rest.size()});
+        const std::string_view term = rest.substr(0, next);
+        if (!line.empty() && rich_width(line + std::string(term), kPolygonFont) > room) {
+          lines.push_back(line);
+          line = "   ";
+        }
+        line += term;
+        rest.remove_prefix(next);
+      }
+      lines.push_back(line);
+    }
+    return lines;
+  }
+
+  void write_value(const PolygonArrow& arrow, double left, double y) {
+    const Look look = look_of(arrow.kind);
+    const Vector2d vector = arrow.to - arrow.from;
+    const double length = vector.norm() / std::pow(10, layout_.exponent);
+    const double degrees = angle_of(vector) * 180 / kPi;
+    svg_.element("line", {{"x1", left},
+                          {"y1", y - 4},
+                          {"x2", left + 20},
+                          {"y2", y - 4},
+                          {"stroke", look.color},
+                          {"stroke-width", look.width},
+                          {"stroke-dasharray", look.dash}});
+    rich_text(svg_, left + 28, y, arrow.name, kPolygonFont);
+    svg_.text({{"x", layout_.width - kPolygonMargin - 62}, {"y", y}, {"text-anchor", "end"}},
+              significant(length));
+    svg_.text({{"x", layout_.width - kPolygonMargin}, {"y", y}, {"text-anchor", "end"}},
+              printed_number(degrees, 1) + "°");
+  }
+
+  // Four digits.
+  static std::string significant(double value) {
+    const int before = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
+    return fmt::format("{:.{}f}", value, std::clamp(4 - before, 0, 9));
+  }
+
+  SvgWriter& svg_;
+  const PolygonLayout& layout_;
+  const Polygon& polygon_;
+};
+
+double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std::string& title,
+                 double width) {
+  double y = kPolygonMargin;
+  for (const std::string& line : wrapped(title, 14, width - 2 * kPolygonMargin)) {
+    y += kPolygonLine;
+    svg.text({{"class", "title"}, {"x", kPolygonMargin}, {"y", y - 4}}, line);
+  }
+  y += 8;
+  for (const Polygon& polygon : polygons) y = PolygonWriter(svg, lay_out(polygon, width, y)).write();
+  return y;
+}
+
+}  // namespace
+
+std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title, double width) {
+  SvgWriter rehearsal({width, 1, "", ""});  // how tall is it?
+  const double height = write_all(rehearsal, polygons, title, width);
+  SvgWriter svg({width, height, title, kStyle}, {{"class", "hp-polygon"}});
+  svg.element("rect", {{"width", width}, {"height", height}, {"fill", "#fff"}});
+  write_all(svg, polygons, title, width);
+  return std::move(svg).finish();
+}
+
+}  // namespace higherpair

@@ -1,0 +1,190 @@
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMillimetre = 1000;       // of a metre
+constexpr double kUnitsAcross = 110;       // along the picture's diagonal
+constexpr double kMargin = 3;              // [units]
+constexpr std::size_t kRowsLookedAt = 72;  // for the room that shapes need
+constexpr double kLongestArrow = 14;       // [units]
+
+struct Extent {
+  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d high = -low;
+
+  void add(const Vector2d& p, double radius = 0) {
+    low = low.cwiseMin((p.array() - radius).matrix());
+    high = high.cwiseMax((p.array() + radius).matrix());
+  }
+};
+
+// Of points, closed curves and contacts, before there are symbols.
+Extent bare_extent(const Sketch& sketch) {
+  Extent extent;
+  for (const MotionRow* row : sketch.rows) {
+    for (std::size_t i = 0; i < row->bodies.size(); ++i) {
+      const Body& body = sketch.mechanism.bodies[i];
+      const Pose<double>& X_WB = row->bodies[i].X_WB;
+      for (const NamedPoint& point : body.points) {
+        extent.add(X_WB * point.p_B);
+      }
+      for (const NamedCurve& named : body.curves) {
+        if (const auto middle = middle_of(named.curve)) {
+          extent.add(X_WB * *middle, reach_from(named.curve, *middle).value_or(0));
+        }
+      }
+    }
+    for (const ContactMotion& contact : row->contacts) {
+      extent.add(contact.at.p_W());
+    }
+  }
+  return extent;
+}
+
+void add_shape(Extent& extent, const Shape& shape, const Pose<double>& X_WB) {
+  const std::vector<double>& n = shape.numbers;
+  if (shape.kind == Shape::Kind::kCircle) {
+    extent.add(X_WB * Vector2d(n[0], n[1]), n[2]);
+    return;
+  }
+  const std::size_t count = shape.kind == Shape::Kind::kText ? 2 : n.size();
+  for (std::size_t i = 0; i + 1 < count; i += 2) {
+    if (!std::isnan(n[i])) {
+      extent.add(X_WB * Vector2d(n[i], n[i + 1]));
+    }
+  }
+}
+
+Extent full_extent(const Sketch& sketch) {
+  Extent extent;
+  const std::size_t stride = sketch.rows.size() / kRowsLookedAt + 1;
+  for (std::size_t k = 0; k < sketch.rows.size(); k += stride) {
+    for (const Shape& shape : sketch.shapes) {
+      add_shape(extent, shape, body_in(*sketch.rows[k], shape.body).X_WB);
+    }
+  }
+  return extent;
+}
+
+bool is_joined(const Mechanism& mechanism, int body, int point) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return (joint.first.body == body && joint.first.point == point) ||
+           (joint.second.body == body && joint.second.point == point);
+  });
+}
+
+void add_trace(Sketch& sketch, const PointRef& ref) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(ref.body)];
+  const NamedPoint& point = body.points[static_cast<std::size_t>(ref.point)];
+  std::vector<double> path;
+  for (const MotionRow* row : sketch.rows) {
+    const Vector2d p = body_in(*row, ref.body).X_WB * point.p_B;
+    path.insert(path.end(), {p.x(), p.y()});
+  }
+  sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::move(path));
+}
+
+void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
+  for (std::size_t b = 1; b < sketch.mechanism.bodies.size(); ++b) {
+    for (std::size_t p = 0; p < sketch.mechanism.bodies[b].points.size(); ++p) {
+      const PointRef ref{static_cast<int>(b), static_cast<int>(p)};
+      const bool asked = std::any_of(wanted.begin(), wanted.end(), [&](const PointRef& other) {
+        return other.body == ref.body && other.point == ref.point;
+      });
+      if (asked || !is_joined(sketch.mechanism, ref.body, ref.point)) {
+        add_trace(sketch, ref);
+      }
+    }
+  }
+}
+
+// So that the longest arrow of all rows has the length kLongestArrow.
+void set_arrow_scales(const Sketch& sketch, Scene& scene) {
+  double fastest = 0, hardest = 0;
+  for (const MotionRow* row : sketch.rows) {
+    for (std::size_t i = 1; i < row->bodies.size(); ++i) {
+      if (!row->all_rates && !row->has_rates[i]) {
+        continue;
+      }
+      for (const NamedPoint& point : sketch.mechanism.bodies[i].points) {
+        const PointMotion motion = point_motion(row->bodies[i], point.p_B);
+        fastest = std::max(fastest, motion.v_W.norm());
+        hardest = std::max(hardest, motion.a_W.norm());
+      }
+    }
+  }
+  const double longest = kLongestArrow * scene.unit / kMillimetre;
+  scene.velocity_scale = fastest > 0 ? longest / fastest : 0;
+  scene.acceleration_scale = hardest > 0 ? longest / hardest : 0;
+}
+
+}  // namespace
+
+Shape& Sketch::add(Role role, const std::string& name, int body, std::vector<double> numbers, bool closed,
+                   Shape::Kind kind) {
+  shapes.push_back({role, kind, name, body, closed, "", std::move(numbers)});
+  return shapes.back();
+}
+
+void Sketch::add_circle(Role role, const std::string& name, int body, const Vector2d& center, double radius) {
+  add(role, name, body, {center.x(), center.y(), radius}, true, Shape::Kind::kCircle);
+}
+
+void Sketch::add_text(const std::string& name, const std::string& text, int body, const Vector2d& at,
+                      const Vector2d& away) {
+  add(Role::kLabel, name, body, {at.x(), at.y(), away.x(), away.y()}, false, Shape::Kind::kText).text = text;
+}
+
+SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
+                       const std::vector<PointRef>& traces)
+    : mechanism_(&mechanism) {
+  Sketch sketch{mechanism, {}, 1, {}};
+  for (const MotionRow& row : rows) {
+    if (has_place(row)) {
+      sketch.rows.push_back(&row);
+    }
+  }
+  assert(!sketch.rows.empty());
+  const Extent bare = bare_extent(sketch);
+  const double diagonal = (bare.high - bare.low).norm();
+  sketch.unit = (diagonal > 0 ? diagonal : 1) / kUnitsAcross;
+  add_bodies(sketch);
+  add_joints(sketch);
+  add_traces(sketch, traces);
+  // Pins over blocks, short bars over long ones.
+  const auto rank = [](const Shape& shape) {
+    Extent extent;
+    if (shape.role == Role::kLink) add_shape(extent, shape, {});
+    const double size = shape.role == Role::kLink ? (extent.high - extent.low).norm() : 0;
+    return std::tuple(shape.role, shape.role == Role::kJoint && shape.kind == Shape::Kind::kCircle, -size);
+  };
+  std::stable_sort(sketch.shapes.begin(), sketch.shapes.end(),
+                   [&](const Shape& a, const Shape& b) { return rank(a) < rank(b); });
+  const Extent full = full_extent(sketch);
+  const double margin = kMargin * sketch.unit;
+  scene_.unit = sketch.unit * kMillimetre;
+  scene_.view = {(full.low.array() - margin).matrix() * kMillimetre,
+                 (full.high.array() + margin).matrix() * kMillimetre};
+  largest_ = 1.5 * scene_.view.size().norm();
+  scene_.fixed = std::move(sketch.shapes);
+  for (Shape& shape : scene_.fixed) {
+    for (double& number : shape.numbers) {
+      number *= kMillimetre;
+    }
+  }
+  scene_.places.resize(mechanism.bodies.size());
+  set_arrow_scales(sketch, scene_);
+  at(*sketch.rows.front());
+}
+
+}  // namespace higherpair

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "higherpair/drawing/scene.hpp"
+
+#include <array>
+#include <vector>
+
+namespace higherpair {
+
+/// What the shapes of a mechanism are made from; lengths in metres.
+struct Sketch {
+  const Mechanism& mechanism;
+  std::vector<const MotionRow*> rows;  ///< with a position
+  double unit = 1;                     ///< of symbols [m]
+  std::vector<Shape> shapes;           ///< so far, in metres
+
+  Shape& add(Role role, const std::string& name, int body, std::vector<double> numbers, bool closed = false,
+             Shape::Kind kind = Shape::Kind::kPath);
+  void add_circle(Role role, const std::string& name, int body, const Vector2d& center, double radius);
+  void add_text(const std::string& name, const std::string& text, int body, const Vector2d& at,
+                const Vector2d& away);
+};
+
+[[nodiscard]] inline const BodyMotion& body_in(const MotionRow& row, int body) {
+  return row.bodies[static_cast<std::size_t>(body)];
+}
+
+/// Whether bodies have a place in the row.
+[[nodiscard]] inline bool has_place(const MotionRow& row) {
+  return row.status != RowStatus::kNotAssemblable && row.status != RowStatus::kNotConverged;
+}
+
+/// The first touching point of a curve, seen from its body: the point, and the outward normal.
+struct Touch {
+  Vector2d p_B, n_B;
+};
+[[nodiscard]] std::optional<Touch> first_touch(const Sketch& sketch, int body, std::size_t curve);
+
+/// How far the touching points of a curve go along its vertex's tangent, with some room [m].
+[[nodiscard]] std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t curve);
+
+/// Smallest and largest coordinate of a slide or slot in the rows [m].
+[[nodiscard]] std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint);
+
+/// Bodies within their curves, bars and plates between their points, names.
+void add_bodies(Sketch& sketch);
+
+/// Pins, slides, slots, wheels and what holds them to ground.
+void add_joints(Sketch& sketch);
+
+/// Pitch radii of the two wheels of gears or a belt at their distance [m].
+[[nodiscard]] std::array<double, 2> wheel_radii(const Joint& joint, double distance);
+
+}  // namespace higherpair

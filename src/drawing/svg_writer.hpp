@@ -1,0 +1,97 @@
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace higherpair {
+
+/// A number as SVG has it: at most 5 decimals, without zeros at the end, never an exponent.
+/// \pre  finite
+[[nodiscard]] std::string svg_number(double value);
+
+/// Text between tags or quotes: & < > " as entities, U+FFFD for control characters, which XML cannot hold.
+[[nodiscard]] std::string xml_escaped(std::string_view text);
+
+/// The `d` of a path, in px.
+class SvgPath {
+public:
+  SvgPath& move_to(double x, double y);
+  SvgPath& line_to(double x, double y);
+  /// An arc of a circle to x, y. \param sweep  clockwise as seen on the screen
+  SvgPath& arc_to(double radius, bool large, bool sweep, double x, double y);
+  SvgPath& close();
+
+  /// Adds lines through x, y, x, y, …; pieces apart are separated by a NaN pair.
+  SvgPath& polyline(std::span<const double> xy, bool closed = false);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] bool empty() const { return text_.empty(); }
+
+private:
+  SvgPath& add(char command, std::initializer_list<double> numbers);
+
+  std::string text_;
+};
+
+/// An attribute of an element; the value is formatted and escaped here.
+struct SvgAttribute {
+  SvgAttribute(std::string_view name_of_it, double number) : name(name_of_it), value(svg_number(number)) {}
+  SvgAttribute(std::string_view name_of_it, std::string_view text)
+      : name(name_of_it), value(xml_escaped(text)) {}
+  SvgAttribute(std::string_view name_of_it, const SvgPath& path) : name(name_of_it), value(path.text()) {}
+
+  std::string_view name;  ///< refers to the caller's
+  std::string value;
+};
+
+/// Writes one SVG picture as text, element by element, in px. What it gives is well-formed XML, whatever the
+/// texts hold; elements that were opened and not closed are closed at the end.
+///
+///     SvgWriter svg({.width = 200, .height = 100, .title = "A cam", .style = ".body { fill: #ddd; }"});
+///     svg.open("g", {{"data-role", "body"}, {"data-name", name}});
+///     svg.element("circle", {{"cx", 50}, {"cy", 50}, {"r", 20}});
+///     svg.close();
+///     svg.text({{"x", 50}, {"y", 90}}, "r = 20 mm");
+///     const std::string file = std::move(svg).finish();
+class SvgWriter {
+public:
+  using Attributes = std::initializer_list<SvgAttribute>;
+
+  struct Header {
+    double width = 0;   ///< [px]
+    double height = 0;  ///< [px]
+    std::string title;  ///< read aloud by screen readers; not drawn
+    std::string style;  ///< CSS for all of it
+  };
+
+  /// \param more  attributes of the top element
+  explicit SvgWriter(const Header& header, Attributes more = {});
+
+  void open(std::string_view name, Attributes attributes = {});  ///< to be closed
+  void close();                                                  ///< the element opened last
+  void element(std::string_view name, Attributes attributes);    ///< without content
+  /// An element whose only content is text.
+  void element(std::string_view name, Attributes attributes, std::string_view content);
+  void text(Attributes attributes, std::string_view content) { element("text", attributes, content); }
+
+  /// A piece of a text: lower than the one before by `down`, in a size of its own [px].
+  struct Run {
+    std::string text;
+    double down = 0;
+    double size = 12;
+  };
+  void text(Attributes attributes, const std::vector<Run>& runs);
+
+  [[nodiscard]] std::string finish() &&;
+
+private:
+  void begin_tag(std::string_view name, Attributes attributes);
+
+  std::string out_;
+  std::vector<std::string> open_;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,127 @@
+#include "ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kNoise = 1e-10;     // values below this are rounding, in any unit a profile would have
+constexpr double kRounding = 1e-9;   // a spread below this share of the values is rounding as well
+constexpr double kMargin = 0.05;     // of the span of the values, above and below
+constexpr double kWhole = 1e-6;      // of a step: how near an end of the axis a tick may be to be on it
+constexpr int kLargestExponent = 5;  // 99 999 is written out
+constexpr int kSmallestExponent = -3;
+
+double round_step(double least) {
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least * (1 - kWhole)) {
+      return factor * power;
+    }
+  }
+  return 10 * power;
+}
+
+double degree_step(double least) {
+  constexpr std::array<double, 6> kSteps = {15, 30, 45, 90, 180, 360};
+  if (least <= 10) {
+    return round_step(least);
+  }
+  for (const double step : kSteps) {
+    if (step >= least * (1 - kWhole)) {
+      return step;
+    }
+  }
+  return 360 * std::ceil(round_step(least / 360));
+}
+
+constexpr std::array<const char*, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+
+std::string raised(int number) {
+  std::string text = number < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(number))) {
+    text += kRaised[static_cast<std::size_t>(digit - '0')];
+  }
+  return text;
+}
+
+// The power of ten, a multiple of 3, that leaves numbers of few digits.
+int exponent_of(double largest) {
+  const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest) + kWhole)) : 0;
+  if (exponent < kLargestExponent && exponent > kSmallestExponent) {
+    return 0;
+  }
+  return static_cast<int>(std::floor(exponent / 3.0)) * 3;
+}
+
+}  // namespace
+
+std::string printed_number(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  if (text == "-0") text = "0";
+  return text.front() == '-' ? "−" + text.substr(1) : text;
+}
+
+std::string Ticks::label(double value) const {
+  const double unit = std::pow(10, exponent);
+  const int decimals = static_cast<int>(std::ceil(-std::log10(step / unit) - kWhole));
+  const std::string text = fmt::format("{:.{}f}", value / unit, std::clamp(decimals, 0, 15));
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return text.front() == '-' ? (zero ? "" : "−") + text.substr(1) : text;
+}
+
+Ticks make_ticks(double low, double high, std::string_view unit, int most) {
+  Ticks ticks;
+  ticks.low = low;
+  ticks.high = high;
+  const double least = (high - low) / most;
+  ticks.step = unit == "deg" ? degree_step(least) : round_step(least);
+  ticks.exponent = exponent_of(std::max(std::abs(low), std::abs(high)));
+  const double first = std::ceil(low / ticks.step - kWhole);
+  const double last = std::floor(high / ticks.step + kWhole);
+  for (double k = first; k <= last; ++k) {
+    ticks.values.push_back(k * ticks.step);
+  }
+  return ticks;
+}
+
+AxisRange padded_range(double lowest, double highest) {
+  const double largest = std::max(std::abs(lowest), std::abs(highest));
+  if (largest < kNoise) {
+    return {-1, 1};
+  }
+  const double span = highest - lowest;
+  if (span < kRounding * largest) {
+    return {lowest - 0.5 * largest, highest + 0.5 * largest};
+  }
+  return {lowest - kMargin * span, highest + kMargin * span};
+}
+
+std::string printed_unit(std::string_view unit) {
+  std::string text;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit[i] == '^' && i + 1 < unit.size()) {
+      std::size_t end = i + 1;
+      while (end < unit.size() && (unit[end] == '-' || (unit[end] >= '0' && unit[end] <= '9'))) ++end;
+      text += raised(std::stoi(std::string(unit.substr(i + 1, end - i - 1))));
+      i = end - 1;
+    } else {
+      text += unit[i] == '*' ? "·" : std::string(1, unit[i]);
+    }
+  }
+  return text == "1" ? "" : text;
+}
+
+std::string printed_factor(int exponent) {
+  return exponent == 0 ? "" : "×10" + raised(exponent);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+
+/// Writes JSON that may stand within a page of HTML: `<` and what is not ASCII-printable below it is escaped,
+/// what is no UTF-8 replaced. The caller opens and closes; commas come by themselves.
+class JsonWriter {
+public:
+  JsonWriter& open(char bracket) {
+    separate();
+    text_ += bracket;
+    first_ = true;
+    return *this;
+  }
+  JsonWriter& close(char bracket) {
+    text_ += bracket;
+    first_ = false;
+    return *this;
+  }
+  JsonWriter& key(std::string_view name) {
+    string(name);
+    text_ += ':';
+    first_ = true;
+    return *this;
+  }
+  JsonWriter& string(std::string_view value);
+  JsonWriter& boolean(bool value) { return plain(value ? "true" : "false"); }
+  /// Text that is JSON already.
+  JsonWriter& raw(std::string_view json) { return plain(json); }
+  JsonWriter& null() { return plain("null"); }
+  JsonWriter& integer(long long value) {
+    separate();
+    fmt::format_to(std::back_inserter(text_), "{}", value);
+    return *this;
+  }
+  /// \param digits  significant ones at most; null where the value is not finite
+  JsonWriter& number(double value, int digits) {
+    if (!std::isfinite(value)) {
+      return null();
+    }
+    separate();
+    fmt::format_to(std::back_inserter(text_), "{:.{}g}", value == 0 ? 0.0 : value, digits);
+    return *this;
+  }
+
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+private:
+  void separate() {
+    if (!first_) text_ += ',';
+    first_ = false;
+  }
+  JsonWriter& plain(std::string_view word) {
+    separate();
+    text_ += word;
+    return *this;
+  }
+
+  std::string text_;
+  bool first_ = true;
+};
+
+}  // namespace higherpair

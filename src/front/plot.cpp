@@ -1,0 +1,120 @@
+#include "higherpair/front/plot.hpp"
+
+#include "column_set.hpp"
+#include "plot_marks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string driver_column(const Mechanism& mechanism) {
+  const std::string name = mechanism.drivers.empty() ? "" : mechanism.drivers.front().name;
+  return name.empty() ? "driver" : "driver." + name;
+}
+
+tl::unexpected<Error> refuse(std::string place, std::string rule) {
+  return tl::unexpected(Error{ErrorKind::kInput, {about(std::move(place), std::move(rule))}});
+}
+
+// Errors of the run call the columns an option of their own.
+Error renamed(Error error, const std::string& x) {
+  for (Diagnostic& diagnostic : error.diagnostics) {
+    const std::string before = "--columns ";
+    if (diagnostic.place.source.starts_with(before)) {
+      const std::string name = diagnostic.place.source.substr(before.size());
+      diagnostic.place.source = (name == x ? "--x " : "--y ") + name;
+    }
+  }
+  return error;
+}
+
+// Columns of forces and of the jerk are worked out only where they are asked for.
+Result<Analysis> started(const Model& model, const RunSettings& settings) {
+  auto first = model.start(settings);
+  if (first || first.error().kind != ErrorKind::kInput) {
+    return first;
+  }
+  constexpr std::array<std::pair<bool, bool>, 3> kMore = {{{true, false}, {false, true}, {true, true}}};
+  for (const auto& [forces, jerk] : kMore) {
+    RunSettings more = settings;
+    more.forces = more.forces || forces;
+    more.jerk = more.jerk || jerk;
+    if (auto analysis = model.start(more); analysis || analysis.error().kind != ErrorKind::kInput) {
+      return analysis;
+    }
+  }
+  return first;
+}
+
+Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) {
+  Names names;
+  for (const std::string& glob : globs) {
+    bool found = false;
+    for (const Column& column : columns) {
+      if (!column.words.empty() || !matches(glob, column.name)) continue;
+      found = true;
+      if (std::find(names.begin(), names.end(), column.name) == names.end()) names.push_back(column.name);
+    }
+    if (!found) {
+      return refuse("--y " + glob, "this column holds words; a plot needs numbers");
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
+  const std::string driver_name = driver_column(model.mechanism());
+  const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_name);
+  if (settings.y.empty()) {
+    return refuse("--y", "names no column; expected at least one, such as --y 'driver.velocity'");
+  }
+  if (x_name.find_first_of("*?") != std::string::npos) {
+    return refuse("--x " + x_name, "expected the name of one column");
+  }
+  RunSettings run = settings.run;
+  run.columns = settings.y;
+  run.columns.push_back(x_name);
+  run.columns.push_back(driver_name);
+  auto analysis = started(model, run);
+  if (!analysis) {
+    return tl::unexpected(renamed(std::move(analysis.error()), x_name));
+  }
+  const Result<Names> names = y_columns(analysis->columns(), settings.y);
+  if (!names) {
+    return tl::unexpected(names.error());
+  }
+  const auto is_x = [&](const Column& column) { return column.name == x_name; };
+  if (!std::find_if(analysis->columns().begin(), analysis->columns().end(), is_x)->words.empty()) {
+    return refuse("--x " + x_name, "this column holds words; a plot needs numbers");
+  }
+  MotionPlot plot;
+  plot.notes = analysis->notes();
+  const Motion motion(*std::move(analysis));
+  plot.good = motion.good();
+  plot.stopped = motion.stopped();
+  if (motion.size() == 0) {
+    return plot;
+  }
+  const ColumnValues x = motion.column(x_name);
+  plot.data.title = model.mechanism().title;
+  plot.data.x = {x_name, std::string(x.unit)};
+  const std::vector<double> xs(x.begin(), x.end());
+  for (const std::string& name : *names) {
+    const ColumnValues y = motion.column(name);
+    plot.data.series.push_back({name, std::string(y.unit), xs, {y.begin(), y.end()}});
+  }
+  const ColumnValues driver = motion.column(driver_name);
+  const XColumn column = x_column(x);
+  add_ranges(motion, column, driver, plot.data);
+  add_events(motion, column, driver, plot.data);
+  return plot;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,119 @@
+#include "higherpair/front/report.hpp"
+
+#include "model_data.hpp"
+#include "report_data.hpp"
+#include "report_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr std::string_view kDataMark = "@REPORT_DATA@";
+
+bool has_forces(const Mechanism& mechanism) {
+  return !mechanism.loads.empty() || !mechanism.springs.empty() ||
+         std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [](const Body& body) { return body.mass.has_value(); });
+}
+
+std::size_t driver_column(const std::vector<Column>& columns) {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [](const Column& column) { return column.name.starts_with("driver"); });
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+void note(std::vector<Extremes>& extremes, const Row& row, double driver) {
+  for (std::size_t k = 0; k < extremes.size(); ++k) {
+    const double value = row.values[k];
+    if (std::isnan(value)) {
+      continue;
+    }
+    auto& [low, high] = extremes[k];
+    if (!(low.value <= value)) low = {value, driver, row.number};
+    if (!(high.value >= value)) high = {value, driver, row.number};
+  }
+}
+
+ReportData collect(Analysis& analysis, const ReportSettings& settings) {
+  ReportData data;
+  data.columns = analysis.columns();
+  data.extremes.resize(data.columns.size());
+  data.size = analysis.size();
+  const std::int64_t gaps = settings.most_rows - 1;
+  const std::int64_t stride = std::max<std::int64_t>(1, (data.size - 1 + gaps - 1) / gaps);
+  const std::size_t driver = driver_column(data.columns);
+  Row row;
+  while (analysis.next(row)) {
+    note(data.extremes, row, row.values[driver]);
+    if (row.number % stride == 0 || row.number == data.size - 1) {
+      data.rows.push_back(row);
+      data.motions.push_back(analysis.motion());
+    }
+    if (settings.progress) {
+      settings.progress(row.number, data.size);
+    }
+  }
+  data.events = analysis.events();
+  data.good = analysis.good();
+  data.scales = scales_of(data);
+  return data;
+}
+
+std::string filled(std::string_view page, std::string_view json) {
+  const std::size_t at = page.find(kDataMark);
+  std::string html(page.substr(0, at));
+  html += json;
+  html += page.substr(at + kDataMark.size());
+  return html;
+}
+
+}  // namespace
+
+std::size_t page_row(const ReportData& data, std::int64_t row) {
+  const auto found =
+      std::lower_bound(data.rows.begin(), data.rows.end(), row,
+                       [](const Row& one, std::int64_t number) { return one.number < number; });
+  return std::min(static_cast<std::size_t>(found - data.rows.begin()), data.rows.size() - 1);
+}
+
+Result<Report> report_of(const Model& model, const ReportSettings& settings) {
+  const auto wrong = [&](std::string message) {
+    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(message)));
+  };
+  if (report_page().empty()) {
+    return wrong(
+        fmt::format("report: this program was built without the page of reports: {}; install nodejs "
+                    "and npm (tools/setup does) and build again with -DHIGHERPAIR_REPORT=ON",
+                    report_page_missing()));
+  }
+  if (settings.most_rows < 2) {
+    return wrong(fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
+  }
+  RunSettings run;
+  run.in_time = settings.in_time;
+  run.samples = settings.samples;
+  run.tolerance = settings.tolerance;
+  run.forces = has_forces(model.mechanism());
+  run.stop = settings.stop;
+  auto analysis = model.start(run);
+  if (!analysis) {
+    return tl::unexpected(std::move(analysis.error()));
+  }
+  Report report;
+  report.notes = analysis->notes();
+  const ReportData data = collect(*analysis, settings);
+  report.events = data.events;
+  report.good = data.good;
+  report.stopped = analysis->stopped();
+  if (!data.rows.empty()) {
+    report.html = filled(report_page(), json_of(model, data, settings.source));
+  }
+  return report;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,169 @@
+#include "report_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace higherpair {
+namespace {
+
+struct Found {
+  const Column& column;
+  const Extremes& extremes;
+  double noise = 0;
+
+  [[nodiscard]] double range() const { return extremes.high.value - extremes.low.value; }
+  [[nodiscard]] const Extremes::Value& largest() const {
+    return std::abs(extremes.low.value) > std::abs(extremes.high.value) ? extremes.low : extremes.high;
+  }
+  [[nodiscard]] bool is_constant() const {
+    return range() <= noise || range() <= kNoise * std::abs(largest().value);
+  }
+  [[nodiscard]] double rounded(double value) const { return std::abs(value) <= noise ? 0 : value; }
+};
+
+// A column that is there and has a value in some row.
+std::optional<Found> find(const ReportData& data, const std::string& name) {
+  for (std::size_t k = 0; k < data.columns.size(); ++k) {
+    if (data.columns[k].name == name && !std::isnan(data.extremes[k].low.value)) {
+      return Found{data.columns[k], data.extremes[k], kNoise * data.scales[k]};
+    }
+  }
+  return std::nullopt;
+}
+
+bool column_is_rate(const Column& column) {
+  return column.unit.find('/') != std::string::npos;
+}
+
+// Adds facts about one joint or contact.
+class FactList {
+public:
+  FactList(const ReportData& data, std::vector<Fact>& facts) : data_(data), facts_(facts) {}
+
+  void range(const std::string& of, const std::string& column, const std::string& name) {
+    if (const auto found = find(data_, column)) {
+      const auto& [low, high] = found->extremes;
+      add(of, name, *found, found->range(), {low, high});
+    }
+  }
+  void largest(const std::string& of, const std::string& column, const std::string& name) {
+    if (const auto found = find(data_, column)) {
+      add(of, name, *found, found->largest().value, {found->largest()});
+    }
+  }
+  void smallest(const std::string& of, const std::string& column, const std::string& name) {
+    if (const auto found = find(data_, column)) {
+      add(of, name, *found, found->extremes.low.value, {found->extremes.low});
+    }
+  }
+
+private:
+  void add(const std::string& of, const std::string& name, const Found& found, double value,
+           std::vector<Extremes::Value> at) {
+    if (found.is_constant()) {
+      if (found.rounded(value) == 0 && column_is_rate(found.column)) return;
+      at.clear();
+    }
+    facts_.push_back({of, name, found.rounded(value), found.column.unit, found.column.name, std::move(at)});
+  }
+
+  const ReportData& data_;
+  std::vector<Fact>& facts_;
+};
+
+bool is_driven(const Mechanism& mechanism, std::size_t joint) {
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                     [&](const Driver& driver) { return driver.joint == static_cast<int>(joint); });
+}
+
+// The joints by which the motion leaves the mechanism: on ground, and not driven.
+std::vector<const Joint*> outputs(const Mechanism& mechanism) {
+  std::vector<const Joint*> joints;
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    const bool on_ground = joint.first.body == 0 || joint.second.body == 0;
+    if (on_ground && can_be_driven(joint.type) && !is_driven(mechanism, j)) {
+      joints.push_back(&joint);
+    }
+  }
+  return joints;
+}
+
+// Of a mechanism without outputs: the body that is named last is as a rule the last that moves.
+void add_last_body(const Mechanism& mechanism, FactList& list) {
+  const std::string& body = mechanism.bodies.back().name;
+  list.range(body, body + ".x", "Travel along x");
+  list.range(body, body + ".y", "Travel along y");
+  list.range(body, body + ".angle", "Turning");
+}
+
+// Those that are there and change.
+std::vector<std::string> changing(const ReportData& data, const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  for (const std::string& name : names) {
+    if (const auto column = find(data, name); column && !column->is_constant()) found.push_back(name);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data) {
+  std::vector<Fact> facts;
+  FactList list(data, facts);
+  for (const Joint* joint : outputs(mechanism)) {
+    const std::string& name = joint->name;
+    list.range(name, name + ".position", has_angle(joint->type) ? "Swing" : "Stroke");
+    list.largest(name, name + ".velocity", "Max. speed");
+    list.largest(name, name + ".acceleration", "Max. acceleration");
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    list.largest(contact.name, contact.name + ".pressure", "Max. pressure angle");
+    list.smallest(contact.name, contact.name + ".transmission", "Min. transmission");
+    list.largest(contact.name, contact.name + ".sliding", "Max. sliding");
+    list.smallest(contact.name, contact.name + ".force", "Min. force");
+  }
+  for (const Driver& driver : mechanism.drivers) {
+    const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+    list.largest(name, name + ".effort", "Max. effort");
+  }
+  if (facts.empty() && mechanism.bodies.size() > 1) {
+    add_last_body(mechanism, list);
+  }
+  return facts;
+}
+
+std::vector<std::vector<std::string>> first_plots(const Mechanism& mechanism, const ReportData& data) {
+  const std::vector<const Joint*> joints = outputs(mechanism);
+  std::vector<std::vector<std::string>> plots;
+  const auto add = [&](const std::vector<std::string>& names) {
+    if (auto found = changing(data, names); !found.empty()) plots.push_back(std::move(found));
+  };
+  // Positions are far apart as a rule, rates are about zero.
+  for (const Joint* joint : joints) {
+    add({joint->name + ".position"});
+  }
+  for (const char* what : {".velocity", ".acceleration"}) {
+    std::vector<std::string> names;
+    for (const Joint* joint : joints) {
+      names.push_back(joint->name + what);
+    }
+    add(names);
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    add({contact.name + ".pressure", contact.name + ".transmission"});
+    add({contact.name + ".force"});
+  }
+  for (const Driver& driver : mechanism.drivers) {
+    add({(driver.name.empty() ? "driver" : "driver." + driver.name) + ".effort"});
+  }
+  if (plots.empty()) {
+    const std::string& body = mechanism.bodies.back().name;
+    add({body + ".x", body + ".y"});
+    add({body + ".angle"});
+  }
+  return plots;
+}
+
+}  // namespace higherpair

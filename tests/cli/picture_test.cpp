@@ -1,0 +1,160 @@
+// The commands that draw plots, polygons and maps, on the command line.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class PictureFiles : public ::testing::Test {
+protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    for (const char* name : {"sixbar_slider", "lock_up", "ellipse_cam_roller", "four_bar"}) {
+      fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name + ".toml",
+                    folder_ / (std::string(name) + ".toml"), fs::copy_options::overwrite_existing);
+    }
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && " + HIGHERPAIR_PROGRAM + " " + arguments +
+                                " >'" + (folder_ / "out").string() + "' 2>'" + (folder_ / "err").string() +
+                                "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+  [[nodiscard]] std::string text(const std::string& name) const { return read_file(folder_ / name); }
+
+  // What is said about arguments that are wrong; nothing is written.
+  [[nodiscard]] std::string refusal(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "w.svg")) << arguments;
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  }
+
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("pictures of " + std::to_string(getpid()));
+};
+
+TEST_F(PictureFiles, OfColumnsAreWrittenAndNothingIsSaid) {
+  const Outcome outcome =
+      run("plot ellipse_cam_roller.toml -o 'a plot.svg' --y follower.alpha,touch.pressure");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+  EXPECT_THAT(text("a plot.svg"), HasSubstr("data-name=\"touch.pressure\""));
+  const Outcome piped = run("plot ellipse_cam_roller.toml -o - --y follower.alpha --width 500");
+  EXPECT_THAT(piped.out, StartsWith("<?xml"));
+  EXPECT_THAT(piped.out, HasSubstr("width=\"500\""));
+}
+
+TEST_F(PictureFiles, OfARunThatIsNotGoodAreWrittenAllTheSame) {
+  EXPECT_EQ(run("plot lock_up.toml -o p.svg --y follower.angle").code, 4);
+  EXPECT_THAT(text("p.svg"), HasSubstr("not assemblable"));
+}
+
+TEST_F(PictureFiles, OfTimeAndOfOtherColumns) {
+  EXPECT_EQ(run("plot sixbar_slider.toml -o t.svg --y slider.vx --time").code, 0);
+  EXPECT_THAT(text("t.svg"), HasSubstr("time [s]"));
+  EXPECT_EQ(run("plot four_bar.toml -o c.svg --y driver.velocity --x driver --samples 5").code, 0);
+  EXPECT_EQ(run("plot ellipse_cam_roller.toml -o e.svg --y driver.effort").code, 0);
+  EXPECT_THAT(text("e.svg"), HasSubstr("driver.effort"));
+}
+
+TEST_F(PictureFiles, RefuseUnknownColumns) {
+  EXPECT_THAT(
+      refusal("plot ellipse_cam_roller.toml -o w.svg --y follower.alfa"),
+      HasSubstr("--y follower.alfa: no column of this run has such a name; did you mean `follower.alpha"));
+  EXPECT_THAT(refusal("plot ellipse_cam_roller.toml -o w.svg --y driver --x drvier"),
+              HasSubstr("--x drvier: no column"));
+  EXPECT_THAT(refusal("plot ellipse_cam_roller.toml -o w.svg --y status"), HasSubstr("holds words"));
+  EXPECT_THAT(refusal("plot ellipse_cam_roller.toml -o w.svg"), HasSubstr("--y is required"));
+  EXPECT_THAT(refusal("plot ellipse_cam_roller.toml --y driver"), HasSubstr("--output is required"));
+}
+
+TEST_F(PictureFiles, RefuseFilesThatCannotBe) {
+  for (const std::string command : {"plot ellipse_cam_roller.toml --y driver", "map ellipse_cam_roller.toml",
+                                    "polygon ellipse_cam_roller.toml --at 30"}) {
+    EXPECT_THAT(refusal(command + " -o w.gif"), HasSubstr("w.gif: a picture ends in .svg, .pdf or .png"));
+    EXPECT_THAT(refusal(command + " -o w"), HasSubstr("a picture ends in"));
+    EXPECT_THAT(refusal(command + " -o none/w.svg"),
+                HasSubstr("none/w.svg: there is no folder none; make it first (mkdir -p), or name another"));
+  }
+  fs::copy_file(folder_ / "four_bar.toml", folder_ / "profile.svg");
+  EXPECT_THAT(refusal("plot profile.svg -o ./profile.svg --y driver"),
+              HasSubstr("is the file that is read as FILE"));
+  EXPECT_THAT(refusal("map ellipse_cam_roller.toml --csv w.svg -o w.svg"), HasSubstr("both name w.svg"));
+  EXPECT_THAT(text("profile.svg"), HasSubstr("[driver]"));
+}
+
+// Without librsvg and cairo the program says so.
+TEST_F(PictureFiles, ArePdfAndPngWhereThatCanBe) {
+  const Outcome pdf = run("polygon sixbar_slider.toml -o p.pdf --at 45");
+  if (pdf.code == 2) {
+    EXPECT_THAT(pdf.err, HasSubstr("install librsvg2-dev and libcairo2-dev and build again"));
+    return;
+  }
+  EXPECT_EQ(pdf.code, 0) << pdf.err;
+  EXPECT_THAT(text("p.pdf"), StartsWith("%PDF"));
+  EXPECT_EQ(run("map ellipse_cam_roller.toml -o m.PNG").code, 0);
+  EXPECT_THAT(text("m.PNG"), StartsWith("\x89PNG"));
+}
+
+TEST_F(PictureFiles, OfPolygonsHaveVelocitiesAccelerationsAndForces) {
+  const Outcome outcome = run("polygon sixbar_slider.toml -o p.svg --at 45 --forces");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+  EXPECT_THAT(text("p.svg"), HasSubstr("Six-bar with slider, driver = 45 deg"));
+  EXPECT_THAT(text("p.svg"), HasSubstr("data-label=\"a_BA^n\""));
+}
+
+TEST_F(PictureFiles, OfPolygonsAreOfTheLimitWhereThePositionCannotBeReached) {
+  const Outcome outcome = run("polygon lock_up.toml -o p.svg --at 120");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("lock_up.toml: driver = 120 cannot be reached: drawn at the limit position 65.83442"));
+  EXPECT_TRUE(fs::exists(folder_ / "p.svg"));
+}
+
+TEST_F(PictureFiles, OfPolygonsNeedAPosition) {
+  EXPECT_THAT(refusal("polygon sixbar_slider.toml -o w.svg"), HasSubstr("--at is required"));
+  EXPECT_THAT(refusal("polygon sixbar_slider.toml -o w.svg --at nan"), HasSubstr("'nan' is no number"));
+}
+
+TEST_F(PictureFiles, OfAMapComeBesidesItsTables) {
+  const Outcome outcome = run("map ellipse_cam_roller.toml -o m.svg");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, run("map ellipse_cam_roller.toml").out);
+  EXPECT_THAT(text("m.svg"), HasSubstr("branch 3, the mechanism's own"));
+  EXPECT_EQ(run("map ellipse_cam_roller.toml -o m2.svg --csv m.csv").code, 0);
+  EXPECT_EQ(text("m2.svg"), text("m.svg"));
+}
+
+}  // namespace

@@ -1,0 +1,132 @@
+// `report` as a program: what it writes, what it refuses, and how it ends.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Outcome {
+  int code = -1;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string profile(const std::string& name) {
+  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name + ".toml";
+}
+
+std::string quoted(const fs::path& path) {
+  std::string text = "'";
+  text += path.string();
+  return text += '\'';
+}
+
+class Report : public ::testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("higherpair-report " + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    page_ = folder_ / "a page.html";
+    has_page_ = run(profile("knife_edge") + " -o " + quoted(page_)).code == 0;
+    fs::remove(page_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const fs::path err = folder_ / "err";
+    const std::string command =
+        std::string(HIGHERPAIR_PROGRAM) + " report " + arguments + " 2>" + quoted(err);
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(err)};
+  }
+  [[nodiscard]] std::string to_page() const { return " -o " + quoted(page_); }
+
+  fs::path folder_;
+  fs::path page_;
+  bool has_page_ = false;
+};
+
+TEST_F(Report, SaysWhatIsMissingWhereThePageWasNotBuilt) {
+  if (has_page_) GTEST_SKIP() << "this build has the page";
+  const Outcome outcome = run(profile("knife_edge") + to_page());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("built without the page"), HasSubstr("HIGHERPAIR_REPORT=ON")));
+  EXPECT_FALSE(fs::exists(page_));
+}
+
+TEST_F(Report, WritesOnePageThatAsksForNothing) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  EXPECT_EQ(run(profile("knife_edge") + to_page()).code, 0);
+  const std::string page = read_file(page_);
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("<!doctype html>"), HasSubstr("default-src 'none'"), HasSubstr("</html>")));
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("src=")), Not(HasSubstr("@REPORT_DATA@"))));
+}
+
+TEST_F(Report, EscapesWhatTheProfileSays) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  EXPECT_EQ(run(profile("knife_edge") + to_page() + " --set 'title=\"</script><b>x\"'").code, 0);
+  EXPECT_THAT(read_file(page_), AllOf(HasSubstr("\\u003c/script>\\u003cb>x"), Not(HasSubstr("<b>x"))));
+}
+
+TEST_F(Report, WritesTheMotionInTimeAndWithOtherNumbersOfRows) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  EXPECT_EQ(run(profile("eccentric_disc_oscillating_roller") + to_page() + " --time --samples 11").code, 0);
+  EXPECT_THAT(read_file(page_), AllOf(HasSubstr("\"name\":\"time\""), HasSubstr("\"size\":11,")));
+}
+
+TEST_F(Report, ThinsALongRunButKnowsItsExtremes) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  EXPECT_EQ(run(profile("knife_edge") + to_page() + " --samples 20001").code, 0);
+  EXPECT_LT(fs::file_size(page_), 2U << 20U);
+  EXPECT_THAT(read_file(page_), HasSubstr("\"size\":20001,"));
+}
+
+TEST_F(Report, IsWrittenThoughThePathIsNotGood) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  const Outcome outcome = run(profile("lock_up") + to_page());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
+  EXPECT_TRUE(fs::exists(page_));
+}
+
+TEST_F(Report, IsNotWrittenForWhatCannotBeStarted) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  EXPECT_EQ(run(profile("lock_up") + to_page() + " --set driver.start=180").code, 3);
+  EXPECT_FALSE(fs::exists(page_));
+}
+
+TEST_F(Report, RefusesPlacesThatCannotHoldAPage) {
+  const std::string knife = profile("knife_edge");
+  const auto refuses = [&](const std::string& arguments, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+  };
+  refuses(knife, "--output is required");
+  refuses(knife + " -o " + quoted(folder_ / "page.txt"), "give it a name that ends in .html");
+  refuses(knife + " -o " + quoted(folder_ / "none" / "page.html"), "there is no folder");
+  refuses(knife + to_page() + " --samples -3", "samples");
+  fs::copy_file(knife, page_);
+  refuses(quoted(page_) + to_page(), "is the file that is read as FILE");
+  EXPECT_EQ(read_file(page_), read_file(knife));
+}
+
+}  // namespace

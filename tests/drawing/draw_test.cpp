@@ -1,0 +1,207 @@
+// Pictures are read back: they are XML, and what they draw is where the motion says.
+#include "drawing/svg_reading.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using testing::all_shipped;
+using testing::Element;
+using ::testing::HasSubstr;
+using testing::read_back;
+using testing::shipped;
+
+// Places in a picture in millimetres of the mechanism.
+struct Reading {
+  explicit Reading(const std::string& svg)
+      : elements(read_back(svg)), scale(elements.front().number("data-scale")) {
+    std::istringstream(elements.front().attributes.at("data-origin")) >> x >> y;
+  }
+  [[nodiscard]] Vector2d mm(double px, double py) const { return {(px - x) / scale, (y - py) / scale}; }
+
+  std::vector<Element> elements;
+  double scale = 1, x = 0, y = 0;
+};
+
+std::vector<MotionRow> rows_of(const Model& model) {
+  auto analysis = model.start().value();
+  std::vector<MotionRow> rows;
+  for (Row row; analysis.next(row);) rows.push_back(analysis.motion());
+  return rows;
+}
+
+class DrawnProfile : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(DrawnProfile, HasItsPinsAndContactsWhereTheMotionSays) {
+  const Model model = shipped(GetParam());
+  const Mechanism& mechanism = model.mechanism();
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(mechanism, rows);
+  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 7) {
+    const Scene& scene = maker.at(rows[k]);
+    if (!scene.defined) continue;
+    const Reading picture(draw_svg({&scene, 1}, {}));
+    std::size_t pins = 0, touches = 0;
+    for (const Element& element : picture.elements) {
+      if (element.tag != "circle") continue;
+      const Vector2d drawn = picture.mm(element.number("cx"), element.number("cy"));
+      for (const Joint& joint : mechanism.joints) {
+        if (element.role != "joint" || element.name != joint.name || joint.type != JointType::kRevolute)
+          continue;
+        const auto body = static_cast<std::size_t>(joint.second.body);
+        const Vector2d p_B = mechanism.bodies[body].points[static_cast<std::size_t>(joint.second.point)].p_B;
+        EXPECT_LT((drawn - 1000 * (rows[k].bodies[body].X_WB * p_B)).norm(), 1e-4 * scene.unit) << joint.name;
+        ++pins;
+      }
+      for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+        if (element.role != "contact" || element.name != mechanism.contacts[i].name) continue;
+        EXPECT_LT((drawn - 1000 * rows[k].contacts[i].at.p_W()).norm(), 1e-4 * scene.unit);
+        ++touches;
+      }
+    }
+    const auto revolute =
+        std::count_if(mechanism.joints.begin(), mechanism.joints.end(),
+                      [](const Joint& joint) { return joint.type == JointType::kRevolute; });
+    EXPECT_EQ(pins, static_cast<std::size_t>(revolute));
+    EXPECT_EQ(touches, mechanism.contacts.size());
+  }
+}
+
+// Symbols, bodies and names stay in the frame, over the whole motion; no name covers another.
+TEST_P(DrawnProfile, FitsIntoItsFrame) {
+  const Model model = shipped(GetParam());
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 13) {
+    const Scene& scene = maker.at(rows[k]);
+    if (!scene.defined) continue;
+    const Reading picture(draw_svg({&scene, 1}, {}));
+    const double width = picture.elements.front().number("width"),
+                 height = picture.elements.front().number("height");
+    struct TextBox {
+      double x, y, half;
+    };
+    std::vector<TextBox> names;
+    for (const Element& element : picture.elements) {
+      if (element.tag == "circle" && (element.role == "body" || element.role == "joint")) {
+        const double x = element.number("cx"), y = element.number("cy"), r = element.number("r");
+        EXPECT_GT(x - r, -0.5) << element.name;
+        EXPECT_LT(x + r, width + 0.5) << element.name;
+        EXPECT_GT(y - r, -0.5) << element.name;
+        EXPECT_LT(y + r, height + 0.5) << element.name;
+      }
+      if (element.role != "label") continue;
+      const TextBox box{element.number("x"), element.number("y"),
+                        3.5 * static_cast<double>(element.text.size())};
+      EXPECT_GT(box.x - box.half, 0) << element.text;
+      EXPECT_LT(box.x + box.half, width) << element.text;
+      for (const TextBox& other : names) {
+        EXPECT_FALSE(std::abs(box.x - other.x) < box.half + other.half && std::abs(box.y - other.y) < 12)
+            << element.text << " at row " << k;
+      }
+      names.push_back(box);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, DrawnProfile, ::testing::ValuesIn(all_shipped()),
+                         [](const auto& tested) { return tested.param; });
+
+TEST(Scenes, OfAPositionThatCannotBeReachedShowTheLimitBeforeIt) {
+  SceneSettings settings;
+  settings.at = 180;
+  const Model model = shipped("lock_up");
+  const auto scenes = scenes_of(model, settings);
+  ASSERT_TRUE(scenes);
+  ASSERT_TRUE(scenes->limit);
+  // The cranks 50 and 75 in line over the ground of 80.
+  EXPECT_NEAR(*scenes->limit, 180 / kPi * std::acos((50. * 50 + 80 * 80 - 75 * 75) / (2 * 50 * 80)), 1e-9);
+  EXPECT_TRUE(scenes->scenes.front().defined);
+  EXPECT_THAT(scenes->cause, HasSubstr("cannot be kept in contact"));
+}
+
+TEST(Scenes, AreAsManyAsTheStepsOfTheDriver) {
+  SceneSettings settings;
+  settings.every = 30;
+  const auto scenes = scenes_of(shipped("four_bar"), settings);
+  ASSERT_TRUE(scenes);
+  EXPECT_EQ(scenes->scenes.size(), 13U);
+  EXPECT_NEAR(scenes->scenes[3].places[1].theta - scenes->scenes[0].places[1].theta, kPi / 2, 1e-12);
+  DrawSettings draw;
+  draw.strip = true;
+  draw.width = 200;
+  EXPECT_EQ(read_back(draw_svg(scenes->scenes, draw)).front().number("width"), 2600);
+}
+
+TEST(Scenes, RefuseWhatDoesNotSuit) {
+  const auto message = [](const std::string& profile, const SceneSettings& settings) {
+    const auto scenes = scenes_of(shipped(profile), settings);
+    return scenes ? "" : to_string(scenes.error());
+  };
+  SceneSettings settings;
+  settings.every = 0.01;
+  EXPECT_THAT(message("four_bar", settings), HasSubstr("give a step > 0 that makes at most 200 pictures"));
+  EXPECT_THAT(message("five_bar", settings), HasSubstr("are for a single driver"));
+  settings.every = std::nullopt;
+  settings.traces = {"couple.E"};
+  EXPECT_THAT(message("four_bar", settings),
+              HasSubstr("there is no point couple.E; did you mean `coupler.E`"));
+}
+
+TEST(Scenes, OfSeveralDriversAreThoseOfTheNearestRow) {
+  SceneSettings settings;
+  const Model model = shipped("five_bar");
+  const auto motion = model.run().value();
+  settings.at = motion.columns().front().name == "driver.left" ? motion.column("driver.left")[5] : 0;
+  const auto scenes = scenes_of(model, settings);
+  ASSERT_TRUE(scenes);
+  EXPECT_NEAR(scenes->scenes.front().places[1].theta, rows_of(model)[5].bodies[1].theta, 1e-12);
+}
+
+TEST(Drawing, EscapesWhatAProfileSays) {
+  const Model model = shipped("four_bar", {"title=\"<script>alert('&')</script>\""});
+  const auto scenes = scenes_of(model).value();
+  DrawSettings settings;
+  settings.title = model.mechanism().title;
+  const std::string svg = draw_svg(scenes.scenes, settings);
+  EXPECT_EQ(svg.find("<script"), std::string::npos);
+  EXPECT_EQ(read_back(svg).at(1).text, "<script>alert('&')</script>");
+}
+
+TEST(Drawing, HasTheLayersThatAreAskedFor) {
+  const auto scenes = scenes_of(shipped("four_bar")).value();
+  DrawSettings settings;
+  settings.layers = {Role::kLink, Role::kVelocity};
+  std::set<std::string> roles;
+  for (const Element& element : read_back(draw_svg(scenes.scenes, settings))) roles.insert(element.role);
+  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale"}));
+  for (int role = 0; role < kRoleCount; ++role) {
+    EXPECT_EQ(role_of(name_of(static_cast<Role>(role))), static_cast<Role>(role));
+  }
+}
+
+// The linkage of the demo's mechanism: O1 C1 = 10, C1 C2 = 35, C2 O2 = 60, O1 O2 = 80.
+TEST(Drawing, HasTheEquivalentLinkageInItsLengths) {
+  SceneSettings at;
+  at.at = 77;
+  const auto scenes = scenes_of(shipped("eccentric_disc_oscillating_roller"), at).value();
+  for (const Shape& shape : scenes.scenes.front().moving) {
+    if (shape.role != Role::kLinkage || shape.kind != Shape::Kind::kPath || shape.closed) continue;
+    ASSERT_EQ(shape.numbers.size(), 8U);
+    std::vector<Vector2d> p;
+    for (std::size_t i = 0; i < 8; i += 2) p.emplace_back(shape.numbers[i], shape.numbers[i + 1]);
+    EXPECT_NEAR((p[1] - p[0]).norm(), 10, 1e-9);
+    EXPECT_NEAR((p[2] - p[1]).norm(), 35, 1e-9);
+    EXPECT_NEAR((p[3] - p[2]).norm(), 60, 1e-9);
+    EXPECT_NEAR((p[3] - p[0]).norm(), 80, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace higherpair

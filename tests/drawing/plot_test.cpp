@@ -1,0 +1,324 @@
+// Plots are read back: lines, marks and shading are where the table and the events say.
+#include "higherpair/front/plot.hpp"
+
+#include "drawing/svg_reading.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using testing::all_shipped;
+using testing::Element;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::read_back;
+using testing::shipped;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kHundredth = 0.011;  // of a px: what coordinates in pictures are rounded to
+
+// An axis as its attributes say.
+struct Axis {
+  double low = 0, high = 1, begin = 0, end = 1;
+
+  explicit Axis(const Element& element) {
+    std::istringstream(element.attributes.at("data-domain")) >> low >> high;
+    std::istringstream(element.attributes.at("data-range")) >> begin >> end;
+  }
+  [[nodiscard]] double px(double value) const { return begin + (value - low) / (high - low) * (end - begin); }
+};
+
+std::vector<Element> with_role(const std::vector<Element>& all, const std::string& role) {
+  std::vector<Element> found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found),
+               [&](const Element& element) { return element.role == role; });
+  return found;
+}
+
+Axis axis(const std::vector<Element>& all, const std::string& name, const std::string& unit) {
+  for (const Element& element : with_role(all, "axis")) {
+    if (element.name == name && element.attributes.at("data-unit") == unit) return Axis(element);
+  }
+  ADD_FAILURE() << "no axis " << name << " in " << unit;
+  return Axis(all.front());
+}
+
+Element series(const std::vector<Element>& all, const std::string& name) {
+  for (const Element& element : with_role(all, "series")) {
+    if (element.name == name) return element;
+  }
+  ADD_FAILURE() << "no line " << name;
+  return {};
+}
+
+// The points of a path, its pieces one after the other.
+std::vector<Vector2d> points_of(const Element& path) {
+  std::string text = path.attributes.at("d");
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == 'M' || c == 'L'; }, ' ');
+  std::istringstream in(text);
+  std::vector<Vector2d> points;
+  for (double x = 0, y = 0; in >> x >> y;) points.emplace_back(x, y);
+  return points;
+}
+
+MotionPlot plot(const Model& model, std::vector<std::string> y, std::optional<std::string> x = {}) {
+  PlotSettings settings;
+  settings.y = std::move(y);
+  settings.x = std::move(x);
+  auto made = plot_of(model, settings);
+  EXPECT_TRUE(made) << to_string(made.error());
+  return *made;
+}
+
+std::string error_of(const Model& model, std::vector<std::string> y, std::optional<std::string> x = {}) {
+  PlotSettings settings;
+  settings.y = std::move(y);
+  settings.x = std::move(x);
+  const auto made = plot_of(model, settings);
+  return made ? "none" : to_string(made.error());
+}
+
+PlotData line(std::vector<double> x, std::vector<double> y, const std::string& unit = "mm") {
+  PlotData data;
+  data.title = "line";
+  data.x = {"driver", "deg"};
+  data.series.push_back({"y", unit, std::move(x), std::move(y)});
+  return data;
+}
+
+TEST(Plot, DrawsEveryRowWhereTheTableHasIt) {
+  const Model model = shipped("ellipse_cam_roller", {"driver.samples=37"});
+  const auto drawn = read_back(plots_svg({plot(model, {"follower.angle", "follower.alpha"}).data}));
+  const Motion motion = model.run().value();
+  const ColumnValues driver = motion.column("driver");
+  for (const char* name : {"follower.angle", "follower.alpha"}) {
+    const ColumnValues values = motion.column(name);
+    const auto points = points_of(series(drawn, name));
+    const Axis x = axis(drawn, "x", "deg");
+    const Axis y = axis(drawn, "y", std::string(values.unit));
+    ASSERT_EQ(points.size(), values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(points[i].x(), x.px(driver[i]), kHundredth);
+      EXPECT_NEAR(points[i].y(), y.px(values[i]), kHundredth);
+    }
+  }
+}
+
+TEST(Plot, LeavesAGapWhereAValueIsUndefined) {
+  const auto drawn = read_back(plots_svg({line({0, 10, 20, 30, 40}, {1, 2, kNaN, 4, 5})}));
+  const std::string path = series(drawn, "y").attributes.at("d");
+  EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
+  EXPECT_EQ(points_of(series(drawn, "y")).size(), 4U);
+}
+
+TEST(Plot, HasNoNumberThatIsNone) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const PlotData& data : {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}),
+                               line({0, 1}, {infinity, 1}), line({3, 3}, {7, 7}), PlotData{}}) {
+    const std::string svg = plots_svg({data});
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(svg, Not(HasSubstr("inf")));
+    EXPECT_NO_THROW(read_back(svg));
+  }
+}
+
+TEST(Plot, StacksPanelsByUnitInTheOrderAskedFor) {
+  const Model model = shipped("ellipse_cam_roller", {"driver.samples=37"});
+  const auto drawn =
+      read_back(plots_svg({plot(model, {"follower.alpha", "follower.angle", "touch.pressure"}).data}));
+  std::vector<std::string> units;
+  for (const Element& panel : with_role(drawn, "panel")) units.push_back(panel.name);
+  EXPECT_THAT(units, ElementsAre("deg/s^2", "deg"));
+}
+
+std::vector<std::string> labels_of_x(const std::string& svg) {
+  std::vector<std::string> labels;
+  bool inside = false;
+  for (const Element& element : read_back(svg)) {
+    if (element.role == "axis") inside = element.name == "x";
+    const bool tick = element.tag == "text" && element.attributes.count("text-anchor") == 1;
+    if (inside && tick && element.text.find('[') == std::string::npos) labels.push_back(element.text);
+  }
+  return labels;
+}
+
+TEST(Plot, HasTicksAtRoundNumbers) {
+  EXPECT_THAT(labels_of_x(plots_svg({line({0, 360}, {0, 1})})),
+              ElementsAre("0", "45", "90", "135", "180", "225", "270", "315", "360"));
+  EXPECT_THAT(labels_of_x(plots_svg({line({-7.25, 40}, {0, 1})})),
+              ElementsAre("−5", "0", "5", "10", "15", "20", "25", "30", "35", "40"));
+  PlotData fine = line({0, 0.0031}, {0, 1});
+  fine.x.unit = "mm";
+  EXPECT_THAT(plots_svg({fine}), HasSubstr("×10⁻³ mm"));
+}
+
+TEST(Plot, OfAConstantIsAStraightLineAmidItsAxis) {
+  const auto drawn = read_back(plots_svg({line({0, 10, 20}, {57.3, 57.3 + 1e-13, 57.3})}));
+  const auto points = points_of(series(drawn, "y"));
+  EXPECT_EQ(points[0].y(), points[1].y());
+  const auto zero = read_back(plots_svg({line({0, 10, 20}, {0, 3e-14, -2e-14})}));
+  EXPECT_EQ(points_of(series(zero, "y"))[0].y(), points_of(series(zero, "y"))[1].y());
+}
+
+TEST(Plot, MarksEventsAtTheirPlaces) {
+  const Model model = shipped("ellipse_cam_roller");
+  const auto drawn = read_back(plots_svg({plot(model, {"follower.angle"}).data}));
+  const Motion motion = model.run().value();
+  const Axis x = axis(drawn, "x", "deg");
+  const auto marks = with_role(drawn, "event");
+  ASSERT_EQ(marks.size(), motion.events().size());
+  ASSERT_GE(marks.size(), 4U);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn[i].role != "event") continue;
+    EXPECT_EQ(drawn[i].name, "follower_pivot");
+    EXPECT_THAT(drawn[i + 1].text, HasSubstr(motion.events()[next].cause));
+    EXPECT_NEAR(drawn[i + 2].number("x1"), x.px(motion.events()[next].driver), 1e-4);
+    ++next;
+  }
+}
+
+TEST(Plot, ShadesRowsThatAreNotOkBetweenTheLimits) {
+  const MotionPlot locked = plot(shipped("lock_up"), {"follower.angle"});
+  EXPECT_FALSE(locked.good);
+  ASSERT_EQ(locked.data.ranges.size(), 1U);
+  EXPECT_NEAR(locked.data.ranges[0].from, 65.83442067466342, 1e-9);
+  const auto drawn = read_back(plots_svg({locked.data}));
+  const Axis x = axis(drawn, "x", "deg");
+  const auto shaded = with_role(drawn, "status");
+  ASSERT_EQ(shaded.size(), 2U);  // and its label
+  EXPECT_EQ(shaded[0].name, "not assemblable");
+  EXPECT_NEAR(shaded[0].number("x"), x.px(65.83442067466342), 1e-3);
+  EXPECT_EQ(shaded[1].text, "not assemblable");
+}
+
+TEST(Plot, PutsEventsOnTheLineWhereXTurnsBack) {
+  const MotionPlot curve = plot(shipped("straight_line"), {"coupler.P.y"}, "coupler.P.x");
+  EXPECT_TRUE(curve.data.marks.empty());
+  ASSERT_FALSE(curve.data.points.empty());
+  const auto& xs = curve.data.series[0].x;
+  for (const PlotPoint& point : curve.data.points) {
+    EXPECT_GE(point.x, *std::min_element(xs.begin(), xs.end()));
+    EXPECT_LE(point.x, *std::max_element(xs.begin(), xs.end()));
+    EXPECT_EQ(point.unit, "cm");
+  }
+}
+
+TEST(Plot, NamesRowsThatAreNotOkInWordsWhereXTurnsBack) {
+  const MotionPlot locked = plot(shipped("lock_up"), {"touch.y"}, "touch.x");
+  EXPECT_TRUE(locked.data.ranges.empty());
+  ASSERT_EQ(locked.data.notes.size(), 1U);
+  EXPECT_THAT(locked.data.notes[0], HasSubstr("not assemblable: driver from 66 to 294 deg"));
+}
+
+TEST(Plot, WorksOutForcesAndJerkWhereAColumnNeedsThem) {
+  const Model model = shipped("cam_with_return_spring", {"driver.samples=13"});
+  EXPECT_EQ(plot(model, {"driver.effort"}).data.series.size(), 1U);
+  EXPECT_EQ(plot(model, {"follower.jerk"}).data.series.size() > 0, true);
+}
+
+TEST(Plot, RunsInTime) {
+  PlotSettings settings;
+  settings.y = {"slider.vx"};
+  settings.run.in_time = true;
+  const auto made = plot_of(shipped("sixbar_slider"), settings);
+  ASSERT_TRUE(made) << to_string(made.error());
+  EXPECT_EQ(made->data.x.name, "time");
+  EXPECT_EQ(made->data.x.unit, "s");
+  EXPECT_NEAR(made->data.series[0].x.back(), 0.6, 1e-12);
+}
+
+TEST(Plot, RefusesWhatIsNoColumnOfNumbers) {
+  const Model model = shipped("ellipse_cam_roller");
+  EXPECT_THAT(error_of(model, {"follower.alfa"}), HasSubstr("--y follower.alfa: no column of this run has"));
+  EXPECT_THAT(error_of(model, {"follower.alfa"}), HasSubstr("did you mean `follower.alpha`"));
+  EXPECT_THAT(error_of(model, {"driver"}, "touch.presure"), HasSubstr("--x touch.presure: no column"));
+  EXPECT_THAT(error_of(model, {"status"}), HasSubstr("--y status: this column holds words"));
+  EXPECT_THAT(error_of(model, {"driver"}, "status"), HasSubstr("--x status: this column holds words"));
+  EXPECT_THAT(error_of(model, {"driver"}, "follower.*"), HasSubstr("expected the name of one column"));
+  EXPECT_THAT(error_of(model, {}), HasSubstr("--y: names no column"));
+}
+
+TEST(Plot, EscapesWhatNamesHold) {
+  PlotData data = line({0, 1}, {0, 1});
+  data.title = "<script>alert(\"&\")</script>";
+  data.series[0].name = "a<b\x01";
+  const std::string svg = plots_svg({data});
+  EXPECT_THAT(svg, Not(HasSubstr("<script")));
+  EXPECT_EQ(read_back(svg)[1].text, data.title);
+}
+
+TEST(Plot, LeavesOutPointsThatLieOnEachOther) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 200'000; ++i) {
+    x.push_back(i * 0.0018);
+    y.push_back(std::sin(x.back() / 57));
+  }
+  const std::string svg = plots_svg({line(x, y)});
+  EXPECT_LT(svg.size(), 80'000U);
+  const auto points = points_of(series(read_back(svg), "y"));
+  EXPECT_NEAR(points.back().x(), axis(read_back(svg), "x", "deg").px(x.back()), kHundredth);
+}
+
+// Labels of one plot: their boxes, as wide as Helvetica is at least.
+TEST(Plot, OfEveryShippedProfileHasNoLabelOnAnother) {
+  struct Box {
+    double left, right, y;
+  };
+  for (const std::string& name : all_shipped()) {
+    const auto made = plot_of(shipped(name), {{"*.position", "*.omega"}, {}, {}});
+    if (!made) continue;  // a mechanism without motion or such columns
+    std::vector<Box> boxes;
+    for (const Element& element : read_back(plots_svg({made->data}))) {
+      if (element.tag != "text" || element.text.empty()) continue;
+      const double width = 5.5 * static_cast<double>(element.text.size());
+      const auto anchor = element.attributes.count("text-anchor") ? element.attributes.at("text-anchor") : "";
+      const double left = element.number("x") - (anchor == "end"      ? width
+                                                 : anchor == "middle" ? width / 2
+                                                                      : 0);
+      boxes.push_back({left, left + width, element.number("y")});
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const bool apart = boxes[i].right <= boxes[k].left || boxes[k].right <= boxes[i].left ||
+                           std::abs(boxes[i].y - boxes[k].y) >= 11;
+        EXPECT_TRUE(apart) << name << ": labels at " << boxes[i].left << ' ' << boxes[i].y << " and "
+                           << boxes[k].left << ' ' << boxes[k].y;
+      }
+    }
+  }
+}
+
+TEST(MapPlot, HasTheBranchesAndFoldsOfTheMap) {
+  const MapReport map = map_of(shipped("lock_up")).value();
+  const auto plots = plots_of(map);
+  ASSERT_EQ(plots.size(), 1U);
+  const ContactMapReport& contact = map.contacts[0];
+  const auto drawn = read_back(plots_svg(plots));
+  const Axis x = axis(drawn, "x", "deg");
+  const Axis y = axis(drawn, "y", "deg");
+  ASSERT_EQ(plots[0].points.size(), contact.events.size() + 1);
+  for (std::size_t i = 0; i < contact.events.size(); ++i) {
+    EXPECT_EQ(plots[0].points[i].x, contact.events[i].at.driver);
+    EXPECT_EQ(plots[0].points[i].y, contact.events[i].at.position);
+  }
+  const auto own = std::find_if(plots[0].series.begin(), plots[0].series.end(),
+                                [](const PlotSeries& line) { return line.line == PlotLine::kEmphasis; });
+  ASSERT_NE(own, plots[0].series.end());
+  const MapBranchReport& branch = contact.branches[static_cast<std::size_t>(contact.own->branch - 1)];
+  const auto points = points_of(series(drawn, own->name));
+  EXPECT_NEAR(points.front().x(), x.px(branch.rows.front().driver), kHundredth);
+  EXPECT_NEAR(points.back().y(), y.px(branch.rows.back().position), kHundredth);
+}
+
+}  // namespace
+}  // namespace higherpair

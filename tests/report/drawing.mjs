@@ -1,0 +1,53 @@
+// What is drawn, read back from the page, against the table of `analyze`.
+
+const NEAR = 2e-6; // of the picture: places travel with eight digits
+
+/** Places of joints and contacts, and that names do not cover each other. */
+export async function checkDrawing(page, table, checks) {
+  const scene = await page.evaluate(() => {
+    const report = JSON.parse(document.getElementById("report-data").textContent);
+    const [x0, y0, x1, y1] = report.scene.view;
+    return { joints: report.joints, size: Math.hypot(x1 - x0, y1 - y0) * report.lengthPerMm };
+  });
+  const count = table.rows.length;
+  for (const row of [0, Math.round(count / 7), Math.round(count / 2), count - 1]) {
+    await page.evaluate((shown) => higherpair.go(shown), row);
+    const state = await page.evaluate(() => higherpair.state());
+    checks.equal(state.row, row, "row that is shown");
+    checkPlaces(state, table.rows[row], scene, checks);
+    checks.equal(await overlappingNames(page), "", `names cover each other in row ${row}`);
+  }
+}
+
+function checkPlaces(state, row, { joints, size }, checks) {
+  const lost = row.status === "not_assemblable";
+  for (const { name, at } of joints) {
+    const place = state.joints[name];
+    checks.equal(place === null, lost, `joint ${name} is drawn where the row says ${row.status}`);
+    if (place === null || row[`${at}.x`] === undefined) continue;
+    checks.near(place[0], Number(row[`${at}.x`]), NEAR * size, `${name} x at driver ${row.driver}`);
+    checks.near(place[1], Number(row[`${at}.y`]), NEAR * size, `${name} y at driver ${row.driver}`);
+  }
+  for (const [name, place] of Object.entries(state.contacts)) {
+    checks.equal(place === null, lost, `contact ${name} is drawn where the row says ${row.status}`);
+    if (place === null) continue;
+    checks.near(place[0], Number(row[`${name}.x`]), 10 * NEAR * size, `${name} x at driver ${row.driver}`);
+    checks.near(place[1], Number(row[`${name}.y`]), 10 * NEAR * size, `${name} y at driver ${row.driver}`);
+  }
+}
+
+function overlappingNames(page) {
+  return page.evaluate(() => {
+    const shown = [...document.querySelectorAll("#drawing text")].filter((text) => getComputedStyle(text).display !== "none");
+    const boxes = shown.map((text) => [text.textContent, text.getBoundingClientRect()]);
+    const found = [];
+    boxes.forEach(([a, p], i) =>
+      boxes.slice(i + 1).forEach(([b, q]) => {
+        const across = Math.min(p.right, q.right) - Math.max(p.left, q.left);
+        const down = Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top);
+        if (across > 2 && down > 5) found.push(`${a}/${b}`);
+      }),
+    );
+    return found.join(" ");
+  });
+}

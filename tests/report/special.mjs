@@ -1,0 +1,60 @@
+// Single things that one report is enough for.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+/** A title that would be a script is a text. */
+export async function checkTitle({ report, profiles, open }, checks) {
+  const title = `<script>document.body.remove()</script></script><!--<script> & "quoted" \\ é`;
+  const toml = `title=${JSON.stringify(title)}`;
+  const page = await open(report(join(profiles, "knife_edge.toml"), "title", "--set", toml));
+  checks.equal(await page.locator("h1").textContent(), title, "title");
+  checks.equal(await page.title(), title, "title of the window");
+  checks.true((await page.locator("#source").textContent()).includes("--set title="), "the foot does not show --set");
+  await page.close();
+}
+
+/** Of a long run the page holds a part, says so, and knows the extremes of all. */
+export async function checkLongRun({ report, profiles, open }, checks) {
+  const page = await open(report(join(profiles, "knife_edge.toml"), "long run", "--samples", "100001"));
+  const rows = await page.evaluate(() => higherpair.rows.length);
+  checks.true(rows > 700 && rows <= 1441, `${rows} rows of a long run`);
+  const subtitle = await page.locator("#subtitle").textContent();
+  checks.true(subtitle.includes("of 100001 rows"), `the page does not say that it is thinned: ${subtitle}`);
+  const ends = await page.evaluate(() => [higherpair.rows[0][0], higherpair.rows[higherpair.rows.length - 1][0]]);
+  checks.equal(ends.join(), "0,360", "ends of the thinned run");
+  await page.close();
+}
+
+async function saved(page, button) {
+  const waiting = page.waitForEvent("download");
+  await page.locator(button).click();
+  const download = await waiting;
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+}
+
+/** Frame and table as files; plots against time; a page that plays by itself. */
+export async function checkSaving({ report, profiles, open }, checks) {
+  const page = await open(report(join(profiles, "eccentric_disc_oscillating_roller.toml"), "in time", "--time"));
+  const table = await saved(page, "#save-csv");
+  checks.equal(table.name, "eccentric_disc_oscillating_roller.csv", "name of the table");
+  checks.true(table.text.startsWith("time[s],driver[deg],"), "head of the table");
+  checks.equal(table.text.trimEnd().split("\n").length, 602, "lines of the table");
+  const picture = await saved(page, "#save-svg");
+  const read = await page.evaluate((text) => {
+    const svg = new DOMParser().parseFromString(text, "image/svg+xml");
+    const point = svg.querySelector('[data-role="contact"]');
+    const root = svg.documentElement;
+    const [ox] = root.getAttribute("data-origin").split(" ").map(Number);
+    return { error: svg.querySelector("parsererror") !== null, x: point?.getAttribute("cx"), ox, hidden: svg.querySelector('[data-role="velocity"]') !== null };
+  }, picture.text);
+  checks.equal(read.error, false, "the saved frame is no XML");
+  const drawn = await page.evaluate(() => higherpair.state().contacts.touch[0]);
+  checks.near(Number(read.x), drawn, 1e-9, "contact in the saved frame");
+  checks.equal(read.hidden, false, "the saved frame holds what is not seen");
+  await page.locator("#x-axis").selectOption({ label: "time [s]" });
+  checks.true((await page.locator("#place").textContent()).startsWith("time 0 s"), "time is not shown");
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await page.reload();
+  checks.equal(await page.evaluate(() => higherpair.state().playing), true, "does not play by itself");
+  await page.close();
+}

@@ -1,0 +1,111 @@
+#include "draw_command.hpp"
+
+#include "higherpair/higherpair.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "picture.hpp"
+#include "positive_number.hpp"
+#include "run_command.hpp"
+
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+// Nothing but the linkage and what it hangs on.
+const std::vector<Role> kLinkageAlone{Role::kGround, Role::kLinkage, Role::kContact, Role::kLabel};
+
+Result<std::vector<Role>> layers_of(const DrawOptions& options) {
+  std::vector<std::string> names;
+  for (int role = 0; role < kRoleCount; ++role) {
+    names.emplace_back(name_of(static_cast<Role>(role)));
+  }
+  std::vector<Role> layers;
+  for (const std::string& name : options.layers) {
+    const auto role = role_of(name);
+    if (!role) {
+      return tl::unexpected(
+          Error{ErrorKind::kInput,
+                {about("--layers", fmt::format("there is no layer {}; {}", name, suggestion(name, names)))}});
+    }
+    layers.push_back(*role);
+  }
+  return layers.empty() && options.linkage ? kLinkageAlone : layers;
+}
+
+}  // namespace
+
+CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_picture_option(*command, options.output);
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  auto* at = command->add_option("--at", options.at, "position of the driver; otherwise the first");
+  command->add_option("--every", options.every, "draw every so much of the driver, all in one picture")
+      ->excludes(at);
+  command->add_flag("--strip", options.strip, "with --every: side by side");
+  command
+      ->add_option(
+          "--layers", options.layers,
+          "LAYER[,LAYER]: what is drawn: ground, link, body, joint, gear, spring, contact, normal, tangent, "
+          "curvature, linkage, center, trace, velocity, acceleration, label")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--trace", options.traces, "BODY.POINT: draw the path of this point; repeatable")
+      ->allow_extra_args(false);
+  command->add_flag("--linkage", options.linkage, "the equivalent linkage alone");
+  command->add_option("--width", options.width, "width in px")->check(positive_number());
+  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
+      ->check(positive_number());
+  command->add_flag("--quiet", options.quiet, "no notes on standard error");
+  command->final_callback([&options] {
+    refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});
+    check_picture(options.output);
+  });
+  return command;
+}
+
+int draw_command(const DrawOptions& options) {
+  const auto layers = layers_of(options);
+  if (!layers) {
+    return report_error(layers.error());
+  }
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  SceneSettings settings;
+  settings.at = options.at;
+  settings.every = options.every;
+  settings.traces = options.traces;
+  settings.tolerance = options.tolerance;
+  const auto scenes = scenes_of(*model, settings);
+  if (!scenes) {
+    return report_error(scenes.error());
+  }
+  DrawSettings draw;
+  draw.layers = *layers;
+  draw.width = options.width;
+  draw.strip = options.strip;
+  draw.title = model->mechanism().title;
+  draw.unit = unit_text(dimension::kLength, model->units());
+  draw.unit_mm = 1000 / from_si(dimension::kLength, model->units()).apply(1);
+  if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}})) {
+    return kExitMachine;
+  }
+  if (scenes->limit) {
+    fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
+               *options.at, *scenes->limit, scenes->cause);
+    return kExitRows;
+  }
+  return kExitOk;
+}
+
+}  // namespace higherpair::cli

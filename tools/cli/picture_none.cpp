@@ -1,0 +1,20 @@
+// In place of picture_rsvg.cpp where librsvg or cairo is missing.
+#include "picture.hpp"
+
+#include <stdexcept>
+
+namespace higherpair::cli {
+
+bool can_convert() {
+  return false;
+}
+
+std::string pdf_of(const std::string& /*svg*/) {
+  throw std::logic_error("no librsvg");
+}
+
+std::string png_of(const std::string& /*svg*/) {
+  throw std::logic_error("no librsvg");
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,64 @@
+#include "plot_command.hpp"
+
+#include "higherpair/front/plot.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "picture.hpp"
+#include "positive_number.hpp"
+#include "run_command.hpp"
+
+namespace higherpair::cli {
+
+CLI::App* add_plot_command(CLI::App& app, PlotOptions& options) {
+  CLI::App* command = app.add_subcommand("plot", "columns of the table as a picture");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_picture_option(*command, options.output);
+  command
+      ->add_option("--y", options.y,
+                   "COLUMN[,COLUMN]: what is plotted, names or globs such as follower.*; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->required();
+  command->add_option("--x", options.x, "COLUMN: what it is plotted against (default: driver)");
+  command->add_flag("--time", options.timed, "the motion in time, as step has it");
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--samples", options.samples, "number of rows");
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "largest closure error of an ok row, relative to the size")
+      ->check(positive_number());
+  command->add_option("--width", options.width, "width of the picture in px (default: 720)")
+      ->check(CLI::Range(200.0, 10'000.0));
+  command->add_flag("--quiet", options.quiet, "no notes on standard error");
+  command->final_callback([&options] {
+    refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});
+    check_picture(options.output);
+  });
+  return command;
+}
+
+int plot_command(const PlotOptions& options) {
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  PlotSettings settings;
+  settings.y = options.y;
+  settings.x = options.x;
+  settings.run.in_time = options.timed;
+  settings.run.samples = options.samples;
+  settings.run.tolerance = options.tolerance;
+  const auto plot = plot_of(*model, settings);
+  if (!plot) {
+    return report_error(plot.error());
+  }
+  print_notes(plot->notes, options.quiet);
+  if (!write_files({{options.output, picture_for(options.output, plots_svg({plot->data}, options.width))}})) {
+    return kExitMachine;
+  }
+  return plot->good ? kExitOk : kExitRows;
+}
+
+}  // namespace higherpair::cli

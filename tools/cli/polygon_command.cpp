@@ -1,0 +1,75 @@
+#include "polygon_command.hpp"
+
+#include "higherpair/front/polygon.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "picture.hpp"
+#include "positive_number.hpp"
+#include "run_command.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+
+CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_picture_option(*command, options.output);
+  command->add_option("--at", options.at, "position of the driver, in the profile's unit")
+      ->required()
+      ->check([](const std::string& text) -> std::string {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return good ? "" : "'" + text + "' is no number";
+      });
+  command->add_flag("--forces", options.forces, "also the force polygon of every body");
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "largest closure error of an ok row, relative to the size")
+      ->check(positive_number());
+  command->add_option("--width", options.width, "width of the picture in px (default: 860)")
+      ->check(CLI::Range(500.0, 10'000.0));
+  command->add_flag("--quiet", options.quiet, "no notes on standard error");
+  command->final_callback([&options] {
+    refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});
+    check_picture(options.output);
+  });
+  return command;
+}
+
+int polygon_command(const PolygonOptions& options) {
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  PolygonSettings settings;
+  settings.at = options.at;
+  settings.forces = options.forces;
+  settings.tolerance = options.tolerance;
+  const auto found = polygons_of(*model, settings);
+  if (!found) {
+    return report_error(found.error());
+  }
+  const std::string& name = model->mechanism().title;
+  const std::string title = fmt::format("{}{}driver = {:.6g} {}", name, name.empty() ? "" : ", ",
+                                        found->driver, found->driver_unit);
+  if (!write_files({{options.output,
+                     picture_for(options.output, polygons_svg(found->polygons, title, options.width))}})) {
+    return kExitMachine;
+  }
+  if (found->limit) {
+    fmt::print(stderr,
+               "{}: driver = {} cannot be reached: drawn at the limit position {:.9g} before it: {}\n",
+               options.profile, options.at, found->driver, *found->limit);
+    return kExitRows;
+  }
+  return kExitOk;
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,107 @@
+#include "report_command.hpp"
+
+#include "higherpair/front/report.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "positive_number.hpp"
+#include "progress.hpp"
+#include "run_command.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// What was analysed: the file, and what the command line has changed of it.
+std::string source_of(const ReportOptions& options) {
+  std::string source;
+  for (const std::string& override : options.overrides) {
+    source += "# --set " + override + "\n";
+  }
+  return source + read_text(options.profile);
+}
+
+void check_output(const ReportOptions& options) {
+  const fs::path path(options.output);
+  if (path.extension() != ".html" && path.extension() != ".htm") {
+    throw CLI::ValidationError("-o",
+                               options.output + ": a report is a page; give it a name that ends in .html");
+  }
+  const fs::path folder = path.parent_path();
+  if (std::error_code code; !folder.empty() && !fs::is_directory(folder, code)) {
+    throw CLI::ValidationError("-o", "there is no folder " + folder.string() + " for " +
+                                         path.filename().string() + "; make it first");
+  }
+  refuse_shared_files({{"FILE", options.profile}}, {{"-o", options.output}});
+}
+
+ReportSettings settings_of(const ReportOptions& options, Progress& progress) {
+  ReportSettings settings;
+  settings.in_time = options.timed;
+  settings.samples = options.samples;
+  settings.tolerance = options.tolerance;
+  settings.source = source_of(options);
+  settings.stop = &interruption();
+  settings.progress = [&progress](std::int64_t row, std::int64_t size) { progress.at(row, size); };
+  return settings;
+}
+
+}  // namespace
+
+CLI::App* add_report_command(CLI::App& app, ReportOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("-o,--output", options.output, "the page to be written, F.html")->required();
+  command
+      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--samples", options.samples, "number of rows");
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "largest closure error of an ok row, relative to the size")
+      ->check(positive_number());
+  command->add_flag("--time", options.timed, "the motion in time, as `step` has it");
+  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
+  command->final_callback([&options] { check_output(options); });
+  return command;
+}
+
+int report_command(const ReportOptions& options) {
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  listen_to_signals();
+  Progress progress(!options.quiet);
+  const auto report = report_of(*model, settings_of(options, progress));
+  if (!report) {
+    return report_error(report.error());
+  }
+  print_notes(report->notes, options.quiet);
+  if (report->stopped) {
+    return kExitInterrupted;
+  }
+  if (!write_files({{options.output, report->html}})) {
+    return kExitMachine;
+  }
+  if (!options.quiet) {
+    print_events(report->events, *model);
+  }
+  return report->good ? kExitOk : kExitRows;
+}
+
+}  // namespace higherpair::cli

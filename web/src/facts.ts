@@ -1,0 +1,28 @@
+// What a user looks for first: stroke, extreme speeds, pressure angle, and where each is.
+import { button, byId, element } from "./dom";
+import { quantity } from "./format";
+import type { Fact, Report } from "./model";
+
+const DIGITS = 5;
+
+/** @param chosen  is told the row and the column of a fact that is clicked */
+export function addFacts(report: Report, driverUnit: string, chosen: (row: number, column: string) => void): void {
+  const groups = new Map<string, Fact[]>();
+  for (const fact of report.facts) groups.set(fact.of, [...(groups.get(fact.of) ?? []), fact]);
+  for (const [of, facts] of groups) {
+    const list = element("dl");
+    for (const fact of facts) list.append(...lines(fact, driverUnit, chosen));
+    byId("facts").append(element("article", { class: "card" }, element("h2", {}, of), list));
+  }
+}
+
+function lines(fact: Fact, driverUnit: string, chosen: (row: number, column: string) => void): HTMLElement[] {
+  const value = element("strong", {}, quantity(fact.value, fact.unit, 0, DIGITS));
+  const where = element("span", { class: "where" }, fact.at.length === 0 ? "everywhere" : fact.at.length > 1 ? "" : "at ");
+  fact.at.forEach(({ value: here, driver, row }, i) => {
+    const title = `${quantity(here, fact.unit)} at driver = ${quantity(driver, driverUnit)}: show it`;
+    if (i > 0) where.append(" → ");
+    where.append(button(quantity(driver, driverUnit), { class: "where", title }, () => chosen(row, fact.column)));
+  });
+  return [element("dt", {}, fact.name), element("dd", {}, value), element("dd", {}, where)];
+}

@@ -1,0 +1,224 @@
+// One plot: columns over an axis, events and bad rows in it, and a cursor that moves the mechanism.
+import uPlot from "uplot";
+import { colour, element } from "./dom";
+import { quantity } from "./format";
+import type { Column, Rows } from "./model";
+
+/** Colours that colour-blind people tell apart, and dashes for a print in black and white. */
+const SERIES = ["--series-1", "--series-2", "--series-3", "--series-4", "--series-5", "--series-6"] as const;
+const DASHES: readonly number[][] = [[], [7, 4], [2, 3], [9, 3, 2, 3], [14, 4], [4, 4]];
+const HEIGHT = 170; // px
+
+/** What the plots of a page have in common. */
+export interface Axis {
+  readonly name: string;
+  readonly unit: string;
+  /** Rising; `rows` are theirs. */
+  readonly values: readonly number[];
+  readonly rows: readonly number[];
+  readonly marks: readonly number[];
+  /** Stretches of rows that are not ok. */
+  readonly bad: readonly (readonly [number, number])[];
+}
+
+export interface PlotContext {
+  readonly columns: readonly Column[];
+  readonly rows: Rows;
+  readonly go: (row: number) => void;
+}
+
+export class Plot {
+  readonly element = element("figure", { class: "plot" });
+  private readonly head = element("figcaption");
+  private readonly canvas = element("div", { class: "canvas", "aria-hidden": "true" });
+  private readonly line = element("div", { class: "cursor-line" });
+  private chart: uPlot | null = null;
+  private chips: HTMLElement[] = [];
+  private row = 0;
+
+  constructor(
+    private shown: number[],
+    private axis: Axis,
+    private readonly context: PlotContext,
+    private readonly emptied: (plot: Plot) => void,
+  ) {
+    this.element.append(this.head, this.canvas);
+    this.rebuild();
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
+  }
+
+  get shownColumns(): readonly number[] {
+    return this.shown;
+  }
+
+  toggle(column: number): void {
+    this.shown = this.shown.includes(column) ? this.shown.filter((k) => k !== column) : [...this.shown, column];
+    if (this.shown.length === 0) this.emptied(this);
+    else this.rebuild();
+  }
+
+  setAxis(axis: Axis): void {
+    this.axis = axis;
+    this.rebuild();
+  }
+
+  /** Anew: other columns, another axis, other colours. */
+  rebuild(): void {
+    this.chart?.destroy();
+    this.head.replaceChildren();
+    this.chips = this.shown.map((k, i) => this.chip(k, i));
+    const data = [
+      [...this.axis.values],
+      ...this.shown.map((k) => this.axis.rows.map((row) => this.context.rows.value(k, row))),
+    ] as uPlot.AlignedData;
+    this.chart = new uPlot(this.options(), data, this.canvas);
+    this.chart.over.append(this.line);
+    this.listen(this.chart.over);
+    this.show(this.row);
+  }
+
+  show(row: number): void {
+    this.row = row;
+    const at = this.axis.rows.indexOf(row);
+    const x = at < 0 ? undefined : this.axis.values[at];
+    if (this.chart !== null && x !== undefined) {
+      this.line.style.transform = `translateX(${this.chart.valToPos(x, "x")}px)`;
+    }
+    this.shown.forEach((k, i) => {
+      const chip = this.chips[i];
+      const column = this.context.columns[k];
+      if (chip !== undefined && column !== undefined) {
+        chip.textContent = quantity(this.context.rows.value(k, row), column.unit, column.noise);
+      }
+    });
+  }
+
+  private chip(k: number, i: number): HTMLElement {
+    const column = this.context.columns[k];
+    const value = element("span", { class: "now" });
+    const remove = element("button", { type: "button", class: "remove", "aria-label": `Remove ${column?.name ?? ""}` }, "×");
+    remove.addEventListener("click", () => this.toggle(k));
+    const swatch = element("i", { class: `swatch s${(i % SERIES.length) + 1}` });
+    this.head.append(element("span", { class: "chip" }, swatch, element("b", {}, column?.name ?? ""), value, remove));
+    return value;
+  }
+
+  private options(): uPlot.Options {
+    const units = [...new Set(this.shown.map((k) => this.context.columns[k]?.unit ?? ""))];
+    const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false }, font: "12px system-ui, sans-serif" };
+    const scales: Record<string, uPlot.Scale> = { x: { time: false } };
+    for (const name of units) scales[`y${name}`] = { range: (_, low, high) => range(low, high, this.noiseOf(name)) };
+    return {
+      width: this.canvas.clientWidth || 400,
+      height: HEIGHT,
+      legend: { show: false },
+      cursor: { show: false },
+      scales,
+      axes: [
+        { ...axis, size: 28, space: 60 },
+        ...units.slice(0, 2).map((name, i) => ({
+          ...axis,
+          scale: `y${name}`,
+          side: i === 0 ? 3 : 1,
+          size: 62,
+          ...(i === 0 ? {} : { grid: { show: false } }),
+          values: (_: uPlot, ticks: number[]) => ticks.map((tick) => tickText(tick)),
+        })),
+      ],
+      series: [
+        {},
+        ...this.shown.map((k, i) => ({
+          scale: `y${this.context.columns[k]?.unit ?? ""}`,
+          stroke: colour(SERIES[i % SERIES.length] ?? SERIES[0]),
+          width: 2,
+          dash: DASHES[i % DASHES.length] ?? [],
+          points: { show: false },
+        })),
+      ],
+      hooks: { drawClear: [(chart) => this.drawBad(chart)], draw: [(chart) => this.drawMarks(chart)] },
+    };
+  }
+
+  private noiseOf(unitText: string): number {
+    return this.shown.reduce((most, k) => {
+      const column = this.context.columns[k];
+      return column?.unit === unitText ? Math.max(most, column.noise) : most;
+    }, 0);
+  }
+
+  private drawBad(chart: uPlot): void {
+    const { ctx, bbox } = chart;
+    ctx.save();
+    ctx.fillStyle = colour("--bad");
+    for (const [from, to] of this.axis.bad) {
+      const x = chart.valToPos(from, "x", true);
+      ctx.fillRect(x, bbox.top, Math.max(chart.valToPos(to, "x", true) - x, 2), bbox.height);
+    }
+    ctx.restore();
+  }
+
+  private drawMarks(chart: uPlot): void {
+    const { ctx, bbox } = chart;
+    ctx.save();
+    ctx.strokeStyle = colour("--event");
+    ctx.lineWidth = devicePixelRatio;
+    ctx.setLineDash([3 * devicePixelRatio, 3 * devicePixelRatio]);
+    for (const mark of this.axis.marks) {
+      const x = chart.valToPos(mark, "x", true);
+      if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+    }
+    ctx.restore();
+  }
+
+  private listen(over: HTMLElement): void {
+    const scrub = (event: PointerEvent): void => {
+      if (this.chart === null) return;
+      const x = this.chart.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
+      this.context.go(this.axis.rows[nearest(this.axis.values, x)] ?? 0);
+    };
+    over.addEventListener("pointerdown", (event) => {
+      over.setPointerCapture(event.pointerId);
+      scrub(event);
+    });
+    over.addEventListener("pointermove", (event) => {
+      if (event.buttons !== 0) scrub(event);
+    });
+  }
+
+  private resize(): void {
+    const width = this.canvas.clientWidth;
+    if (width === 0 || this.chart === null || this.chart.width === width) return;
+    this.chart.setSize({ width, height: HEIGHT });
+    this.show(this.row);
+  }
+}
+
+function tickText(tick: number): string {
+  const size = Math.abs(tick);
+  const text = size >= 1e6 || (size < 1e-4 && size > 0) ? tick.toExponential(1) : String(Number(tick.toPrecision(6)));
+  return text.replace("-", "−");
+}
+
+// A column that is the same everywhere gets room around it, not a magnified rounding error.
+function range(low: number | null, high: number | null, noise: number): [number, number] {
+  if (low === null || high === null) return [0, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (high - low > Math.max(noise, 1e-9 * size)) return [low - 0.06 * (high - low), high + 0.06 * (high - low)];
+  const room = size > noise ? 0.1 * size : 1;
+  return [low - room, high + room];
+}
+
+/** Index of the value nearest to x; the values rise. */
+export function nearest(values: readonly number[], x: number): number {
+  let [low, high] = [0, values.length - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if ((values[middle] ?? 0) <= x) low = middle;
+    else high = middle;
+  }
+  return Math.abs((values[low] ?? 0) - x) <= Math.abs((values[high] ?? 0) - x) ? low : high;
+}

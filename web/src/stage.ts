@@ -1,0 +1,106 @@
+// The drawing of the mechanism: bodies that are moved by their places, and shapes that every row has anew.
+import { byId, svg } from "./dom";
+import { type Frame, Labels } from "./labels";
+import type { Report, Rows, Shape } from "./model";
+import { placeShape, shapeElement } from "./shapes";
+
+export class Stage {
+  readonly root = svg("svg", { id: "drawing", role: "img", tabindex: "0" });
+  /** Groups of neighbouring shapes of one body. */
+  private readonly groups: { readonly body: number; readonly element: SVGGElement }[] = [];
+  private readonly labels = new Labels();
+  private readonly moving: { readonly shape: Shape; readonly element: SVGElement }[];
+  private row = 0;
+  private scale = 1;
+
+  constructor(
+    private readonly report: Report,
+    private readonly rows: Rows,
+  ) {
+    const fixed = svg("g", { class: "fixed" });
+    const moving = svg("g", { class: "moving" });
+    const labels = svg("g", { class: "labels" });
+    this.root.append(fixed, moving, labels);
+    this.root.setAttribute("aria-label", `${report.title}, drawing of the mechanism`);
+    for (const shape of report.scene.fixed) this.addFixed(shape, fixed, labels);
+    this.moving = report.scene.moving.map((shape) => {
+      const element = shapeElement(shape);
+      moving.append(element);
+      return { shape, element };
+    });
+    const places = rows.places(0);
+    if (places !== null) this.labels.dropSeconds((body) => frame(places, body), report.scene.unit);
+    byId("stage").prepend(this.root);
+  }
+
+  private addFixed(shape: Report["scene"]["fixed"][number], fixed: SVGGElement, labels: SVGGElement): void {
+    const element = shapeElement(shape);
+    const body = shape.body ?? 0;
+    if (shape.kind === "text") {
+      labels.append(element);
+      this.labels.add(element, shape.numbers, body);
+      return;
+    }
+    placeShape(element, shape, shape.numbers, this.report.scene.unit);
+    let group = this.groups[this.groups.length - 1];
+    if (group === undefined || group.body !== body) {
+      group = { body, element: svg("g", { "data-frame": String(body), class: `frame c${(body + 5) % 6}` }) };
+      fixed.append(group.element);
+      this.groups.push(group);
+    }
+    group.element.append(element);
+  }
+
+  /** @param scale  mm per px: texts keep their size */
+  setScale(scale: number): void {
+    this.scale = scale;
+    this.show(this.row);
+  }
+
+  show(row: number): void {
+    this.row = row;
+    const places = this.rows.places(row);
+    this.root.classList.toggle("undefined", places === null);
+    if (places === null) return;
+    for (const { body, element } of this.groups) {
+      const [c, s, x, y] = frame(places, body);
+      element.setAttribute("transform", `matrix(${c} ${-s} ${s} ${c} ${x} ${-y})`);
+    }
+    const shapes = this.rows.moving(row);
+    this.moving.forEach(({ shape, element }, i) => {
+      // What is not seen need not be placed; contacts are read back.
+      if (shape.role !== "contact" && this.root.classList.contains(`hide-${shape.role}`)) return;
+      placeShape(element, shape, shapes[i] ?? [], this.report.scene.unit);
+    });
+    this.labels.place((body) => frame(places, body), this.scale);
+  }
+
+  showAgain(): void {
+    this.show(this.row);
+  }
+
+  /** Where a point of a body is drawn [mm], read back from the drawing; null where nothing of the body is. */
+  drawn(body: number, point: readonly [number, number]): [number, number] | null {
+    if (this.root.classList.contains("undefined")) return null;
+    if (body === 0) return [point[0], point[1]];
+    const matrix = this.groups.find((group) => group.body === body)?.element.transform.baseVal.consolidate()?.matrix;
+    if (matrix === undefined) return null;
+    const [x, y] = [point[0], -point[1]];
+    return [matrix.a * x + matrix.c * y + matrix.e, -(matrix.b * x + matrix.d * y + matrix.f)];
+  }
+
+  /** The same of a contact point. */
+  drawnContact(name: string): [number, number] | null {
+    if (this.root.classList.contains("undefined")) return null;
+    const point = this.moving.find(
+      ({ shape }) => shape.role === "contact" && shape.name === name && shape.kind === "circle",
+    )?.element;
+    if (point === undefined || point.classList.contains("absent")) return null;
+    return [Number(point.getAttribute("cx")), -Number(point.getAttribute("cy"))];
+  }
+}
+
+function frame(places: readonly number[], body: number): Frame {
+  const theta = places[3 * body + 2] ?? 0;
+  return [Math.cos(theta), Math.sin(theta), places[3 * body] ?? 0, places[3 * body + 1] ?? 0];
+}
