@@ -130,6 +130,10 @@ void set_arrow_scales(const Sketch& sketch, Scene& scene) {
 
 }  // namespace
 
+bool has_place(const MotionRow& row) {
+  return row.status != RowStatus::kNotAssemblable && std::isfinite(row.residual);
+}
+
 Shape& Sketch::add(Role role, const std::string& name, int body, std::vector<double> numbers, bool closed,
                    Shape::Kind kind) {
   shapes.push_back({role, kind, name, body, closed, "", std::move(numbers)});

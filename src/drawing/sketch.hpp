@@ -25,11 +25,6 @@ struct Sketch {
   return row.bodies[static_cast<std::size_t>(body)];
 }
 
-/// Whether bodies have a place in the row.
-[[nodiscard]] inline bool has_place(const MotionRow& row) {
-  return row.status != RowStatus::kNotAssemblable && row.status != RowStatus::kNotConverged;
-}
-
 /// The first touching point of a curve, seen from its body: the point, and the outward normal.
 struct Touch {
   Vector2d p_B, n_B;

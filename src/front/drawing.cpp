@@ -3,8 +3,8 @@
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "model_data.hpp"
+#include "reach.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,7 +23,6 @@ tl::unexpected<Error> wrong(const Model& model, std::string what) {
 struct Rows {
   std::vector<MotionRow> rows;
   std::vector<double> drivers;  ///< of each row, in its unit
-  std::vector<Event> events;
 };
 
 Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
@@ -37,31 +36,17 @@ Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
     rows.rows.push_back(analysis->motion());
     rows.drivers.push_back(row.values.front());
   }
-  rows.events = analysis->events();
   if (analysis->stopped()) {
     return wrong(model, "interrupted");
+  }
+  if (auto error = nothing_to_draw(model, rows.rows)) {
+    return tl::unexpected(*std::move(error));
   }
   return rows;
 }
 
-RunSettings basic(const SceneSettings& wanted, const Model& model) {
-  RunSettings settings;
-  settings.tolerance = wanted.tolerance;
-  settings.stop = wanted.stop;
-  const std::string name = model.mechanism().drivers.empty() ? "" : model.mechanism().drivers.front().name;
-  settings.columns = {name.empty() ? "driver" : "driver." + name};
-  return settings;
-}
-
-Result<Rows> rows_at(const Model& model, const SceneSettings& wanted, std::vector<double> positions) {
-  RunSettings settings = basic(wanted, model);
-  settings.positions = std::move(positions);
-  return rows_of(model, settings);
-}
-
 // All rows of the run, or so many as a picture needs.
-Result<Rows> rows_of_run(const Model& model, const SceneSettings& wanted) {
-  RunSettings settings = basic(wanted, model);
+Result<Rows> rows_of_run(const Model& model, RunSettings settings) {
   const auto schedule = first_schedule(model.data());
   if (schedule && schedule->size() > kMostRows && model.profile().programs.front().positions.empty()) {
     settings.samples = kMostRows;
@@ -69,47 +54,23 @@ Result<Rows> rows_of_run(const Model& model, const SceneSettings& wanted) {
   return rows_of(model, settings);
 }
 
-Result<Scenes> scene_at(const Model& model, const SceneSettings& wanted, const Rows& run, SceneMaker& maker) {
+Result<Scenes> scene_at(const Model& model, const RunSettings& settings, double at, SceneMaker& maker) {
+  const auto reached = reach(model, settings, at);
+  if (!reached) {
+    return tl::unexpected(reached.error());
+  }
   Scenes scenes;
-  if (!wanted.at) {
-    const auto placed = std::find_if(run.rows.begin(), run.rows.end(), [](const MotionRow& row) {
-      return row.status != RowStatus::kNotAssemblable;
-    });
-    scenes.scenes.push_back(maker.at(*placed));
-    return scenes;
+  scenes.scenes.push_back(maker.at(reached->run.row));
+  if (reached->limit) {
+    scenes.limit = reached->limit->driver;
+    scenes.cause = reached->limit->cause;
   }
-  if (model.mechanism().drivers.size() > 1) {
-    const auto nearest = std::min_element(run.drivers.begin(), run.drivers.end(), [&](double a, double b) {
-      return std::abs(a - *wanted.at) < std::abs(b - *wanted.at);
-    });
-    scenes.scenes.push_back(maker.at(run.rows[static_cast<std::size_t>(nearest - run.drivers.begin())]));
-    return scenes;
-  }
-  auto there = rows_at(model, wanted, {run.drivers.front(), *wanted.at});
-  if (!there) {
-    return tl::unexpected(there.error());
-  }
-  if (there->rows.back().status == RowStatus::kNotAssemblable) {
-    const auto limit = std::find_if(there->events.begin(), there->events.end(), [](const Event& event) {
-      return event.type == EventType::kLimitPosition;
-    });
-    if (limit == there->events.end()) {
-      return wrong(model, fmt::format("cannot be assembled at driver = {}", *wanted.at));
-    }
-    scenes.limit = limit->driver;
-    scenes.cause = limit->cause;
-    there = rows_at(model, wanted, {run.drivers.front(), limit->driver});
-    if (!there) {
-      return tl::unexpected(there.error());
-    }
-  }
-  scenes.scenes.push_back(maker.at(there->rows.back()));
   return scenes;
 }
 
-Result<Scenes> scenes_every(const Model& model, const SceneSettings& wanted, const Rows& run,
+Result<Scenes> scenes_every(const Model& model, RunSettings settings, double step, const Rows& run,
                             SceneMaker& maker) {
-  const double from = run.drivers.front(), to = run.drivers.back(), step = *wanted.every;
+  const double from = run.drivers.front(), to = run.drivers.back();
   if (model.mechanism().drivers.size() > 1) {
     return wrong(model, "pictures at every so much of the driver are for a single driver");
   }
@@ -117,17 +78,16 @@ Result<Scenes> scenes_every(const Model& model, const SceneSettings& wanted, con
     return wrong(model, fmt::format("every {} from {} to {}: give a step > 0 that makes at most {} pictures",
                                     step, from, to, kMostScenes));
   }
-  std::vector<double> positions;
   for (double k = 0; k * step <= std::abs(to - from) * (1 + 1e-12); ++k) {
-    positions.push_back(from + std::copysign(k * step, to - from));
+    settings.positions.push_back(from + std::copysign(k * step, to - from));
   }
-  const auto rows = rows_at(model, wanted, positions);
+  const auto rows = rows_of(model, settings);
   if (!rows) {
     return tl::unexpected(rows.error());
   }
   Scenes scenes;
   for (const MotionRow& row : rows->rows) {
-    if (row.status != RowStatus::kNotAssemblable) scenes.scenes.push_back(maker.at(row));
+    if (has_place(row)) scenes.scenes.push_back(maker.at(row));
   }
   return scenes;
 }
@@ -157,12 +117,19 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
     }
     traces.push_back(*point);
   }
-  const auto run = rows_of_run(model, settings);
+  const RunSettings alone = driver_alone(model, settings.tolerance, settings.stop);
+  const auto run = rows_of_run(model, alone);
   if (!run) {
     return tl::unexpected(run.error());
   }
   SceneMaker maker(model.mechanism(), run->rows, traces);
-  return settings.every ? scenes_every(model, settings, *run, maker) : scene_at(model, settings, *run, maker);
+  if (settings.every) {
+    return scenes_every(model, alone, *settings.every, *run, maker);
+  }
+  if (settings.at) {
+    return scene_at(model, alone, *settings.at, maker);
+  }
+  return Scenes{{maker.scene()}, std::nullopt, ""};  // of the first row that has a place
 }
 
 }  // namespace higherpair

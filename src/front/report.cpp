@@ -1,6 +1,7 @@
 #include "higherpair/front/report.hpp"
 
 #include "model_data.hpp"
+#include "reach.hpp"
 #include "report_data.hpp"
 #include "report_page.hpp"
 
@@ -111,6 +112,9 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
   report.good = data.good;
   report.stopped = analysis->stopped();
   if (!data.rows.empty()) {
+    if (auto error = nothing_to_draw(model, data.motions)) {
+      return tl::unexpected(*std::move(error));
+    }
     report.html = filled(report_page(), json_of(model, data, settings.source));
   }
   return report;

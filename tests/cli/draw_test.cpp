@@ -69,6 +69,13 @@ TEST_F(Draw, SaysWhereThePositionCannotBeReached) {
   EXPECT_TRUE(fs::exists(folder_ / "l.svg"));
 }
 
+TEST_F(Draw, DrawsRowsThatAreNotToBeTrusted) {
+  const Outcome outcome =
+      run("ellipse_cam_roller.toml -o r.svg --quiet --set 'driver.positions=[77]' --tolerance 1e-30");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(read_file(folder_ / "r.svg"), HasSubstr("data-role=\"contact\""));
+}
+
 TEST_F(Draw, RefusesWhatIsWrong) {
   const auto message = [&](const std::string& arguments) {
     const Outcome outcome = run(arguments);

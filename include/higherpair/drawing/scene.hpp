@@ -77,6 +77,9 @@ struct Scene {
   std::vector<Place> places;      ///< of Mechanism::bodies
 };
 
+/// Whether bodies have a place in the row, as its table has: also where that is not to be trusted.
+[[nodiscard]] bool has_place(const MotionRow& row);
+
 /// Makes the scenes of one mechanism, row by row.
 class SceneMaker {
 public:
@@ -87,7 +90,7 @@ public:
   SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
              const std::vector<PointRef>& traces = {});
 
-  /// The shapes that never change, and the room; no row yet.
+  /// The scene of the row given last; at first of the first one that has a place.
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
   /// The scene of a row; the reference holds until the next call.

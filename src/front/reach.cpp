@@ -1,0 +1,112 @@
+#include "reach.hpp"
+
+#include "analysis_impl.hpp"
+#include "higherpair/drawing/scene.hpp"
+#include "model_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+Error interrupted(const Model& model) {
+  return error_about(model.data(), ErrorKind::kInput, "interrupted");
+}
+
+Result<Reached> nearest_row(const Model& model, const RunSettings& settings, double at) {
+  auto analysis = model.start(settings);
+  if (!analysis) {
+    return tl::unexpected(std::move(analysis.error()));
+  }
+  std::optional<Reached> best;
+  Row row;
+  while (analysis->next(row)) {
+    const double driver = row.values.front();
+    if (has_place(analysis->motion()) && (!best || std::abs(driver - at) < std::abs(best->driver - at))) {
+      best = Reached{analysis->impl().run, driver, std::nullopt};
+    }
+  }
+  if (analysis->stopped()) {
+    return tl::unexpected(interrupted(model));
+  }
+  if (!best) {
+    return tl::unexpected(*nothing_to_draw(model, {}));
+  }
+  return *std::move(best);
+}
+
+// The run after its last row, and the first limit position on the path.
+Result<Reached> go_to(const Model& model, RunSettings settings, double from, double at) {
+  settings.positions = {from, at};
+  auto analysis = model.start(settings);
+  if (!analysis) {
+    return tl::unexpected(std::move(analysis.error()));
+  }
+  Row row;
+  while (analysis->next(row)) {
+  }
+  if (analysis->stopped()) {
+    return tl::unexpected(interrupted(model));
+  }
+  Reached reached{analysis->impl().run, at, std::nullopt};
+  const auto limit = std::find_if(analysis->events().begin(), analysis->events().end(),
+                                  [](const Event& event) { return event.type == EventType::kLimitPosition; });
+  if (limit != analysis->events().end()) {
+    reached.limit = *limit;
+  }
+  return reached;
+}
+
+}  // namespace
+
+RunSettings driver_alone(const Model& model, double tolerance, const std::atomic<bool>* stop) {
+  const auto& drivers = model.mechanism().drivers;
+  const bool named = !drivers.empty() && !drivers.front().name.empty();
+  RunSettings settings;
+  settings.columns = {named ? "driver." + drivers.front().name : "driver"};
+  settings.tolerance = tolerance;
+  settings.stop = stop;
+  return settings;
+}
+
+Result<Reached> reach(const Model& model, const RunSettings& settings, double at) {
+  if (model.mechanism().drivers.size() > 1) {
+    return nearest_row(model, settings, at);
+  }
+  const auto schedule = first_schedule(model.data());
+  if (!schedule) {
+    return tl::unexpected(schedule.error());
+  }
+  const double from = schedule->state(0).profile.position;
+  auto reached = go_to(model, settings, from, at);
+  if (!reached) {
+    return reached;
+  }
+  if (has_place(reached->run.row)) {
+    reached->limit.reset();
+    return reached;
+  }
+  if (!reached->limit) {
+    return tl::unexpected(error_about(model.data(), ErrorKind::kMechanism,
+                                      fmt::format("cannot be assembled at driver = {}", at)));
+  }
+  const Event limit = *reached->limit;
+  reached = go_to(model, settings, from, limit.driver);
+  if (reached) {
+    reached->limit = limit;
+  }
+  return reached;
+}
+
+std::optional<Error> nothing_to_draw(const Model& model, const std::vector<MotionRow>& rows) {
+  if (std::any_of(rows.begin(), rows.end(), has_place)) {
+    return std::nullopt;
+  }
+  return error_about(model.data(), ErrorKind::kMechanism, "no row has a position that could be drawn");
+}
+
+}  // namespace higherpair
