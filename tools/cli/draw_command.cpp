@@ -44,9 +44,7 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
       "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_picture_option(*command, options.output);
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  add_set_option(*command, options.overrides);
   auto* at = command->add_option("--at", options.at, "position of the driver; otherwise the first");
   command->add_option("--every", options.every, "draw every so much of the driver, all in one picture")
       ->excludes(at);
@@ -62,8 +60,7 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
       ->allow_extra_args(false);
   command->add_flag("--linkage", options.linkage, "the equivalent linkage alone");
   command->add_option("--width", options.width, "width in px")->check(positive_number());
-  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
-      ->check(positive_number());
+  add_tolerance_option(*command, options.tolerance);
   command->add_flag("--quiet", options.quiet, "no notes on standard error");
   command->final_callback([&options] {
     refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});

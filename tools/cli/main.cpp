@@ -35,14 +35,9 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
                      {"the table and the events", options.json}, nullptr, &options.events);
   command->add_option("--events", options.events,
                       "write the events as CSV to this file (-: standard output)");
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  higherpair::cli::add_set_option(*command, options.overrides);
   command->add_option("--samples", options.samples, "number of rows");
-  command
-      ->add_option("--tolerance", options.tolerance,
-                   "largest closure error of an ok row, relative to the size")
-      ->check(higherpair::cli::positive_number());
+  higherpair::cli::add_tolerance_option(*command, options.tolerance);
   command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
   command->add_flag("--jerk", options.jerk,
                     "columns of the true jerk, and of that of the frozen equivalent linkage");
@@ -65,9 +60,7 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_output_options(*command, options.profile, {"the list", options.csv}, {"the list", options.json});
   higherpair::cli::add_unused_samples(*command);
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  higherpair::cli::add_set_option(*command, options.overrides);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
       ->check(higherpair::cli::positive_number());
   command->add_flag("--quiet", options.quiet, "no notes and remarks on standard error");

@@ -58,9 +58,7 @@ CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
                      &options.output);
   command->add_option("-o,--output", options.output,
                       "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  add_set_option(*command, options.overrides);
   command->add_option("--samples", options.samples, "number of rows over the range, both ends included")
       ->check(CLI::Range(std::int64_t{2}, std::int64_t{10'000'000}));
   command

@@ -29,9 +29,7 @@ CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_output_options(*command, options.profile, {"the findings, one to a row,", options.csv},
                      {"the findings", options.json});
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  add_set_option(*command, options.overrides);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
   add_unused_samples(*command);

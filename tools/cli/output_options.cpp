@@ -2,6 +2,7 @@
 
 #include "output_file.hpp"
 #include "picture.hpp"
+#include "positive_number.hpp"
 
 #include <filesystem>
 
@@ -61,6 +62,16 @@ void add_output_options(CLI::App& command, const std::string& profile, const Out
     refuse_shared_files({{"FILE", profile}}, outputs);
     if (picture != nullptr && *picture) check_picture(**picture);
   });
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+      ->allow_extra_args(false);
+}
+
+void add_tolerance_option(CLI::App& command, double& tolerance) {
+  command.add_option("--tolerance", tolerance, "largest closure error of an ok row, relative to the size")
+      ->check(positive_number());
 }
 
 void add_unused_samples(CLI::App& command) {

@@ -31,6 +31,12 @@ struct NamedFile {
 /// writing would destroy what was to be read. Devices and pipes may be named twice.
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
+/// Adds --set: keys of the profile that are overridden or added.
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
+
+/// Adds --tolerance: when a row is ok.
+void add_tolerance_option(CLI::App& command, double& tolerance);
+
 /// Adds --samples to a command that looks at one position only, as all commands take it.
 void add_unused_samples(CLI::App& command);
 

@@ -4,7 +4,6 @@
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
 #include "run_command.hpp"
 
 namespace higherpair::cli {
@@ -21,14 +20,9 @@ CLI::App* add_plot_command(CLI::App& app, PlotOptions& options) {
       ->required();
   command->add_option("--x", options.x, "COLUMN: what it is plotted against (default: driver)");
   command->add_flag("--time", options.timed, "the motion in time, as step has it");
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  add_set_option(*command, options.overrides);
   command->add_option("--samples", options.samples, "number of rows");
-  command
-      ->add_option("--tolerance", options.tolerance,
-                   "largest closure error of an ok row, relative to the size")
-      ->check(positive_number());
+  add_tolerance_option(*command, options.tolerance);
   command->add_option("--width", options.width, "width of the picture in px (default: 720)")
       ->check(CLI::Range(200.0, 10'000.0));
   command->add_flag("--quiet", options.quiet, "no notes on standard error");

@@ -4,7 +4,6 @@
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
 #include "run_command.hpp"
 
 #include <cmath>
@@ -26,13 +25,8 @@ CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
         return good ? "" : "'" + text + "' is no number";
       });
   command->add_flag("--forces", options.forces, "also the force polygon of every body");
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--tolerance", options.tolerance,
-                   "largest closure error of an ok row, relative to the size")
-      ->check(positive_number());
+  add_set_option(*command, options.overrides);
+  add_tolerance_option(*command, options.tolerance);
   command->add_option("--width", options.width, "width of the picture in px (default: 860)")
       ->check(CLI::Range(500.0, 10'000.0));
   command->add_flag("--quiet", options.quiet, "no notes on standard error");

@@ -3,7 +3,6 @@
 #include "higherpair/front/report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "positive_number.hpp"
 #include "progress.hpp"
 #include "run_command.hpp"
 
@@ -66,14 +65,9 @@ CLI::App* add_report_command(CLI::App& app, ReportOptions& options) {
       "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   command->add_option("-o,--output", options.output, "the page to be written, F.html")->required();
-  command
-      ->add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
-      ->allow_extra_args(false);
+  add_set_option(*command, options.overrides);
   command->add_option("--samples", options.samples, "number of rows");
-  command
-      ->add_option("--tolerance", options.tolerance,
-                   "largest closure error of an ok row, relative to the size")
-      ->check(positive_number());
+  add_tolerance_option(*command, options.tolerance);
   command->add_flag("--time", options.timed, "the motion in time, as `step` has it");
   command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
   command->final_callback([&options] { check_output(options); });
