@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <CLI/CLI.hpp>
+
 namespace higherpair::cli {
 namespace {
 

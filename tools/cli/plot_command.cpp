@@ -6,6 +6,8 @@
 #include "picture.hpp"
 #include "run_command.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace higherpair::cli {
 
 CLI::App* add_plot_command(CLI::App& app, PlotOptions& options) {

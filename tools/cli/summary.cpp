@@ -35,7 +35,7 @@ void print_list(const std::string& heading, const std::vector<std::string>& item
     const std::string item = items[i] + (i + 1 < items.size() ? "," : "");
     if (line.size() + 1 + item.size() > kLine) {
       fmt::print("{}\n", line);
-      line = " ";
+      line.assign(1, ' ');
     }
     line += " " + item;
   }

@@ -101,7 +101,7 @@ std::string profile_of(const Sketch& sketch, const std::string& title) {
                         contact.rolling ? ", rolling = true" : "");
   }
   for (std::size_t i = 0; i < sketch.drivers.size(); ++i) {
-    text += "\n" + driver_text(sketch, i);
+    text += fmt::format("\n{}", driver_text(sketch, i));
   }
   return text;
 }
