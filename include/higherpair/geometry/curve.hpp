@@ -11,7 +11,7 @@
 
 namespace higherpair {
 
-enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint, kSupport };
+enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint, kSupport, kChain };
 
 /// Which side of a curve is the body: the convex one (with the focus) or the other (a ring, a slot).
 enum class Side { kInside, kOutside };

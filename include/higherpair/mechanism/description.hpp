@@ -1,8 +1,10 @@
 #pragma once
 
+#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,9 @@ struct NamedPoint {
 struct NamedCurve {
   std::string name;
   Curve curve;  ///< in the body's frame [m]
+  /// Of a curve with ends, or of several spans; `curve` is of kind kChain then. None of a whole conic, line
+  /// or point.
+  std::shared_ptr<const Boundary> boundary = nullptr;
 };
 
 struct MassProperties {

@@ -34,7 +34,8 @@ void for_each_number(M& mechanism, F f) {
     for (auto& point : body.points) {
       vector(point.p_B, NumberKind::kLength);
     }
-    for (auto& [name, curve] : body.curves) {
+    for (auto& named : body.curves) {
+      auto& curve = named.curve;
       vector(curve.vertex_B, NumberKind::kLength);
       vector(curve.axis_B, NumberKind::kPure);
       number(curve.semi_latus, NumberKind::kLength);

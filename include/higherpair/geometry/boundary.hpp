@@ -1,0 +1,86 @@
+#pragma once
+
+#include "higherpair/geometry/span.hpp"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+/// Where on a boundary.
+struct BoundaryPlace {
+  int span = -1;  ///< index of Boundary::spans(); -1: nowhere
+  double t = 0;   ///< its parameter
+};
+
+/// How one span goes over into the next.
+enum class SpanJoint {
+  kSmooth,         ///< position, normal and curvature are continuous
+  kCurvatureJump,  ///< position and normal are
+  kNotch,          ///< a concave corner: no convex body touches it
+  kEnd,            ///< of an open boundary
+};
+
+/// Why spans do not make a boundary.
+struct BoundaryFault {
+  enum class Kind { kEmpty, kGap, kOpen, kCusp } kind = Kind::kEmpty;
+  int span = 0;         ///< the first of the two spans, or of the cusp
+  double distance = 0;  ///< kGap, kOpen: between their ends [m]
+};
+
+/// A chain of spans, closed or open. Convex corners are spans of their own.
+class Boundary {
+public:
+  /// \param tolerance  ends of neighbours that are no farther from each other meet [m]
+  [[nodiscard]] static tl::expected<Boundary, BoundaryFault> make(std::vector<SpanPtr> spans, bool closed,
+                                                                  double tolerance);
+
+  [[nodiscard]] const std::vector<SpanPtr>& spans() const { return spans_; }
+  [[nodiscard]] bool is_closed() const { return closed_; }
+  /// Convex throughout: whatever convex body touches it lies on the other side.
+  [[nodiscard]] bool is_convex() const { return convex_; }
+  /// Half the diagonal of the box around it [m].
+  [[nodiscard]] double size() const { return size_; }
+  /// The joint at the end of a span.
+  [[nodiscard]] SpanJoint joint_after(int span) const { return joints_[static_cast<std::size_t>(span)]; }
+
+  [[nodiscard]] SpanPoint at(const BoundaryPlace& place) const {
+    return spans_[static_cast<std::size_t>(place.span)]->at(place.t);
+  }
+  [[nodiscard]] bool is_corner(const BoundaryPlace& place) const {
+    return spans_[static_cast<std::size_t>(place.span)]->is_corner();
+  }
+
+  /// The place farther along t by an arc of `ds` [m], on corners by a turn of the normal of `dphi` [rad];
+  /// over as many smooth joints as it takes, at most into and not through a corner. `stopped` where an end or
+  /// a notch is in the way.
+  struct Advance {
+    BoundaryPlace place;
+    bool stopped = false;
+  };
+  [[nodiscard]] Advance advance(const BoundaryPlace& from, double ds, double dphi) const;
+
+  /// Points along all of it, in their order.
+  struct Sample {
+    BoundaryPlace place;
+    SpanPoint point;
+  };
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+private:
+  std::vector<SpanPtr> spans_;
+  std::vector<SpanJoint> joints_;
+  std::vector<Sample> samples_;
+  bool closed_ = false;
+  bool convex_ = false;
+  double size_ = 0;
+};
+
+/// A conic, line or point as a boundary. Open conics end `reach` [m] from their vertices, a line `reach` from
+/// its point on either side; a point has all normals.
+[[nodiscard]] Boundary boundary_of(const Curve& curve, double reach);
+
+}  // namespace higherpair
