@@ -2,8 +2,6 @@
 
 #include "higherpair/geometry/span.hpp"
 
-#include <optional>
-#include <variant>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -42,7 +40,8 @@ public:
   [[nodiscard]] bool is_closed() const { return closed_; }
   /// Convex throughout: whatever convex body touches it lies on the other side.
   [[nodiscard]] bool is_convex() const { return convex_; }
-  /// Half the diagonal of the box around it [m].
+  /// Middle of the box around its samples, and half the diagonal of that box [m].
+  [[nodiscard]] const Vector2d& middle_B() const { return middle_B_; }
   [[nodiscard]] double size() const { return size_; }
   /// The joint at the end of a span.
   [[nodiscard]] SpanJoint joint_after(int span) const { return joints_[static_cast<std::size_t>(span)]; }
@@ -76,6 +75,7 @@ private:
   std::vector<Sample> samples_;
   bool closed_ = false;
   bool convex_ = false;
+  Vector2d middle_B_ = Vector2d::Zero();
   double size_ = 0;
 };
 

@@ -1,0 +1,189 @@
+#include "higherpair/contact/boundary_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMaxPasses = 40;
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr double kLongestStep = 0.25;      // of the size of a pair: of one pass
+constexpr double kMostTurn = 0.5;          // of a follower or a corner's normal in one pass [rad]
+constexpr double kNoiseOfClosure = 1e-11;  // of the extent: what an error may stall at
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct End {
+  SpanPoint point;
+  bool corner = false;
+  Vector2d p_W, n_W;
+};
+
+End end_at(const Boundary& boundary, const BoundaryPlace& place, const Pose<double>& X_WB) {
+  const SpanPoint point = boundary.at(place);
+  return {point, boundary.is_corner(place), X_WB * point.p_B, X_WB.R_WB * point.n_B};
+}
+
+double radius_of(const End& end) {
+  return end.corner ? 0 : end.point.kappa == 0 ? kInfinity : 1 / end.point.kappa;
+}
+
+// How two ends stand to each other, with t = n1 turned.
+struct Offset {
+  Vector2d n_W, t_W;
+  double g = 0, s = 0;  // [m]
+  double epsilon = 0;   // angle from n1 to -n2 [rad]
+};
+
+Offset offset_of(const End& end1, const End& end2) {
+  const Vector2d t = perp(end1.n_W);
+  const Vector2d distance = end2.p_W - end1.p_W;
+  return {end1.n_W, t, distance.dot(end1.n_W), distance.dot(t),
+          std::atan2(-cross(end1.n_W, end2.n_W), -end1.n_W.dot(end2.n_W))};
+}
+
+double limited(double x, double most) {
+  return std::clamp(x, -most, most);
+}
+
+// One pass along both boundaries; `turn` is E, `slip` is Σ. Which of them an end has stopped: 0, 1 or 2.
+int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1, const Boundary& boundary2,
+               const End& end2, BoundaryPlace& place2, double turn, double slip, double longest) {
+  const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
+  const double ds1 = link.z * turn + link.w2 * slip;
+  const double ds2 = link.z * turn - link.w1 * slip;
+  const auto next1 =
+      boundary1.advance(place1, limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurn));
+  const auto next2 = boundary2.advance(place2, limited(-ds2, longest),
+                                       limited(-(link.w2 * turn - link.w * slip), kMostTurn));
+  place1 = next1.place;
+  place2 = next2.place;
+  return next1.stopped ? 1 : next2.stopped ? 2 : 0;
+}
+
+// Stops an iteration: where the error is rounding, or has become small and falls no longer.
+class Closure {
+public:
+  explicit Closure(double extent) : extent_(extent) {}
+
+  [[nodiscard]] bool is_reached(double error) {
+    const bool reached =
+        error <= 4 * kEps * extent_ || (error <= kNoiseOfClosure * extent_ && error >= last_ / 2);
+    last_ = error;
+    return reached;
+  }
+
+private:
+  double extent_;
+  double last_ = kInfinity;
+};
+
+BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offset, double q,
+                           const BoundaryPlace& place1, const BoundaryPlace& place2) {
+  return {{offset.n_W, end1.p_W, end2.p_W, radius_of(end1), radius_of(end2)}, q, place1, place2, 0};
+}
+
+double length_scale(const Boundary& boundary1, const Boundary& boundary2) {
+  const double least = std::min(boundary1.size(), boundary2.size());
+  return least > 0 ? least : std::max(boundary1.size(), boundary2.size());
+}
+
+}  // namespace
+
+EquivalentLink link_between(const SpanPoint& point1, bool corner1, const SpanPoint& point2, bool corner2) {
+  if (corner1) {
+    return {1, 0, point2.kappa, 0};
+  }
+  if (corner2) {
+    return {0, 1, point1.kappa, 0};
+  }
+  const double z = 1 / (point1.kappa + point2.kappa);
+  return {point1.kappa * z, point2.kappa * z, point1.kappa * point2.kappa * z, z};
+}
+
+BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double q,
+                                      const BoundaryPlace& place1, const BoundaryPlace& place2, int branch) {
+  const Boundary& boundary1 = *pair.boundary1;
+  const Boundary& boundary2 = *pair.boundary2;
+  const Pose<double> X_W1 = pose_at(pair.motion1, u);
+  const double scale = length_scale(boundary1, boundary2);
+  const double longest = kLongestStep * scale;
+  BoundaryResult result;
+  BoundaryPlace p1 = place1;
+  BoundaryPlace p2 = place2;
+  const double arm = (pair.motion1.p_WO - pair.motion2.p_WO).norm() + boundary1.size() + scale;
+  Closure closure(arm);
+  int ended_before = 0;
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    const Pose<double> X_W2 = pose_at(pair.motion2, q);
+    const End end1 = end_at(boundary1, p1, X_W1);
+    const End end2 = end_at(boundary2, p2, X_W2);
+    const Offset offset = offset_of(end1, end2);
+    const Vector2d per_q = velocity_per_q(pair.motion2, end2.p_W);
+    const double gap_q = per_q.dot(offset.n_W);
+    const double error = std::abs(offset.g) + std::abs(offset.s) + std::abs(offset.epsilon) * scale;
+    if (!std::isfinite(error) || (end1.corner && end2.corner)) {
+      result.status = ContactStatus::kNoContact;
+      return result;
+    }
+    if (closure.is_reached(error)) {
+      result.contact = contact_of(end1, end2, offset, q, p1, p2);
+      result.contact.gap_q = gap_q;
+      result.status = branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch;
+      return result;
+    }
+    const double most = pair.motion2.turns ? kMostTurn : longest;
+    const double dq = limited(-offset.g / gap_q, most);
+    if (!std::isfinite(dq)) {
+      result.status = ContactStatus::kNoContact;
+      return result;
+    }
+    const double turn = offset.epsilon + (pair.motion2.turns ? dq : 0);
+    const int ended = step_along(boundary1, end1, p1, boundary2, end2, p2, turn,
+                                 offset.s + per_q.dot(offset.t_W) * dq, longest);
+    q += dq;
+    if (ended != 0 && ended == ended_before && std::abs(dq) <= 1e-9 * most) {
+      result.status = ContactStatus::kNoContact;
+      result.ended = ended;
+      return result;
+    }
+    ended_before = ended;
+  }
+  result.ended = ended_before;
+  result.status = ended_before != 0 ? ContactStatus::kNoContact : ContactStatus::kNotConverged;
+  return result;
+}
+
+std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, const Pose<double>& X_W1,
+                                                    const Boundary& boundary2, const Pose<double>& X_W2,
+                                                    const BoundaryPlace& place1,
+                                                    const BoundaryPlace& place2) {
+  const double scale = length_scale(boundary1, boundary2);
+  BoundaryPlace p1 = place1;
+  BoundaryPlace p2 = place2;
+  Closure closure(boundary1.size() + scale);
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    const End end1 = end_at(boundary1, p1, X_W1);
+    const End end2 = end_at(boundary2, p2, X_W2);
+    const Offset offset = offset_of(end1, end2);
+    const double error = std::abs(offset.s) + std::abs(offset.epsilon) * scale;
+    if (!std::isfinite(error) || (end1.corner && end2.corner)) {
+      return std::nullopt;
+    }
+    if (closure.is_reached(error)) {
+      return contact_of(end1, end2, offset, 0, p1, p2);
+    }
+    // Across a gap g a turn of the normal by δφ1 = w1 ε + w Σ shifts the points by g δφ1: Σ = σ - g δφ1.
+    const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
+    const double slip = (offset.s - offset.g * link.w1 * offset.epsilon) / (1 + offset.g * link.w);
+    if (step_along(boundary1, end1, p1, boundary2, end2, p2, offset.epsilon, slip, kLongestStep * scale) !=
+            0 &&
+        pass > 3) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace higherpair

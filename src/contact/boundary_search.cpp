@@ -1,0 +1,244 @@
+#include "higherpair/contact/boundary_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// All contacts of two boundaries, as common points of two plane curves that are known by samples.
+
+namespace higherpair {
+namespace {
+
+constexpr double kSameContact = 1e-7;  // of q [rad, or of the size]: two that are one
+constexpr double kSlack = 0.25;        // of a polyline's part: how far its curve may pass beside it
+
+// Of one boundary: a point of its plane curve, scaled to lengths, and the place that it belongs to.
+struct Feature {
+  Vector2d at;
+  BoundaryPlace place;
+};
+
+struct Features {
+  std::vector<Feature> points;
+  bool closed = false;
+};
+
+// Angles continuous along the boundary.
+class Unwrapped {
+public:
+  double operator()(const Vector2d& n) {
+    last_ = known_ ? nearest_turn(angle_of(n), last_) : angle_of(n);
+    known_ = true;
+    return last_;
+  }
+
+private:
+  double last_ = 0;
+  bool known_ = false;
+};
+
+// sense: +1 for body 1, -1 for body 2, whose normals are opposed.
+Features features_of(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower,
+                     double sense, double scale) {
+  Features features;
+  features.closed = boundary.is_closed();
+  Unwrapped angle;
+  for (const auto& [place, point] : boundary.samples()) {
+    const Vector2d n = X_WB.R_WB * point.n_B;
+    const Vector2d m = X_WB * point.p_B - follower.p_WO;
+    const Vector2d at = follower.turns
+                            ? Vector2d(sense * m.dot(n), sense * m.dot(perp(n)))
+                            : Vector2d(scale * angle(sense * n), m.dot(perp(follower.direction_W)));
+    features.points.push_back({at, place});
+  }
+  return features;
+}
+
+struct Crossing {
+  BoundaryPlace place1, place2;
+};
+
+BoundaryPlace between(const Feature& a, const Feature& b, double share) {
+  return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};
+}
+
+// Where two short lines cross, or nearly do: shares of both.
+std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da, const Vector2d& b,
+                                           const Vector2d& db) {
+  const double det = cross(da, db);
+  if (det == 0) {
+    return std::nullopt;
+  }
+  const Vector2d d = b - a;
+  const Vector2d shares(cross(d, db) / det, cross(d, da) / det);
+  const bool near = (shares.array() >= -kSlack).all() && (shares.array() <= 1 + kSlack).all();
+  return near ? std::optional(Vector2d(shares.cwiseMax(0).cwiseMin(1))) : std::nullopt;
+}
+
+// Of a box around the part from a to b, widened by its slack.
+struct Box {
+  Vector2d low, high;
+  Box(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
+    const double slack = kSlack * (b - a).norm();
+    low.array() -= slack;
+    high.array() += slack;
+  }
+  [[nodiscard]] bool meets(const Box& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+
+// The parts between neighbouring samples of one span.
+template <class F>
+void for_each_part(const Features& features, const F& f) {
+  for (std::size_t i = 1; i < features.points.size(); ++i) {
+    const Feature& a = features.points[i - 1];
+    const Feature& b = features.points[i];
+    if (a.place.span == b.place.span) {
+      f(a, b);
+    }
+  }
+}
+
+// \param period  of the first coordinate; 0: none
+template <class F>
+void for_each_crossing(const Features& features1, const Features& features2, double period, const F& found) {
+  for_each_part(features1, [&](const Feature& a1, const Feature& b1) {
+    const Box box1(a1.at, b1.at);
+    for_each_part(features2, [&](const Feature& a2, const Feature& b2) {
+      const double turns = period == 0 ? 0 : std::round((a1.at.x() - a2.at.x()) / period);
+      const Vector2d shift(turns * period, 0);
+      if (!box1.meets(Box(a2.at + shift, b2.at + shift))) {
+        return;
+      }
+      if (const auto shares = shares_of_crossing(a1.at, b1.at - a1.at, a2.at + shift, b2.at - a2.at)) {
+        found(between(a1, b1, shares->x()), between(a2, b2, shares->y()));
+      }
+    });
+  });
+}
+
+// The follower's coordinate that puts a place of body 2 onto one of body 1.
+double coordinate_of(const BoundaryPair& pair, const Pose<double>& X_W1, const BoundaryPlace& place1,
+                     const BoundaryPlace& place2) {
+  const SpanPoint one = pair.boundary1->at(place1);
+  const SpanPoint two = pair.boundary2->at(place2);
+  if (pair.motion2.turns) {
+    return nearest_turn(angle_of(-(X_W1.R_WB * one.n_B)) - angle_of(two.n_B), 0);
+  }
+  const Pose<double> at_zero = pose_at(pair.motion2, 0);
+  return (X_W1 * one.p_B - at_zero * two.p_B).dot(pair.motion2.direction_W);
+}
+
+bool is_known(const std::vector<BoundaryContact>& contacts, const BoundaryContact& contact, double unit,
+              double length) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const BoundaryContact& known) {
+    return std::abs(known.q - contact.q) <= kSameContact * unit &&
+           (known.at.p1_W - contact.at.p1_W).norm() <= 1e-5 * length;
+  });
+}
+
+}  // namespace
+
+std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u, const Bounds& range) {
+  const Pose<double> X_W1 = pose_at(pair.motion1, u);
+  const double scale = std::max(pair.boundary1->size(), pair.boundary2->size());
+  const Features features1 = features_of(*pair.boundary1, X_W1, pair.motion2, 1, scale);
+  const Features features2 = features_of(*pair.boundary2, pose_at(pair.motion2, 0), pair.motion2, -1, scale);
+  const double unit = pair.motion2.turns ? 1 : scale;
+  std::vector<BoundaryContact> contacts;
+  for_each_crossing(features1, features2, pair.motion2.turns ? 0 : 2 * kPi * scale,
+                    [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
+                      const double guess = coordinate_of(pair, X_W1, place1, place2);
+                      BoundaryResult solved = solve_boundary_contact(pair, u, guess, place1, place2, 0);
+                      if (solved.status != ContactStatus::kOk) {
+                        return;
+                      }
+                      BoundaryContact& contact = solved.contact;
+                      contact.q = pair.motion2.turns ? nearest_turn(contact.q, 0) : contact.q;
+                      const EquivalentLink link = link_at(contact.at);
+                      const bool proper = contact.gap_q != 0 && std::isfinite(link.z) && link.z >= 0;
+                      if (proper && (pair.motion2.turns || range.contains(contact.q)) &&
+                          !is_known(contacts, contact, unit, scale)) {
+                        contacts.push_back(contact);
+                      }
+                    });
+  std::sort(contacts.begin(), contacts.end(),
+            [](const BoundaryContact& a, const BoundaryContact& b) { return a.q < b.q; });
+  return contacts;
+}
+
+namespace {
+
+// Depth of a point in a body [m]: to the nearest place of its boundary; < 0 outside. An open boundary says
+// nothing of points beside it.
+struct Depth {
+  double depth = -std::numeric_limits<double>::infinity();
+  BoundaryPlace place;
+};
+
+Depth depth_in(const Boundary& boundary, const Vector2d& p_B) {
+  const Boundary::Sample* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Boundary::Sample& sample : boundary.samples()) {
+    const double distance2 = (p_B - sample.point.p_B).squaredNorm();
+    if (distance2 < least) {
+      least = distance2;
+      nearest = &sample;
+    }
+  }
+  BoundaryPlace place = nearest->place;
+  bool stopped = false;
+  for (int pass = 0; pass < 8; ++pass) {
+    const SpanPoint point = boundary.at(place);
+    const Vector2d to = p_B - point.p_B;
+    const double along = to.dot(perp(point.n_B));
+    const double out = to.dot(point.n_B);
+    const bool corner = boundary.is_corner(place);
+    const double stretch = 1 + point.kappa * out;
+    const auto next = boundary.advance(place, stretch > 0.1 ? along / stretch : along,
+                                       corner ? std::atan2(along, std::max(out, 0.0)) : 0);
+    stopped = next.stopped;
+    place = next.place;
+  }
+  const SpanPoint point = boundary.at(place);
+  if (stopped && !boundary.is_closed()) {
+    return {};
+  }
+  return {-(p_B - point.p_B).dot(point.n_B), place};
+}
+
+template <class F>
+void for_near_samples(const Boundary& boundary, const Pose<double>& X_WB, const Boundary& other,
+                      const Pose<double>& X_WO, const F& f) {
+  const Vector2d middle_B = X_WB.inverse_times(X_WO * other.middle_B());
+  for (const auto& sample : boundary.samples()) {
+    if ((sample.point.p_B - middle_B).squaredNorm() <= other.size() * other.size() * (1 + 1e-9)) {
+      f(sample, X_WO.inverse_times(X_WB * sample.point.p_B));
+    }
+  }
+}
+
+}  // namespace
+
+Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
+                                const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
+  Penetration worst;
+  worst.depth = tolerance;
+  for_near_samples(boundary1, X_W1, boundary2, X_W2,
+                   [&](const Boundary::Sample& sample, const Vector2d& p_2) {
+                     if (const Depth found = depth_in(boundary2, p_2); found.depth > worst.depth) {
+                       worst = {found.depth, sample.place, found.place};
+                     }
+                   });
+  for_near_samples(boundary2, X_W2, boundary1, X_W1,
+                   [&](const Boundary::Sample& sample, const Vector2d& p_1) {
+                     if (const Depth found = depth_in(boundary1, p_1); found.depth > worst.depth) {
+                       worst = {found.depth, found.place, sample.place};
+                     }
+                   });
+  worst.depth = worst.depth > tolerance ? worst.depth : 0;
+  return worst;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,191 @@
+#include "higherpair/geometry/boundary.hpp"
+
+#include "higherpair/geometry/curve_queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr double kSameDirection =
+    1e-7;  // between normals that are one: below what a drawing's digits give [rad]
+constexpr double kSameCurvature = 1e-9;  // of the curvature, or of 1 per size of the boundary
+
+SpanPoint first_of(const Span& span) {
+  return span.at(span.range().low);
+}
+
+SpanPoint last_of(const Span& span) {
+  return span.at(span.range().high);
+}
+
+double angle_from_to(const Vector2d& a, const Vector2d& b) {
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+// The chain with its convex corners as spans.
+std::vector<SpanPtr> with_corners(std::vector<SpanPtr> spans, bool closed) {
+  std::vector<SpanPtr> all;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    all.push_back(spans[i]);
+    if (i + 1 == spans.size() && !closed) {
+      break;
+    }
+    const Span& next = *spans[(i + 1) % spans.size()];
+    const SpanPoint end = last_of(*spans[i]);
+    const double turn = angle_from_to(end.n_B, first_of(next).n_B);
+    if (turn > kSameDirection && !spans[i]->is_corner() && !next.is_corner()) {
+      const double from = std::atan2(end.n_B.y(), end.n_B.x());
+      all.push_back(corner_span(first_of(next).p_B, from, from + turn));
+    }
+  }
+  return all;
+}
+
+SpanJoint joint_of_ends(const Span& before, const Span& after, double size) {
+  if (before.is_corner() || after.is_corner()) {
+    return SpanJoint::kCurvatureJump;
+  }
+  const SpanPoint a = last_of(before);
+  const SpanPoint b = first_of(after);
+  if (angle_from_to(a.n_B, b.n_B) < -kSameDirection) {
+    return SpanJoint::kNotch;
+  }
+  const double scale = std::max({std::abs(a.kappa), std::abs(b.kappa), 1 / size});
+  return std::abs(a.kappa - b.kappa) <= kSameCurvature * scale ? SpanJoint::kSmooth
+                                                               : SpanJoint::kCurvatureJump;
+}
+
+std::vector<Boundary::Sample> sampled(const std::vector<SpanPtr>& spans) {
+  std::vector<Boundary::Sample> samples;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const Bounds range = spans[i]->range();
+    const int parts = spans[i]->parts();
+    for (int k = 0; k <= parts; ++k) {
+      const double t = k == parts ? range.high : range.low + k * (range.width() / parts);
+      samples.push_back({{static_cast<int>(i), t}, spans[i]->at(t)});
+    }
+  }
+  return samples;
+}
+
+bool is_convex_chain(const std::vector<Boundary::Sample>& samples, const std::vector<SpanJoint>& joints,
+                     double size) {
+  return std::none_of(joints.begin(), joints.end(),
+                      [](SpanJoint joint) { return joint == SpanJoint::kNotch; }) &&
+         std::none_of(samples.begin(), samples.end(), [&](const Boundary::Sample& sample) {
+           return sample.point.kappa < -kSameCurvature / size;
+         });
+}
+
+}  // namespace
+
+tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans, bool closed,
+                                                     double tolerance) {
+  using Kind = BoundaryFault::Kind;
+  if (spans.empty()) {
+    return tl::unexpected(BoundaryFault{Kind::kEmpty, 0, 0});
+  }
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const bool last = i + 1 == spans.size();
+    if (last && !closed) {
+      break;
+    }
+    const double distance = (first_of(*spans[(i + 1) % spans.size()]).p_B - last_of(*spans[i]).p_B).norm();
+    if (!(distance <= tolerance)) {
+      return tl::unexpected(BoundaryFault{last ? Kind::kOpen : Kind::kGap, static_cast<int>(i), distance});
+    }
+  }
+  Boundary boundary;
+  boundary.closed_ = closed;
+  boundary.spans_ = with_corners(std::move(spans), closed);
+  boundary.samples_ = sampled(boundary.spans_);
+  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d high = -low;
+  for (const Sample& sample : boundary.samples_) {
+    if (!(sample.point.speed > 0) || !sample.point.p_B.allFinite()) {
+      return tl::unexpected(BoundaryFault{Kind::kCusp, sample.place.span, 0});
+    }
+    low = low.cwiseMin(sample.point.p_B);
+    high = high.cwiseMax(sample.point.p_B);
+  }
+  boundary.size_ = (high - low).norm() / 2;
+  boundary.middle_B_ = (low + high) / 2;
+  const std::size_t count = boundary.spans_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    boundary.joints_.push_back(i + 1 == count && !closed
+                                   ? SpanJoint::kEnd
+                                   : joint_of_ends(*boundary.spans_[i], *boundary.spans_[(i + 1) % count],
+                                                   boundary.size_ > 0 ? boundary.size_ : 1));
+  }
+  boundary.convex_ =
+      is_convex_chain(boundary.samples_, boundary.joints_, boundary.size_ > 0 ? boundary.size_ : 1);
+  return boundary;
+}
+
+Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double dphi) const {
+  const int count = static_cast<int>(spans_.size());
+  BoundaryPlace place = from;
+  const bool corner = is_corner(place);
+  place.t += corner ? dphi : ds / at(place).speed;
+  // More than once round is no step but an iteration that has gone astray.
+  for (int passed = 0; passed <= count; ++passed) {
+    const Span& span = *spans_[static_cast<std::size_t>(place.span)];
+    const Bounds range = span.range();
+    const double beyond = place.t > range.high ? place.t - range.high : std::min(place.t - range.low, 0.0);
+    if (beyond == 0) {
+      return {place, false};
+    }
+    const bool forward = beyond > 0;
+    const int joint = forward ? place.span : (place.span + count - 1) % count;
+    const double end = forward ? range.high : range.low;
+    if (const SpanJoint kind = joint_after(joint); kind == SpanJoint::kNotch || kind == SpanJoint::kEnd) {
+      return {{place.span, end}, true};
+    }
+    const int next = forward ? (place.span + 1) % count : joint;
+    const Span& other = *spans_[static_cast<std::size_t>(next)];
+    const double start = forward ? other.range().low : other.range().high;
+    // What is left is an arc; of a turn of a corner's normal it is not known which.
+    const double left = span.is_corner() || other.is_corner() ? 0 : beyond * span.at(end).speed;
+    place = {next, left == 0 ? start : start + left / other.at(start).speed};
+  }
+  return {place, false};
+}
+
+Boundary boundary_of(const Curve& curve, double reach) {
+  std::vector<SpanPtr> spans;
+  bool closed = true;
+  if (is_point(curve)) {
+    spans.push_back(corner_span(curve.vertex_B, -kPi, kPi));
+  } else if (is_line(curve)) {
+    const Vector2d t = -perp(curve.axis_B);
+    spans.push_back(face_span(curve.vertex_B - reach * t, curve.vertex_B + reach * t));
+    closed = false;
+  } else {
+    const PlacedCurve<double> placed = place(curve, Pose<double>{});
+    const auto normals = normals_of(placed);
+    closed = !normals;
+    double from = -kPi;
+    double to = kPi;
+    if (normals) {
+      // Half of the cone that is within reach, by halving: farther out points move away without bound.
+      double inside = 0;
+      double outside = normals->half;
+      for (int i = 0; i < 60; ++i) {
+        const double half = (inside + outside) / 2;
+        const Vector2d n = unit_vector(normals->middle + half);
+        const bool within =
+            has_point(placed, n) && (support_point(placed, n).p_W - curve.vertex_B).norm() <= reach;
+        (within ? inside : outside) = half;
+      }
+      from = normals->middle - inside;
+      to = normals->middle + inside;
+    }
+    spans.push_back(conic_span(curve, from, to));
+  }
+  return *Boundary::make(std::move(spans), closed, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace higherpair

@@ -1,0 +1,127 @@
+#include "higherpair/geometry/span.hpp"
+
+#include "higherpair/geometry/support.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// By the angle of the outward normal, or, on the concave side, where that falls along t, by minus the angle.
+class ConicSpan final : public Span {
+public:
+  ConicSpan(const Curve& curve, double from, double to)
+      : curve_(curve),
+        sense_(curve.side == Side::kInside ? 1 : -1),
+        range_(sense_ > 0 ? Bounds{from, to} : Bounds{-to, -from}) {}
+
+  [[nodiscard]] SpanPoint at(double t) const override {
+    const Vector2d n = unit_vector(sense_ * t);
+    const PlacedCurve<double> placed = place(curve_, Pose<double>{});
+    const SupportPoint<double> point = support_point(placed, n);
+    const double slope = radius_slope(placed, point.rho, n);
+    return {point.p_W, n, 1 / point.rho, -slope / (point.rho * point.rho * point.rho), std::abs(point.rho)};
+  }
+  [[nodiscard]] Bounds range() const override { return range_; }
+
+private:
+  Curve curve_;
+  double sense_;
+  Bounds range_;
+};
+
+// By the distance from its beginning.
+class FaceSpan final : public Span {
+public:
+  FaceSpan(const Vector2d& from_B, const Vector2d& to_B)
+      : from_(from_B), length_((to_B - from_B).norm()), t_((to_B - from_B) / length_) {}
+
+  [[nodiscard]] SpanPoint at(double t) const override { return {from_ + t * t_, -perp(t_), 0, 0, 1}; }
+  [[nodiscard]] Bounds range() const override { return {0, length_}; }
+  [[nodiscard]] int parts() const override { return 1; }
+
+private:
+  Vector2d from_;
+  double length_;
+  Vector2d t_;
+};
+
+class CornerSpan final : public Span {
+public:
+  CornerSpan(const Vector2d& at_B, double from, double to) : p_(at_B), range_{from, to} {}
+
+  [[nodiscard]] SpanPoint at(double t) const override { return {p_, unit_vector(t), 0, 0, 1}; }
+  [[nodiscard]] Bounds range() const override { return range_; }
+  [[nodiscard]] bool is_corner() const override { return true; }
+  [[nodiscard]] int parts() const override { return 1 + static_cast<int>(range_.width() / 0.1); }
+
+private:
+  Vector2d p_;
+  Bounds range_;
+};
+
+class ReversedSpan final : public Span {
+public:
+  explicit ReversedSpan(SpanPtr span) : span_(std::move(span)) {}
+
+  // Both κ and the sense of s change sign, so that dκ/ds keeps its own.
+  [[nodiscard]] SpanPoint at(double t) const override {
+    const SpanPoint point = span_->at(-t);
+    return {point.p_B, -point.n_B, -point.kappa, point.slope, point.speed};
+  }
+  [[nodiscard]] Bounds range() const override { return {-span_->range().high, -span_->range().low}; }
+  [[nodiscard]] int parts() const override { return span_->parts(); }
+
+private:
+  SpanPtr span_;
+};
+
+// κ of the offset is κ/m with m = 1 + κ d, its arc ds m, so that dκ/ds falls by m³.
+class OffsetSpan final : public Span {
+public:
+  OffsetSpan(SpanPtr span, double distance) : span_(std::move(span)), distance_(distance) {}
+
+  [[nodiscard]] SpanPoint at(double t) const override {
+    const SpanPoint point = span_->at(t);
+    const double m = 1 + point.kappa * distance_;
+    return {point.p_B + distance_ * point.n_B, point.n_B, point.kappa / m, point.slope / (m * m * m),
+            point.speed * m};
+  }
+  [[nodiscard]] Bounds range() const override { return span_->range(); }
+  [[nodiscard]] int parts() const override { return span_->parts(); }
+
+private:
+  SpanPtr span_;
+  double distance_;
+};
+
+}  // namespace
+
+SpanPtr conic_span(const Curve& curve, double from, double to) {
+  assert(is_conic(curve) && from < to);
+  return std::make_shared<ConicSpan>(curve, from, to);
+}
+
+SpanPtr face_span(const Vector2d& from_B, const Vector2d& to_B) {
+  assert(from_B != to_B);
+  return std::make_shared<FaceSpan>(from_B, to_B);
+}
+
+SpanPtr corner_span(const Vector2d& at_B, double from, double to) {
+  assert(from < to);
+  return std::make_shared<CornerSpan>(at_B, from, to);
+}
+
+SpanPtr reversed_span(SpanPtr span) {
+  assert(!span->is_corner());
+  return std::make_shared<ReversedSpan>(std::move(span));
+}
+
+SpanPtr offset_span(SpanPtr span, double distance) {
+  assert(!span->is_corner());
+  return std::make_shared<OffsetSpan>(std::move(span), distance);
+}
+
+}  // namespace higherpair
