@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
+
+constexpr double kLeastLever = 1e-3;  // of the size: of a follower that touches at its pivot
 
 // Seen from the first body of the file.
 ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_is_first) {
@@ -145,6 +148,61 @@ ContactResult contact_near(const ContactPair& pair, double u, double q, const Ve
   return {ContactStatus::kOk, extreme->at, 0};
 }
 
+// What a touching body is placed from.
+struct Guess {
+  const State& from;
+  double h;
+  const StandingPair& placed;
+  double q;
+};
+
+// The place of a contact on one boundary after h, by its speed along it; on a corner the normal's turning
+// against the body.
+BoundaryPlace predicted_place(const Boundary& boundary, const BoundaryPlace& place, double along,
+                              double turn) {
+  return boundary.advance(place, along, turn).place;
+}
+
+GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
+                                const Guess& guess, State& to) {
+  const BoundaryPair pair = standing_boundaries(model, touching, guess.placed);
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const ContactMotion& before = guess.from.contacts[static_cast<std::size_t>(touching.contact)];
+  const double h = guess.h;
+  const auto turn = [&](const CurveRef& ref) {
+    return h * (before.rates.phi_dot - body_in(guess.from, ref.body).omega);
+  };
+  std::array<BoundaryPlace, 2> place = {
+      predicted_place(boundary_of(model.mechanism, contact.first), before.place[0], h * before.rates.along1,
+                      turn(contact.first)),
+      predicted_place(boundary_of(model.mechanism, contact.second), before.place[1], -h * before.rates.along2,
+                      turn(contact.second))};
+  if (!touching.follower_is_second) {
+    std::swap(place[0], place[1]);
+  }
+  const int mode = to.groups[g].mode;
+  const BoundaryResult result =
+      solve_boundary_contact(pair, guess.placed.u, guess.q, place[0], place[1], mode);
+  if (result.status != ContactStatus::kOk) {
+    return status_of(result.status);
+  }
+  const BoundaryContact& found = result.contact;
+  ContactMotion& motion = to.contacts[static_cast<std::size_t>(touching.contact)];
+  motion.at = touching.follower_is_second ? found.at : found.at.exchanged();
+  motion.place = {found.place1, found.place2};
+  if (!touching.follower_is_second) {
+    std::swap(motion.place[0], motion.place[1]);
+  }
+  motion.phi = nearest_turn(angle_of(motion.at.n_W), before.phi + h * before.rates.phi_dot);
+  body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
+  GroupState& group = to.groups[g];
+  group.sine = found.gap_q;
+  group.lever = velocity_per_q(pair.motion2, found.at.p2_W).norm() +
+                (pair.motion2.turns ? kLeastLever * model.plan.size : 0);
+  group.noise = kGapQIsZero * group.lever;
+  return GroupStatus::kOk;
+}
+
 }  // namespace
 
 GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
@@ -161,6 +219,10 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   }
   const Vector2d n = (touching.follower_is_second ? 1 : -1) *
                      (Rotation<double>::from_angle(h * before.rates.phi_dot) * before.at.n_W);
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  if (contact.by_boundary) {
+    return place_on_boundaries(model, touching, g, {from, h, placed, q}, to);
+  }
   const ContactResult result = contact_near(placed.pair, placed.u, q, n, to.groups[g].mode, model.plan.size);
   if (result.status != ContactStatus::kOk) {
     return status_of(result.status);

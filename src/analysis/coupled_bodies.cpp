@@ -81,17 +81,9 @@ void set_rank(const Solver& solver, GroupState& group) {
 bool place_contacts(const Planned& model, const Group& group, State& to) {
   for (const int index : group.contacts) {
     const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
-    ContactMotion& motion = to.contacts[static_cast<std::size_t>(index)];
-    const auto at =
-        find_common_normal(curve_of(model.mechanism, contact.first),
-                           to.bodies[static_cast<std::size_t>(contact.first.body)].X_WB,
-                           curve_of(model.mechanism, contact.second),
-                           to.bodies[static_cast<std::size_t>(contact.second.body)].X_WB, motion.at.n_W);
-    if (!at) {
+    if (!place_contact(model.mechanism, contact, to.bodies, to.contacts[static_cast<std::size_t>(index)])) {
       return false;
     }
-    motion.at = *at;
-    motion.phi = nearest_turn(angle_of(at->n_W), motion.phi);
   }
   return true;
 }

@@ -55,14 +55,9 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
     ContactMotion& motion = b.contacts[i];
     const double phi =
         (a.contacts[i].phi + motion.phi) / 2 + h / 8 * (a.contacts[i].rates.phi_dot - motion.rates.phi_dot);
-    const auto at = find_common_normal(
-        curve_of(run.mechanism, contact.first), b.bodies[static_cast<std::size_t>(contact.first.body)].X_WB,
-        curve_of(run.mechanism, contact.second), b.bodies[static_cast<std::size_t>(contact.second.body)].X_WB,
-        unit_vector(phi));
-    if (at) {
-      motion.at = *at;
-      motion.phi = nearest_turn(angle_of(at->n_W), phi);
-    }
+    motion.at.n_W = unit_vector(phi);
+    motion.phi = phi;
+    (void)place_contact(run.mechanism, contact, b.bodies, motion);
     set_contact_rates(model_of(run), static_cast<int>(i), b);
   }
   for (std::size_t g = 0; g < b.groups.size(); ++g) {

@@ -122,9 +122,13 @@ private:
 // κ1 + κ2 up to a positive factor; empty where one of the curves is a line or a point, which cannot conform.
 std::optional<double> conformity(const Run& run, std::size_t contact, const State& state) {
   const Contact& touching = run.mechanism.contacts[contact];
+  const CommonNormal& at = state.contacts[contact].at;
+  if (touching.by_boundary) {
+    const bool corner = at.rho1 == 0 || at.rho2 == 0;
+    return corner ? std::nullopt : std::optional(1 / at.rho1 + 1 / at.rho2);
+  }
   const bool curved = is_curved(curve_of(run.mechanism, touching.first)) &&
                       is_curved(curve_of(run.mechanism, touching.second));
-  const CommonNormal& at = state.contacts[contact].at;
   return curved ? std::optional((at.rho1 + at.rho2) * (at.rho1 * at.rho2 > 0 ? 1 : -1)) : std::nullopt;
 }
 

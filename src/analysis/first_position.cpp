@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -215,6 +217,9 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
                                           posed_.bodies[static_cast<std::size_t>(follower.body)]);
   const double turned =
       follower.freedom.turns ? state_.bodies[static_cast<std::size_t>(follower.carrier)].theta : 0;
+  if (contact.by_boundary) {
+    return start_on_boundaries(touching, g, placed, posed + turned);
+  }
   const FindResult found =
       first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
   if (found.status != FindStatus::kFound) {
@@ -234,6 +239,48 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   return true;
 }
 
+// Of all contacts that leave the bodies free of each other the nearest one, or the first that way.
+bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_t g,
+                                        const StandingPair& placed, double posed) {
+  const Contact& contact = contact_of(run_.mechanism, touching.contact);
+  const BoundaryPair pair = standing_boundaries(model_, touching, placed);
+  const double sense = contact.approach == Approach::kNearest    ? 0
+                       : contact.approach == Approach::kPositive ? touching.follower.sign
+                                                                 : -touching.follower.sign;
+  std::optional<BoundaryContact> best;
+  double least = std::numeric_limits<double>::infinity();
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  for (BoundaryContact& found : find_boundary_contacts(pair, placed.u, {-kFar, kFar})) {
+    if (pair.motion2.turns) {
+      found.q = nearest_turn(found.q, posed);
+      found.q += sense * (found.q - posed) < 0 ? sense * 2 * kPi : 0;
+    }
+    const double distance = sense == 0 ? std::abs(found.q - posed) : sense * (found.q - posed);
+    const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
+    if (wanted && deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
+                                      pose_at(pair.motion2, found.q), kOverlap * run_.plan.size)
+                          .depth == 0) {
+      best = found;
+      least = distance;
+    }
+  }
+  if (!best) {
+    fail(g, explain(FindStatus::kNoContact, contact));
+    return false;
+  }
+  state_.groups[g].mode = best->gap_q < 0 ? -1 : 1;
+  touching_start_.bodies[static_cast<std::size_t>(touching.follower.body)] =
+      motion_at(pair.motion2, best->q, 0, 0);
+  ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
+  motion.at = touching.follower_is_second ? best->at : best->at.exchanged();
+  motion.phi = angle_of(motion.at.n_W);
+  motion.place = {best->place1, best->place2};
+  if (!touching.follower_is_second) {
+    std::swap(motion.place[0], motion.place[1]);
+  }
+  return true;
+}
+
 // The common normal of the bodies in their poses is where Newton's method begins.
 void FirstPosition::start_coupled(const Group& group) {
   for (const int index : group.contacts) {
@@ -243,6 +290,12 @@ void FirstPosition::start_coupled(const Group& group) {
       const bool placed = std::find(group.bodies.begin(), group.bodies.end(), ref.body) == group.bodies.end();
       return (placed ? state_ : posed_).bodies[body].X_WB;
     };
+    if (contact.by_boundary) {
+      posed_.contacts[static_cast<std::size_t>(index)].place =
+          nearest_places(boundary_of(run_.mechanism, contact.first), pose(contact.first),
+                         boundary_of(run_.mechanism, contact.second), pose(contact.second));
+      continue;
+    }
     const Separation here = separation(curve_of(run_.mechanism, contact.first), pose(contact.first),
                                        curve_of(run_.mechanism, contact.second), pose(contact.second),
                                        kRoughSeparation * run_.plan.size);

@@ -35,6 +35,8 @@ private:
   [[nodiscard]] bool start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,
                                         const FindResult& found);
   [[nodiscard]] bool start_touching(const TouchingBody& touching, std::size_t g);
+  [[nodiscard]] bool start_on_boundaries(const TouchingBody& touching, std::size_t g,
+                                         const StandingPair& placed, double posed);
   void start_coupled(const Group& group);
   void begin_arcs(const Group& group);
 

@@ -50,8 +50,7 @@ void place_idle(const IdleBody& idle, const State& from, State& to) {
 void set_contact_rates(const Planned& model, int index, State& state) {
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
   ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
-  const auto link = equivalent_link(is_line(curve_of(model.mechanism, contact.first)), motion.at.rho1,
-                                    is_line(curve_of(model.mechanism, contact.second)), motion.at.rho2);
+  const EquivalentLink link = link_of(model.mechanism, contact, motion.at);
   motion.rates =
       contact_rates(link, motion.at, body_in(state, contact.first.body), body_in(state, contact.second.body));
 }
@@ -88,6 +87,15 @@ StandingPair standing_pair(const Planned& model, const TouchingBody& touching, c
   freedom.theta += carrier.theta;
   freedom.R_WB = carrier.X_WB.R_WB * freedom.R_WB;
   return placed;
+}
+
+BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touching,
+                                 const StandingPair& standing) {
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
+  const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
+  return {&boundary_of(model.mechanism, known), standing.pair.motion1, &boundary_of(model.mechanism, own),
+          standing.pair.motion2};
 }
 
 GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,

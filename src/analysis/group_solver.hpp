@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/state.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -57,5 +58,9 @@ struct StandingPair {
 };
 [[nodiscard]] StandingPair standing_pair(const Planned& model, const TouchingBody& touching,
                                          const State& state);
+
+/// The same of a contact by_boundary.
+[[nodiscard]] BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touching,
+                                               const StandingPair& standing);
 
 }  // namespace higherpair

@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/group_traits.hpp"
 #include "path.hpp"
+#include "span_joints.hpp"
 #include "step.hpp"
 
 #include <algorithm>
@@ -25,6 +26,10 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
   set_place(event, path, s);
   name_item(run, g, event);
   event.cause = limit_cause(run.plan.groups[g]);
+  if (auto end = end_reached(run, g)) {
+    event.type = EventType::kEnd;
+    event.cause = *std::move(end);
+  }
   return event;
 }
 

@@ -1,5 +1,7 @@
 #include "overlap.hpp"
 
+#include "group_kinds.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
@@ -23,26 +25,44 @@ bool may_overlap(const Curve& a, const Curve& b) {
   return (rho_a.low < 0 || rho_b.low < 0) && !(rho_a.high + rho_b.high <= 0);
 }
 
-const BodyMotion& body_in(const State& state, int body) {
-  return state.bodies[static_cast<std::size_t>(body)];
-}
-
 Separation separation_in(const Run& run, const Contact& contact, const State& state) {
   return separation(curve_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
                     curve_of(run.mechanism, contact.second), body_in(state, contact.second.body).X_WB,
                     kOverlapPrecision * run.plan.size);
 }
 
-// Where between run.state and run.trial the gap at the common normal near n_W closes; the way's end if it
-// cannot be followed back.
+// Where two bodies are nearest to each other, or deepest in each other.
+struct Nearest {
+  double gap = 0;        // [m]
+  ContactMotion motion;  // its normal; of a contact by_boundary its places
+};
+
+Nearest nearest_in(const Run& run, const Contact& contact, const State& state) {
+  Nearest nearest;
+  if (!contact.by_boundary) {
+    const Separation here = separation_in(run, contact, state);
+    nearest.gap = here.gap;
+    nearest.motion.at.n_W = here.n_W;
+    return nearest;
+  }
+  const Penetration here =
+      deepest_penetration(boundary_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
+                          boundary_of(run.mechanism, contact.second),
+                          body_in(state, contact.second.body).X_WB, kOverlapOfBoundaries * run.plan.size);
+  nearest.gap = -here.depth;
+  nearest.motion.place = {here.place1, here.place2};
+  return nearest;
+}
+
+// Where between run.state and run.trial the gap at the common normal near the one given closes; the way's end
+// if it cannot be followed back.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
-                       const Vector2d& n_W) {
+                       const ContactMotion& near) {
   const State kept = run.trial;
   const auto gap_in = [&](const State& state) {
-    const auto at = find_common_normal(
-        curve_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
-        curve_of(run.mechanism, contact.second), body_in(state, contact.second.body).X_WB, n_W);
-    return at ? at->gap() : std::numeric_limits<double>::quiet_NaN();
+    ContactMotion at = near;
+    return place_contact(run.mechanism, contact, state.bodies, at) ? at.at.gap()
+                                                                   : std::numeric_limits<double>::quiet_NaN();
   };
   const auto gap = [&](double x) {
     return solve_at(run, path, s, x) ? gap_in(run.trial) : std::numeric_limits<double>::quiet_NaN();
@@ -87,6 +107,49 @@ Jump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, con
   return rates;
 }
 
+// The group of a contact by_boundary that a body is placed by.
+std::optional<std::size_t> touching_group(const Run& run, int contact) {
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan.groups[g].kind);
+    if (touching != nullptr && touching->contact == contact &&
+        run.mechanism.contacts[static_cast<std::size_t>(contact)].by_boundary) {
+      return g;
+    }
+  }
+  return std::nullopt;
+}
+
+double rate_of(const State& state, const TouchingBody& touching) {
+  const BodyMotion& body = body_in(state, touching.follower.body);
+  return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);
+}
+
+// The same of boundaries: the body goes over to the places at which it has come into the other one.
+std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double s, double h,
+                               const ContactMotion& near) {
+  const auto& touching = std::get<TouchingBody>(run.plan.groups[g].kind);
+  const auto i = static_cast<std::size_t>(touching.contact);
+  const Contact& contact = run.mechanism.contacts[i];
+  const State kept = run.trial;
+  State over = run.trial;
+  ContactMotion& motion = over.contacts[i];
+  const double phi = motion.phi;
+  motion = near;
+  if (!place_contact(run.mechanism, contact, over.bodies, motion)) {
+    return std::nullopt;
+  }
+  motion.phi = nearest_turn(motion.phi, phi);
+  over.groups[g].mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
+  std::swap(run.state, over);
+  const bool placed = solve_at(run, path, s + h, 0);
+  std::swap(run.state, over);
+  if (!placed) {
+    run.trial = kept;
+    return std::nullopt;
+  }
+  return Jump{rate_of(kept, touching), rate_of(run.trial, touching)};
+}
+
 // Goes over to the contact that keeps the bodies apart, which appears x beyond run.state, and places what
 // hangs on the follower anew.
 std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
@@ -118,6 +181,12 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
   std::vector<OverlapWatch> watched;
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     const Contact& contact = mechanism.contacts[i];
+    if (contact.by_boundary) {
+      const bool convex = boundary_of(mechanism, contact.first).is_convex() &&
+                          boundary_of(mechanism, contact.second).is_convex();
+      watched.push_back({!convex, false, false});
+      continue;
+    }
     watched.push_back(
         {may_overlap(curve_of(mechanism, contact.first), curve_of(mechanism, contact.second)), false, false});
   }
@@ -127,8 +196,8 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
 void renew_overlaps(Run& run) {
   for (std::size_t i = 0; i < run.watches.size(); ++i) {
     OverlapWatch& watch = run.watches[i];
-    watch.overlaps = watch.needed &&
-                     separation_in(run, run.mechanism.contacts[i], run.state).gap < -kOverlap * run.plan.size;
+    watch.overlaps =
+        watch.needed && nearest_in(run, run.mechanism.contacts[i], run.state).gap < -kOverlap * run.plan.size;
   }
 }
 
@@ -139,7 +208,7 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
       continue;
     }
     const Contact& contact = run.mechanism.contacts[i];
-    const Separation here = separation_in(run, contact, run.trial);
+    const Nearest here = nearest_in(run, contact, run.trial);
     const bool overlaps = here.gap < -kOverlap * run.plan.size;
     const bool begins = overlaps && !watch.overlaps;
     watch.overlaps = overlaps;
@@ -148,12 +217,15 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
     }
     RunEvent event;
     event.type = EventType::kOverlap;
-    const double x = closing_between(run, path, contact, s, h, here.n_W);
+    const double x = closing_between(run, path, contact, s, h, here.motion);
     set_place(event, path, s + x);
     event.contact = static_cast<int>(i);
     event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
     const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
-    const auto change = g ? jump(run, path, *g, s, h, x) : std::nullopt;
+    const auto on_boundaries = contact.jump ? touching_group(run, static_cast<int>(i)) : std::nullopt;
+    const auto change = g               ? jump(run, path, *g, s, h, x)
+                        : on_boundaries ? jump_along(run, path, *on_boundaries, s, h, here.motion)
+                                        : std::nullopt;
     if (change) {
       watch.overlaps = false;
       watch.jumped = true;

@@ -9,6 +9,7 @@
 #include "overlap.hpp"
 #include "reduction.hpp"
 #include "short_way.hpp"
+#include "span_joints.hpp"
 #include "step.hpp"
 
 #include <algorithm>
@@ -102,6 +103,9 @@ private:
     }
     aim();
     const StepResult result = try_step(run_, path_, s_, step_);
+    if (const auto passage = joint_within(run_, path_, s_, step_); passage && pass(*passage)) {
+      return Outcome::kGoesOn;
+    }
     const bool ok = result.kind == StepResult::kOk;
     near_crossing_ = ok && is_near_crossing(run_, run_.trial);
     if (const auto shorter = better_length(ok)) {
@@ -134,6 +138,28 @@ private:
       return std::abs(rest()) - 1.5 * near_;
     }
     return std::nullopt;
+  }
+
+  // Ends the step at a joint of spans, where accelerations may jump, and begins the next one beyond it.
+  bool pass(const JointPassage& passage) {
+    const bool again = passage.contact == passed_.contact && passage.side == passed_.side &&
+                       passage.after.span == passed_.before.span &&
+                       std::abs(s_ + passage.x - passed_.x) <= kSmallestStep * scale_;
+    if (again || !place_at_joint(run_, path_, s_, passage)) {
+      // It rests on the joint, to rounding: either span will do.
+      (void)try_step(run_, path_, s_, step_);
+      return false;
+    }
+    if (passage.x != 0) {
+      note_events(run_, path_, s_, passage.x);
+      watch_overlaps(run_, path_, s_, passage.x);
+      accept(run_);
+    }
+    s_ += passage.x;
+    go_over_joint(run_, path_, s_, passage);
+    passed_ = passage;
+    passed_.x = s_;
+    return true;
   }
 
   Outcome take() {
@@ -240,6 +266,7 @@ private:
   double longest_ = 0;  // where a step was shortened though it need not have failed: what it was before
   int refused_ = 0;     // steps, until one as long as the first of them is taken
   double first_refused_ = 0;
+  JointPassage passed_;         // the last one, at s_ = passed_.x
   std::optional<Limit> limit_;  // the first known
   double steps_left_;
 };
@@ -360,7 +387,7 @@ bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<dou
   Path path;
   set_path(path, from, drivers);
   for (RunEvent& event : back.events) {
-    if (event.type == EventType::kLimitPosition) {
+    if (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) {
       event.share = 1 - event.share;
       report_limit(run, path, std::move(event));
     }

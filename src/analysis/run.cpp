@@ -10,6 +10,7 @@
 #include "path.hpp"
 #include "residual.hpp"
 #include "singular_start.hpp"
+#include "span_joints.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
@@ -95,6 +96,7 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
     row.contacts = run.trial.contacts;
   }
   mark_rates(run, row);
+  set_local_curves(run);
   for (std::size_t i = 0; i < run.watches.size(); ++i) {
     row.arcs_hold[i] = !run.watches[i].jumped;
     row.status = run.watches[i].overlaps ? RowStatus::kOverlap : row.status;

@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reduction.hpp"
+#include "span_joints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,8 @@ bool keeps_contacts(const Run& run, const Group& group) {
     const Contact& contact = run.mechanism.contacts[i];
     const CommonNormal& from = run.state.contacts[i].at;
     const CommonNormal& to = run.trial.contacts[i].at;
-    return same_curvature(curve_of(run.mechanism, contact.first), curve_of(run.mechanism, contact.second),
+    return contact.by_boundary ||
+           same_curvature(curve_of(run.mechanism, contact.first), curve_of(run.mechanism, contact.second),
                           from.rho1 + from.rho2, to.rho1 + to.rho2);
   });
 }
@@ -206,6 +208,7 @@ double driver_scale(const Run& run, std::size_t driver) {
 
 StepResult try_step(Run& run, const Path& path, double s, double h) {
   run.crossings.clear();
+  mark_places(run);
   path.positions(s + h, run.trial_drivers);
   path.motions(s + h, run.trial_motions);
   for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {

@@ -241,4 +241,24 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
   return worst;
 }
 
+std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
+                                            const Boundary& boundary2, const Pose<double>& X_W2) {
+  const double scale = std::max(boundary1.size(), boundary2.size());
+  std::array<BoundaryPlace, 2> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& one : boundary1.samples()) {
+    const Vector2d p1 = X_W1 * one.point.p_B;
+    const Vector2d n1 = X_W1.R_WB * one.point.n_B;
+    for (const auto& two : boundary2.samples()) {
+      const double apart = (X_W2 * two.point.p_B - p1).squaredNorm();
+      const double turned = scale * scale * (X_W2.R_WB * two.point.n_B + n1).squaredNorm();
+      if (apart + turned < least) {
+        least = apart + turned;
+        best = {one.place, two.place};
+      }
+    }
+  }
+  return best;
+}
+
 }  // namespace higherpair

@@ -19,7 +19,7 @@ void add_torque(int body, double torque, std::vector<Wrench>& wrenches) {
 }
 
 // From the first to the second point of a spring.
-struct Span {
+struct PointDistance {
   Vector2d p1_W;
   Vector2d p2_W;
   Vector2d u_W;       // unit vector; zero where the points coincide
@@ -27,7 +27,8 @@ struct Span {
   double rate = 0;    // [m/s]
 };
 
-Span span_of(const Mechanism& mechanism, const Spring& spring, const std::vector<BodyMotion>& bodies) {
+PointDistance distance_between(const Mechanism& mechanism, const Spring& spring,
+                               const std::vector<BodyMotion>& bodies) {
   const PointMotion first = point_motion(at(bodies, spring.first.body), point_of(mechanism, spring.first));
   const PointMotion second = point_motion(at(bodies, spring.second.body), point_of(mechanism, spring.second));
   const Vector2d r = second.p_W - first.p_W;
@@ -75,8 +76,8 @@ double spring_tension(const Mechanism& mechanism, const Spring& spring,
     const JointMotion motion = joint_motion(mechanism, joint, bodies);
     return spring.stiffness * (motion.position - spring.free) + spring.damping * motion.velocity;
   }
-  const Span span = span_of(mechanism, spring, bodies);
-  return spring.stiffness * (span.length - spring.free) + spring.damping * span.rate;
+  const PointDistance between = distance_between(mechanism, spring, bodies);
+  return spring.stiffness * (between.length - spring.free) + spring.damping * between.rate;
 }
 
 void add_tension(const Mechanism& mechanism, const Spring& spring, double tension,
@@ -86,9 +87,9 @@ void add_tension(const Mechanism& mechanism, const Spring& spring, double tensio
     add_joint_effort(mechanism, joint, -tension, bodies, wrenches);
     return;
   }
-  const Span span = span_of(mechanism, spring, bodies);
-  add_force(bodies, spring.first.body, tension * span.u_W, span.p1_W, wrenches);
-  add_force(bodies, spring.second.body, -tension * span.u_W, span.p2_W, wrenches);
+  const PointDistance between = distance_between(mechanism, spring, bodies);
+  add_force(bodies, spring.first.body, tension * between.u_W, between.p1_W, wrenches);
+  add_force(bodies, spring.second.body, -tension * between.u_W, between.p2_W, wrenches);
 }
 
 void add_joint_effort(const Mechanism& mechanism, const Joint& joint, double effort,

@@ -40,7 +40,9 @@ constexpr double kGrown = 1e3;
 // Forces or their rates may be discontinuous there.
 bool is_break(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint ||
-         event.type == EventType::kConforming || event.type == EventType::kSecondContact;
+         event.type == EventType::kConforming || event.type == EventType::kSecondContact ||
+         event.type == EventType::kCurvatureJump || event.type == EventType::kCorner ||
+         event.type == EventType::kEnd;
 }
 
 // Sum of the parts of a contact's force.

@@ -165,7 +165,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   }
   event.cause = what.cause;
   const bool at_end = (next == schedule.size() - 1 && share >= 1 - kAtEnd) || next == 0;
-  const bool limit = event.type == EventType::kLimitPosition && !at_end;
+  const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
   good = good && !limit && event.type != EventType::kOverlap;
   events.push_back(std::move(event));
 }

@@ -1,5 +1,6 @@
 #include "higherpair/front/model.hpp"
 
+#include "higherpair/mechanism/boundaries.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ std::shared_ptr<const Model::Data> planned(std::string name, std::optional<Profi
                                            Profile profile, const Model::Data* like) {
   auto data = std::make_shared<Model::Data>(
       Model::Data{std::move(name), std::move(document), std::move(profile), tl::unexpected(std::string())});
+  use_boundaries(data->profile.mechanism);
   const Mechanism& mechanism = data->profile.mechanism;
   const bool known = like != nullptr && like->plan && same_structure(like->profile.mechanism, mechanism);
   data->plan = known ? redimensioned(*like->plan, mechanism) : make_plan(mechanism);

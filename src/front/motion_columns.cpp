@@ -231,7 +231,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
             row.has_rates[static_cast<std::size_t>(own.second.body)]) {
           out[11] = row.contacts[index].rates.sliding;
         }
-        arcs.put(details, row.arcs_hold[index], out + 12);
+        arcs.put(details, row.arcs_hold[index] && !own.by_boundary, out + 12);
         put(details.pressure, out + 14);
         put(details.transmission, out + 15);
       },
@@ -260,6 +260,12 @@ std::string_view name_of(EventType type) {
       return "overlap";
     case EventType::kContactOpen:
       return "contact_open";
+    case EventType::kCurvatureJump:
+      return "curvature_jump";
+    case EventType::kCorner:
+      return "corner";
+    case EventType::kEnd:
+      return "end";
   }
   return "limit_position";
 }

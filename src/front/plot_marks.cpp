@@ -66,8 +66,8 @@ double edge_at(std::size_t row, const Motion& motion, std::span<const double> x,
     return row == 0 ? x.front() : x.back();
   }
   const auto decides = [&](const Event& event) {
-    const bool kind = event.type == EventType::kLimitPosition || event.type == EventType::kOverlap ||
-                      event.type == EventType::kContactOpen;
+    const bool kind = event.type == EventType::kLimitPosition || event.type == EventType::kEnd ||
+                      event.type == EventType::kOverlap || event.type == EventType::kContactOpen;
     return kind && static_cast<std::size_t>(event.row) == row;
   };
   const auto event = std::find_if(motion.events().begin(), motion.events().end(), decides);

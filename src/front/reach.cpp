@@ -53,8 +53,10 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
     return tl::unexpected(interrupted(model));
   }
   Reached reached{analysis->impl().run, at, std::nullopt};
-  const auto limit = std::find_if(analysis->events().begin(), analysis->events().end(),
-                                  [](const Event& event) { return event.type == EventType::kLimitPosition; });
+  const auto limit =
+      std::find_if(analysis->events().begin(), analysis->events().end(), [](const Event& event) {
+        return event.type == EventType::kLimitPosition || event.type == EventType::kEnd;
+      });
   if (limit != analysis->events().end()) {
     reached.limit = *limit;
   }

@@ -10,7 +10,8 @@ namespace higherpair {
 namespace {
 
 constexpr double kSameDirection =
-    1e-7;  // between normals that are one: below what a drawing's digits give [rad]
+    1e-7;                          // between normals that are one: below what a drawing's digits give [rad]
+constexpr double kSteepest = 1e6;  // of a local parabola: slope of its normal against the axis
 constexpr double kSameCurvature = 1e-9;  // of the curvature, or of 1 per size of the boundary
 
 SpanPoint first_of(const Span& span) {
@@ -152,6 +153,38 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
     place = {next, left == 0 ? start : start + left / other.at(start).speed};
   }
   return {place, false};
+}
+
+// With τ = ρ′/(3 ρ), the slope of the normal against the axis: |ρ| = ℓ (1 + τ²)^{3/2}, y = -ℓ τ, x = ℓ τ²/2.
+Curve local_curve(const SpanPoint& point, bool corner) {
+  Curve curve;
+  curve.vertex_B = point.p_B;
+  if (corner) {
+    return curve;
+  }
+  curve.axis_B = -point.n_B;
+  if (point.kappa == 0) {
+    curve.kind = CurveKind::kLine;
+    return curve;
+  }
+  const double side = point.kappa > 0 ? 1 : -1;
+  curve.side = point.kappa > 0 ? Side::kInside : Side::kOutside;
+  const double rho = 1 / std::abs(point.kappa);
+  const Vector2d N = side * point.n_B;
+  const double tau = -point.slope * rho * rho / 3;
+  if (tau == 0 || !(std::abs(tau) < kSteepest)) {
+    curve.kind = CurveKind::kCircle;
+    curve.axis_B = -N;
+    curve.semi_latus = rho;
+    return curve;
+  }
+  const double c = 1 / std::sqrt(1 + tau * tau);
+  curve.kind = CurveKind::kParabola;
+  curve.axis_B = -c * N + tau * c * perp(N);
+  curve.semi_latus = rho * c * c * c;
+  curve.q = 0;
+  curve.vertex_B -= curve.semi_latus * tau * (tau / 2 * curve.axis_B - perp(curve.axis_B));
+  return curve;
 }
 
 Boundary boundary_of(const Curve& curve, double reach) {

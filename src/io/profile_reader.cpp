@@ -1,6 +1,7 @@
 #include "higherpair/io/profile_reader.hpp"
 
 #include "document_content.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 #include "names.hpp"
 #include "profile_notes.hpp"
 #include "reading.hpp"
@@ -84,6 +85,7 @@ tl::expected<Profile, Diagnostics> ProfileDocument::read() const {
   }
   profile.source = content_->sources.front();
   profile.notes = io_detail::profile_notes(reading, document, profile);
+  use_boundaries(profile.mechanism);
   return profile;
 }
 

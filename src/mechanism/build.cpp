@@ -1,5 +1,8 @@
 #include "higherpair/mechanism/build.hpp"
 
+#include <memory>
+#include <utility>
+
 namespace higherpair {
 namespace {
 
@@ -44,6 +47,16 @@ PointRef add_point(Mechanism& mechanism, int body, const std::string& name, cons
 CurveRef add_curve(Mechanism& mechanism, int body, const std::string& name, const Curve& curve) {
   auto& curves = body_at(mechanism, body).curves;
   curves.push_back({name, curve});
+  return {body, last_of(curves)};
+}
+
+CurveRef add_curve(Mechanism& mechanism, int body, const std::string& name, Boundary boundary) {
+  Curve curve;
+  curve.kind = CurveKind::kChain;
+  curve.vertex_B = boundary.middle_B();
+  curve.q = 0;
+  auto& curves = body_at(mechanism, body).curves;
+  curves.push_back({name, curve, std::make_shared<const Boundary>(std::move(boundary))});
   return {body, last_of(curves)};
 }
 

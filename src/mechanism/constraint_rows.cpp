@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/constraint_rows.hpp"
 
+#include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 
@@ -54,6 +55,37 @@ void append_pin_rows(const Mechanism& mechanism, const Joint& joint, const std::
 }
 
 }  // namespace
+
+EquivalentLink link_of(const Mechanism& mechanism, const Contact& contact, const CommonNormal& at) {
+  return contact.by_boundary ? link_at(at)
+                             : equivalent_link(is_line(curve_of(mechanism, contact.first)), at.rho1,
+                                               is_line(curve_of(mechanism, contact.second)), at.rho2);
+}
+
+bool place_contact(const Mechanism& mechanism, const Contact& contact, const std::vector<BodyMotion>& bodies,
+                   ContactMotion& motion) {
+  const Pose<double>& X_W1 = at(bodies, contact.first.body).X_WB;
+  const Pose<double>& X_W2 = at(bodies, contact.second.body).X_WB;
+  if (contact.by_boundary) {
+    const auto found =
+        find_boundary_normal(boundary_of(mechanism, contact.first), X_W1,
+                             boundary_of(mechanism, contact.second), X_W2, motion.place[0], motion.place[1]);
+    if (!found) {
+      return false;
+    }
+    motion.at = found->at;
+    motion.place = {found->place1, found->place2};
+  } else {
+    const auto found = find_common_normal(curve_of(mechanism, contact.first), X_W1,
+                                          curve_of(mechanism, contact.second), X_W2, motion.at.n_W);
+    if (!found) {
+      return false;
+    }
+    motion.at = *found;
+  }
+  motion.phi = nearest_turn(angle_of(motion.at.n_W), motion.phi);
+  return true;
+}
 
 double arc_difference(const Mechanism& mechanism, const Contact& contact, const ContactMotion& motion,
                       const std::vector<BodyMotion>& bodies) {

@@ -1,5 +1,6 @@
 #include "free_assembly.hpp"
 
+#include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -40,17 +41,9 @@ void append_driver_rows(const SizedMechanism& sized, const std::vector<double>& 
 // False where the curves have no common normal near the last one.
 bool place_contacts(const Mechanism& mechanism, MechanismPosition& at) {
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
-    const Contact& contact = mechanism.contacts[i];
-    ContactMotion& motion = at.contacts[i];
-    const auto pose = [&](const CurveRef& ref) { return at.bodies[static_cast<std::size_t>(ref.body)].X_WB; };
-    const auto normal =
-        find_common_normal(curve_of(mechanism, contact.first), pose(contact.first),
-                           curve_of(mechanism, contact.second), pose(contact.second), motion.at.n_W);
-    if (!normal) {
+    if (!place_contact(mechanism, mechanism.contacts[i], at.bodies, at.contacts[i])) {
       return false;
     }
-    motion.at = *normal;
-    motion.phi = nearest_turn(angle_of(normal->n_W), motion.phi);
   }
   return true;
 }
@@ -60,10 +53,16 @@ MechanismPosition posed(const SizedMechanism& sized) {
   MechanismPosition at{posed_bodies(mechanism), {}};
   for (const Contact& contact : mechanism.contacts) {
     const auto pose = [&](const CurveRef& ref) { return at.bodies[static_cast<std::size_t>(ref.body)].X_WB; };
+    ContactMotion motion;
+    if (contact.by_boundary) {
+      motion.place = nearest_places(boundary_of(mechanism, contact.first), pose(contact.first),
+                                    boundary_of(mechanism, contact.second), pose(contact.second));
+      at.contacts.push_back(motion);
+      continue;
+    }
     const Separation here =
         separation(curve_of(mechanism, contact.first), pose(contact.first),
                    curve_of(mechanism, contact.second), pose(contact.second), 1e-6 * sized.size);
-    ContactMotion motion;
     motion.at.n_W = here.n_W;
     motion.phi = angle_of(here.n_W);
     at.contacts.push_back(motion);

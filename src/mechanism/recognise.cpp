@@ -79,10 +79,10 @@ std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const BodySet
   if (set.contacts.size() != 1) {
     return std::nullopt;
   }
-  if (auto tracked = tracked_pair(mechanism, set, before)) {
+  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(set.contacts.front())];
+  if (auto tracked = contact.by_boundary ? std::nullopt : tracked_pair(mechanism, set, before)) {
     return tracked;
   }
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(set.contacts.front())];
   if (contact.rolling) {
     return std::nullopt;
   }

@@ -39,6 +39,10 @@ enum class EventType {
   kSecondContact,  ///< of the same two bodies, with which the motion goes on
   kOverlap,        ///< touching bodies begin to overlap elsewhere
   kContactOpen,    ///< a contact begins to pull; of runs with forces only
+  kCurvatureJump,  ///< the contact goes over a joint of two spans with different curvatures: accelerations
+                   ///< jump
+  kCorner,         ///< the contact goes onto a corner, or leaves it
+  kEnd,            ///< the contact comes to the end of a curve: a limit position
 };
 
 struct RunEvent {

@@ -3,6 +3,8 @@
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/geometry/boundary.hpp"
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -64,6 +66,11 @@ struct BoundaryResult {
 /// contacts closer than the samples of the boundaries may be missed.
 [[nodiscard]] std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u,
                                                                   const Bounds& range);
+
+/// Of the samples of both boundaries those that face each other best: near, with normals opposed.
+[[nodiscard]] std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
+                                                          const Boundary& boundary2,
+                                                          const Pose<double>& X_W2);
 
 /// How deep one body is in the other, at the deepest of the samples of their boundaries [m]; 0 where they are
 /// free of each other to within `tolerance`.

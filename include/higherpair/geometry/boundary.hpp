@@ -79,6 +79,11 @@ private:
   double size_ = 0;
 };
 
+/// The line, corner or parabola that has the same point, normal, curvature and rate of curvature: what a
+/// boundary is like for everything that a contact does up to jerk. Within 1e-6 or so of an inflection, where
+/// no conic has that rate, the circle of curvature.
+[[nodiscard]] Curve local_curve(const SpanPoint& point, bool corner);
+
 /// A conic, line or point as a boundary. Open conics end `reach` [m] from their vertices, a line `reach` from
 /// its point on either side; a point has all normals.
 [[nodiscard]] Boundary boundary_of(const Curve& curve, double reach);

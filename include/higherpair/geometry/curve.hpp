@@ -105,7 +105,7 @@ using CurveResult = tl::expected<Curve, CurveError>;
 
 /// Whether the closed forms of conics hold.
 [[nodiscard]] inline bool is_conic(const Curve& curve) {
-  return is_curved(curve) && curve.kind != CurveKind::kSupport;
+  return is_curved(curve) && curve.kind != CurveKind::kSupport && curve.kind != CurveKind::kChain;
 }
 
 /// Semi-axes of an ellipse or hyperbola along and across `axis_B` [m]: {ℓ/|q|, ℓ/√|q|}. q must not be 0.

@@ -19,6 +19,9 @@ int add_body(Mechanism& mechanism, const std::string& name, const Vector2d& p_W 
 PointRef add_point(Mechanism& mechanism, int body, const std::string& name, const Vector2d& p_B);
 CurveRef add_curve(Mechanism& mechanism, int body, const std::string& name, const Curve& curve);
 
+/// A curve of several spans, or with ends.
+CurveRef add_curve(Mechanism& mechanism, int body, const std::string& name, Boundary boundary);
+
 /// Joints; each returns its index. The body of the first point is the reference of the coordinate, and
 /// `direction_A`, of any length > 0, is in its frame. A prismatic joint keeps the angle between the bodies
 /// that they have in their poses.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "higherpair/contact/common_normal.hpp"
+#include "higherpair/geometry/boundary.hpp"
+#include "higherpair/geometry/motion.hpp"
 #include "higherpair/mechanism/description.hpp"
 
 #include <array>
@@ -24,10 +26,20 @@ struct ConstraintRow {
 /// How a contact stands, seen from its first body: 1 is the first, 2 the second body of the file.
 struct ContactMotion {
   CommonNormal at;
-  double phi = 0;             ///< angle of at.n_W, continuous [rad]
-  ContactRates rates;         ///< of the current velocities
-  double arc_difference = 0;  ///< rolling: arc of the first less arc of the second curve, held [m]
+  double phi = 0;                      ///< angle of at.n_W, continuous [rad]
+  std::array<BoundaryPlace, 2> place;  ///< on both boundaries, of a contact by_boundary
+  ContactRates rates;                  ///< of the current velocities
+  double arc_difference = 0;           ///< rolling: arc of the first less arc of the second curve, held [m]
 };
+
+/// The equivalent link of a contact.
+[[nodiscard]] EquivalentLink link_of(const Mechanism& mechanism, const Contact& contact,
+                                     const CommonNormal& at);
+
+/// Moves a contact to the common normal near where it is, the bodies being where they are; false where there
+/// is none.
+[[nodiscard]] bool place_contact(const Mechanism& mechanism, const Contact& contact,
+                                 const std::vector<BodyMotion>& bodies, ContactMotion& motion);
 
 /// Number of rows: revolute and prismatic joints 2, slots, gears and belts 1; slipping contacts 1, rolling
 /// ones 2.

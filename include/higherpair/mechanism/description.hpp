@@ -110,6 +110,8 @@ struct Contact {
   bool rolling = false;
   Approach approach = Approach::kNearest;
   bool jump = true;  ///< go over to a second contact of the same curves when it appears
+  bool by_boundary =
+      false;  ///< found by places along the boundaries, which both curves have: see use_boundaries
 };
 
 struct Driver {

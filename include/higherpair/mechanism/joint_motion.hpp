@@ -35,6 +35,13 @@ struct JointMotion {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
 }
 
+/// The boundary of a curve that has one.
+[[nodiscard]] inline const Boundary& boundary_of(const Mechanism& mechanism, const CurveRef& ref) {
+  return *mechanism.bodies[static_cast<std::size_t>(ref.body)]
+              .curves[static_cast<std::size_t>(ref.curve)]
+              .boundary;
+}
+
 /// The curve that a reference names, in its body's frame.
 [[nodiscard]] inline const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)]

@@ -1,0 +1,281 @@
+#include "span_joints.hpp"
+
+#include "group_solver.hpp"
+#include "higherpair/geometry/roots.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kAtEnd = 1e-6;  // of the length of a boundary: a contact that its end has stopped
+
+const CurveRef& ref_of(const Contact& contact, std::size_t side) {
+  return side == 0 ? contact.first : contact.second;
+}
+
+const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
+  return boundary_of(run.mechanism, ref_of(run.mechanism.contacts[contact], side));
+}
+
+Bounds range_of(const Boundary& boundary, int span) {
+  return boundary.spans()[static_cast<std::size_t>(span)]->range();
+}
+
+int next_span(const Boundary& boundary, int span, bool forward) {
+  const int count = static_cast<int>(boundary.spans().size());
+  return (span + (forward ? 1 : count - 1)) % count;
+}
+
+BoundaryPlace end_of(const Boundary& boundary, int span, bool high) {
+  const Bounds range = range_of(boundary, span);
+  return {span, high ? range.high : range.low};
+}
+
+// The way along a span [m, on corners rad].
+double arc_between(const Boundary& boundary, const BoundaryPlace& from, double t) {
+  return (t - from.t) * boundary.at(from).speed;
+}
+
+// Which contact and side has gone to another span.
+struct Changed {
+  std::size_t contact = 0;
+  std::size_t side = 0;
+};
+
+std::optional<Changed> changed_place(const Run& run) {
+  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
+    if (!run.mechanism.contacts[i].by_boundary) {
+      continue;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (run.trial.contacts[i].place[side].span != run.state.contacts[i].place[side].span) {
+        return Changed{i, side};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// The sense in which the contact runs along a boundary, by its speed at run.state.
+bool runs_forward(const Run& run, const Changed& changed, double h) {
+  const ContactMotion& motion = run.state.contacts[changed.contact];
+  const Boundary& boundary = boundary_at(run, changed.contact, changed.side);
+  const int count = static_cast<int>(boundary.spans().size());
+  const int from = motion.place[changed.side].span;
+  const int to = run.trial.contacts[changed.contact].place[changed.side].span;
+  const bool is_next = to == next_span(boundary, from, true);
+  const bool is_previous = to == next_span(boundary, from, false);
+  if (is_next != is_previous && count > 2) {
+    return is_next;
+  }
+  const Contact& contact = run.mechanism.contacts[changed.contact];
+  const BodyMotion& body = run.state.bodies[static_cast<std::size_t>(ref_of(contact, changed.side).body)];
+  const double along = boundary.is_corner(motion.place[changed.side]) ? motion.rates.phi_dot - body.omega
+                       : changed.side == 0                            ? motion.rates.along1
+                                                                      : -motion.rates.along2;
+  return along * h > 0;
+}
+
+// A number that goes through 0 where the contact is at the joint.
+double beyond_joint(const Boundary& boundary, const BoundaryPlace& place, const JointPassage& passage,
+                    bool forward) {
+  const double sense = forward ? 1 : -1;
+  if (place.span == passage.before.span) {
+    return -sense * arc_between(boundary, place, passage.before.t);
+  }
+  if (place.span == passage.after.span) {
+    return -sense * arc_between(boundary, place, passage.after.t);
+  }
+  return boundary.size();
+}
+
+double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
+  const double kappa = boundary.at(place).kappa;
+  return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
+}
+
+// Holds a contact at a place, whatever rounding has made of it.
+void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
+  ContactMotion& motion = state.contacts[passage.contact];
+  motion.place[passage.side] = place;
+  const double rho = radius_at(boundary_at(run, passage.contact, passage.side), place);
+  (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
+}
+
+std::string name_of(const Run& run, const JointPassage& passage) {
+  return run.mechanism
+      .bodies[static_cast<std::size_t>(ref_of(run.mechanism.contacts[passage.contact], passage.side).body)]
+      .name;
+}
+
+std::string curvature_text(const Boundary& boundary, const BoundaryPlace& place) {
+  return fmt::format("{:.6g}", boundary.at(place).kappa);
+}
+
+// The joint that the contact's group moves, to say how its acceleration jumps.
+std::optional<int> moved_joint(const Run& run, std::size_t contact) {
+  for (const Group& group : run.plan.groups) {
+    if (std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
+            group.contacts.end() &&
+        !group.joints.empty()) {
+      return group.joints.front();
+    }
+  }
+  return std::nullopt;
+}
+
+double acceleration_of(const Run& run, int joint) {
+  return joint_motion(run.mechanism, run.mechanism.joints[static_cast<std::size_t>(joint)], run.state.bodies)
+      .acceleration;
+}
+
+}  // namespace
+
+void mark_places(Run& run) {
+  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
+    if (run.mechanism.contacts[i].by_boundary) {
+      run.trial.contacts[i].place = run.state.contacts[i].place;
+    }
+  }
+}
+
+std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
+  std::optional<JointPassage> first;
+  // A joint passed before the one found shows as a change there.
+  while (const auto changed = changed_place(run)) {
+    const Boundary& boundary = boundary_at(run, changed->contact, changed->side);
+    const bool forward = runs_forward(run, *changed, h);
+    const int span = run.state.contacts[changed->contact].place[changed->side].span;
+    JointPassage passage{changed->contact, changed->side, end_of(boundary, span, forward),
+                         end_of(boundary, next_span(boundary, span, forward), !forward), 0};
+    const auto beyond = [&](double x) {
+      mark_places(run);
+      return solve_at(run, path, s, x)
+                 ? beyond_joint(boundary, run.trial.contacts[passage.contact].place[passage.side], passage,
+                                forward)
+                 : kNaN;
+    };
+    const double length = first ? first->x : h;
+    const double before =
+        beyond_joint(boundary, run.state.contacts[passage.contact].place[passage.side], passage, forward);
+    const double after =
+        beyond_joint(boundary, run.trial.contacts[passage.contact].place[passage.side], passage, forward);
+    const auto x = before >= 0 ? std::optional(0.0) : root_between(beyond, before, length, after);
+    if (!x || (first && std::abs(*x) >= std::abs(first->x))) {
+      return first;
+    }
+    passage.x = *x;
+    first = passage;
+    mark_places(run);
+    if (!solve_at(run, path, s, *x)) {
+      return first;
+    }
+    run.trial.contacts[passage.contact].place[passage.side] =
+        run.state.contacts[passage.contact].place[passage.side];
+  }
+  return first;
+}
+
+bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
+  mark_places(run);
+  if (!solve_at(run, path, s, passage.x)) {
+    return false;
+  }
+  set_place_of(run, passage, passage.before, run.trial);
+  set_rates(run, run.trial_motions, run.trial);
+  return true;
+}
+
+void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const auto joint = moved_joint(run, passage.contact);
+  const double before = joint ? acceleration_of(run, *joint) : 0;
+  set_place_of(run, passage, passage.after, run.state);
+  path.motions(s, run.trial_motions);
+  set_rates(run, run.trial_motions, run.state);
+  const bool onto_corner = boundary.is_corner(passage.after);
+  const int span = passage.before.t == range_of(boundary, passage.before.span).high ? passage.before.span
+                                                                                    : passage.after.span;
+  if (!onto_corner && boundary.joint_after(span) == SpanJoint::kSmooth) {
+    return;
+  }
+  RunEvent event = event_at(
+      onto_corner || boundary.is_corner(passage.before) ? EventType::kCorner : EventType::kCurvatureJump,
+      path, s, "");
+  event.contact = static_cast<int>(passage.contact);
+  const std::string body = name_of(run, passage);
+  const std::string jump =
+      joint ? fmt::format(
+                  "; for a unit rate of the driver the acceleration of joint {} jumps from {:.6g} to {:.6g} "
+                  "(SI units)",
+                  run.mechanism.joints[static_cast<std::size_t>(*joint)].name, before,
+                  acceleration_of(run, *joint))
+            : "";
+  if (event.type == EventType::kCorner) {
+    event.cause =
+        fmt::format("the contact {} a corner of {}{}", onto_corner ? "goes onto" : "leaves", body, jump);
+  } else {
+    event.cause =
+        fmt::format("the curvature of {} jumps from {} to {} 1/m{}", body,
+                    curvature_text(boundary, passage.before), curvature_text(boundary, passage.after), jump);
+  }
+  run.events.push_back(std::move(event));
+}
+
+std::optional<std::string> end_reached(const Run& run, std::size_t g) {
+  for (const int index : run.plan.groups[g].contacts) {
+    const auto i = static_cast<std::size_t>(index);
+    if (!run.mechanism.contacts[i].by_boundary) {
+      continue;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Boundary& boundary = boundary_at(run, i, side);
+      const BoundaryPlace& place = run.state.contacts[i].place[side];
+      for (const bool high : {false, true}) {
+        const int span = high ? place.span : next_span(boundary, place.span, false);
+        const SpanJoint joint = boundary.joint_after(span);
+        const double left = std::abs(arc_between(boundary, place, end_of(boundary, place.span, high).t));
+        if (left > kAtEnd * boundary.size() || (joint != SpanJoint::kEnd && joint != SpanJoint::kNotch)) {
+          continue;
+        }
+        const std::string& body =
+            run.mechanism.bodies[static_cast<std::size_t>(ref_of(run.mechanism.contacts[i], side).body)].name;
+        return joint == SpanJoint::kEnd
+                   ? fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it",
+                                 body)
+                   : fmt::format(
+                         "the contact reaches a concave corner of {} here, where it would need a second "
+                         "contact to go on",
+                         body);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void set_local_curves(Run& run) {
+  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
+    const Contact& contact = run.mechanism.contacts[i];
+    if (!contact.by_boundary) {
+      continue;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      const CurveRef& ref = ref_of(contact, side);
+      const Boundary& boundary = boundary_of(run.mechanism, ref);
+      const BoundaryPlace& place = run.row.contacts[i].place[side];
+      run.mechanism.bodies[static_cast<std::size_t>(ref.body)]
+          .curves[static_cast<std::size_t>(ref.curve)]
+          .curve = local_curve(boundary.at(place), boundary.is_corner(place));
+    }
+  }
+}
+
+}  // namespace higherpair

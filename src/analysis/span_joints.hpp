@@ -1,0 +1,37 @@
+#pragma once
+
+#include "path.hpp"
+
+#include <optional>
+
+namespace higherpair {
+
+/// A joint of two spans over which a contact goes.
+struct JointPassage {
+  std::size_t contact = 0;
+  std::size_t side = 0;         ///< 0: the contact's first body, 1: its second
+  BoundaryPlace before, after;  ///< the two places that meet there
+  double x = 0;                 ///< beyond run.state on the path
+};
+
+/// Sets the contacts of run.trial onto the places of run.state, so that a step shows which have left theirs.
+void mark_places(Run& run);
+
+/// The first joint over which a contact goes between run.state, which is at s, and run.trial, the positions a
+/// step of h tried; none if all contacts stay on their spans. run.trial is left somewhere between.
+[[nodiscard]] std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h);
+
+/// Places run.trial at the joint, still on the span before it, with its rates; false if it cannot be placed.
+[[nodiscard]] bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage);
+
+/// Lets run.state, which stands at the joint at s, go on with the span after it. An event says what jumps.
+void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage);
+
+/// Whether the contact of group g stands at an end or a concave corner of a boundary; the sentence that says
+/// so.
+[[nodiscard]] std::optional<std::string> end_reached(const Run& run, std::size_t g);
+
+/// Gives the curves of contacts by_boundary the shape that they have where the row's contact is.
+void set_local_curves(Run& run);
+
+}  // namespace higherpair

@@ -1,0 +1,240 @@
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
+#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMm = 1e-3;
+
+// A cam that turns about the origin and a follower that slides along x or turns about a pivot.
+struct CamMechanism {
+  Mechanism mechanism;
+  int follower_joint = 0;
+};
+
+CamMechanism radial(const Boundary& cam, const Curve& follower, double at, double offset = 0) {
+  CamMechanism made;
+  Mechanism& m = made.mechanism;
+  const int cam_body = add_body(m, "cam");
+  const int slider = add_body(m, "follower", Vector2d(at, offset));
+  const PointRef O = add_point(m, kGround, "O", Vector2d::Zero());
+  const int pivot = add_revolute(m, "pivot", O, add_point(m, cam_body, "O", Vector2d::Zero()));
+  made.follower_joint = add_prismatic(m, "guide", add_point(m, kGround, "G", Vector2d(0, offset)),
+                                      add_point(m, slider, "P", Vector2d::Zero()), Vector2d::UnitX());
+  add_contact(m, "touch", add_curve(m, cam_body, "flank", cam), add_curve(m, slider, "roller", follower));
+  add_driver(m, pivot);
+  use_boundaries(m);
+  return made;
+}
+
+struct Lift {
+  double s = 0, v = 0, a = 0;
+};
+
+// Two circles about O and about a point at the distance a on x, joined by tangents; sizes [m].
+struct TangentCam {
+  double base = 20 * kMm, nose = 8 * kMm, distance = 25 * kMm, roller = 10 * kMm;
+
+  [[nodiscard]] double tangent() const { return std::acos((base - nose) / distance); }
+
+  [[nodiscard]] Boundary boundary() const {
+    const double t = tangent();
+    const Vector2d up = unit_vector(t);
+    const Vector2d down = unit_vector(-t);
+    const Vector2d C(distance, 0);
+    std::vector<SpanPtr> spans;
+    if (nose > 0) {
+      spans.push_back(conic_span(*make_circle(C, nose), -t, t));
+    }
+    spans.push_back(face_span(C + nose * up, base * up));
+    spans.push_back(conic_span(*make_circle(Vector2d::Zero(), base), t, 2 * kPi - t));
+    spans.push_back(face_span(base * down, C + nose * down));
+    return *Boundary::make(std::move(spans), true, 1e-12);
+  }
+
+  // Where the roller goes over from the nose to the flank, and from there to the base circle.
+  [[nodiscard]] double nose_ends() const {
+    const Vector2d centre = Vector2d(distance, 0) + (nose + roller) * unit_vector(tangent());
+    return angle_of(centre);
+  }
+
+  // Of the roller's centre, by the angle ψ from the nose, at dψ/dt = 1: textbook's tangent cam, whose nose is a
+  // slider-crank.
+  [[nodiscard]] Lift lift(double psi) const {
+    const double sign = psi < 0 ? -1 : 1;
+    const double x = std::abs(psi);
+    const double reach = base + roller;
+    if (x >= tangent()) {
+      return {reach, 0, 0};
+    }
+    if (x >= nose_ends()) {
+      const double theta = tangent() - x;
+      const double c = std::cos(theta);
+      return {reach / c, -sign * reach * std::sin(theta) / (c * c), reach * (2 - c * c) / (c * c * c)};
+    }
+    const double rod = nose + roller;
+    const double s = distance * std::sin(x);
+    const double w = std::sqrt(rod * rod - s * s);
+    const double ds = distance * std::cos(x);
+    const double dw = -s * ds / w;
+    const double d2w = -(ds * ds - s * s + dw * dw) / w;
+    return {ds + w, sign * (-s + dw), -ds + d2w};
+  }
+};
+
+double normalised(double angle) {
+  return nearest_turn(angle, 0);
+}
+
+void expect_tangent_cam(const TangentCam& cam, double samples, double from) {
+  const CamMechanism made = radial(cam.boundary(), *make_circle(Vector2d::Zero(), cam.roller), 60 * kMm);
+  auto run = start_run(made.mechanism, {from});
+  ASSERT_TRUE(run) << run.error().reason;
+  std::vector<double> jumps;
+  for (int i = 0; i <= samples; ++i) {
+    const double u = from + i * 2 * kPi / samples;
+    move_to(*run, {{u, 1, 0}});
+    const Lift expected = cam.lift(normalised(-u));
+    ASSERT_EQ(run->row.status, RowStatus::kOk) << u;
+    const auto motion = joint_motion(run->mechanism, run->mechanism.joints[1], run->row.bodies);
+    EXPECT_NEAR(motion.position, expected.s, 1e-15 + 1e-14 * expected.s) << u;
+    EXPECT_NEAR(motion.velocity, -expected.v, 1e-14) << u;
+    EXPECT_NEAR(motion.acceleration, expected.a, 1e-12) << u;
+    for (const RunEvent& event : run->events) {
+      if (event.type == EventType::kCurvatureJump || event.type == EventType::kCorner) {
+        jumps.push_back(normalised(-event.driver));
+      } else {
+        EXPECT_EQ(event.type, EventType::kStrokeEnd) << event.cause;
+      }
+    }
+  }
+  const double t = cam.tangent();
+  const double n = cam.nose_ends();
+  std::sort(jumps.begin(), jumps.end());
+  ASSERT_EQ(jumps.size(), 4U);
+  EXPECT_NEAR(jumps[0], -t, 1e-12);
+  EXPECT_NEAR(jumps[1], -n, 1e-12);
+  EXPECT_NEAR(jumps[2], n, 1e-12);
+  EXPECT_NEAR(jumps[3], t, 1e-12);
+}
+
+TEST(BoundaryCams, ATangentCamLiftsItsRollerAsTheTextbookSays) {
+  for (const double samples : {7.0, 53.0, 361.0}) {
+    expect_tangent_cam({}, samples, 0.4);
+    expect_tangent_cam({}, samples, 3);
+  }
+}
+
+TEST(BoundaryCams, ANoseOfNoRadiusIsACornerThatTheRollerGoesRound) {
+  TangentCam cam;
+  cam.nose = 0;
+  for (const double samples : {7.0, 53.0, 361.0}) {
+    expect_tangent_cam(cam, samples, 0.4);
+  }
+}
+
+// |x/a|³ + |y/b|³ = 1 by x = a c^{2/3}, …: a kind of curve in a few lines. Flat where it meets the axes.
+class LameOval final : public Span {
+public:
+  LameOval(double a, double b) : a_(a), b_(b) {}
+  [[nodiscard]] SpanPoint at(double t) const override {
+    // By the direction t: r(t) = (|cos/a|³ + |sin/b|³)^(-1/3), and its derivatives.
+    const double c = std::cos(t), s = std::sin(t);
+    const double A = 1 / (a_ * a_ * a_), B = 1 / (b_ * b_ * b_);
+    const double ac = std::abs(c), as = std::abs(s);
+    const double g = A * ac * ac * ac + B * as * as * as;
+    const double g1 = -3 * A * ac * c * s + 3 * B * as * s * c;
+    const double g2 = 3 * A * ac * (2 * s * s - c * c) + 3 * B * as * (2 * c * c - s * s);
+    const double g3 = 3 * A * (c < 0 ? -1 : 1) * s * (7 * c * c - 2 * s * s) +
+                      3 * B * (s < 0 ? -1 : 1) * c * (2 * c * c - 7 * s * s);
+    const double r = std::pow(g, -1 / 3.0);
+    const double q1 = -g1 / (3 * g), q2 = -(g2 / g - g1 * g1 / (g * g)) / 3;
+    const double q3 = -(g3 / g - 3 * g1 * g2 / (g * g) + 2 * g1 * g1 * g1 / (g * g * g)) / 3;
+    // With q = r'/r and its derivatives, of ln r.
+    const double r1 = r * q1, r2 = r * (q2 + q1 * q1), r3 = r * (q3 + 3 * q1 * q2 + q1 * q1 * q1);
+    const double v2 = r * r + r1 * r1, v = std::sqrt(v2);
+    const double m = r * r + 2 * r1 * r1 - r * r2;
+    const double kappa = m / (v2 * v);
+    const double dm = 3 * r1 * r2 + 2 * r * r1 - r * r3;
+    const double dv2 = 2 * r * r1 + 2 * r1 * r2;
+    const double dkappa = dm / (v2 * v) - 1.5 * m * dv2 / (v2 * v2 * v);
+    const Vector2d e(c, s);
+    const Vector2d tangent = (r1 * e + r * perp(e)) / v;
+    return {r * e, -perp(tangent), kappa, dkappa / v, v};
+  }
+  [[nodiscard]] Bounds range() const override { return {0, 2 * kPi}; }
+  [[nodiscard]] int parts() const override { return 128; }
+
+private:
+  double a_, b_;
+};
+
+TEST(BoundaryCams, AKindOfCurveIsOneClass) {
+  const Boundary oval = *Boundary::make({std::make_shared<LameOval>(30 * kMm, 18 * kMm)}, true, 1e-12);
+  for (const double offset : {0.0, 6 * kMm}) {
+    const CamMechanism made = radial(oval, *make_circle(Vector2d::Zero(), 9 * kMm), 60 * kMm, offset);
+    auto run = start_run(made.mechanism, {0.3});
+    ASSERT_TRUE(run) << run.error().reason;
+    const auto joint_at = [&](double u) {
+      move_to(*run, {{u, 1, 0}});
+      EXPECT_EQ(run->row.status, RowStatus::kOk) << u;
+      return joint_motion(run->mechanism, run->mechanism.joints[1], run->row.bodies);
+    };
+    constexpr double h = 1e-3;
+    for (int i = 0; i < 100; ++i) {
+      const double u = 0.35 + i * 2 * kPi / 97;
+      const auto before = joint_at(u - h);
+      const auto here = joint_at(u);
+      const ContactMotion touch = run->row.contacts[0];
+      const auto after = joint_at(u + h);
+      EXPECT_NEAR(here.velocity, (after.position - before.position) / (2 * h), 1e-6) << u;
+      EXPECT_NEAR(here.acceleration, (after.velocity - before.velocity) / (2 * h), 2e-5) << u;
+      EXPECT_LT((touch.at.p1_W - touch.at.p2_W).norm(), 1e-15);
+      // The roller's centre is farther from every other point of the oval.
+      const Vector2d centre(here.position, offset);
+      for (const Boundary::Sample& sample : oval.samples()) {
+        EXPECT_GE((Rotation<double>::from_angle(u) * sample.point.p_B - centre).norm(), 9 * kMm - 1e-12);
+      }
+    }
+  }
+}
+
+TEST(BoundaryCams, AWholeConicAsABoundaryMovesAsTheConicDoes) {
+  const Curve ellipse = *make_ellipse(Vector2d(3 * kMm, 1 * kMm), {30 * kMm, 12 * kMm}, 0.4);
+  const Curve roller = *make_circle(Vector2d::Zero(), 9 * kMm);
+  const CamMechanism made = radial(boundary_of(ellipse, 1), roller, 60 * kMm, 2 * kMm);
+  Mechanism whole = made.mechanism;
+  whole.contacts[0].by_boundary = false;
+  whole.contacts[0].first.curve = 0;
+  whole.contacts[0].second.curve = 0;
+  whole.bodies[1].curves = {{"flank", ellipse}};
+  whole.bodies[2].curves = {{"roller", roller}};
+  auto by_boundary = start_run(made.mechanism, {0});
+  auto by_conic = start_run(whole, {0});
+  ASSERT_TRUE(by_boundary) << by_boundary.error().reason;
+  ASSERT_TRUE(by_conic) << by_conic.error().reason;
+  for (int i = 0; i <= 200; ++i) {
+    move_to(*by_boundary, {{i * 0.05, 1, 0}});
+    move_to(*by_conic, {{i * 0.05, 1, 0}});
+    ASSERT_EQ(by_boundary->row.status, RowStatus::kOk);
+    const BodyMotion& a = by_boundary->row.bodies[2];
+    const BodyMotion& b = by_conic->row.bodies[2];
+    EXPECT_LT((a.X_WB.p_WB - b.X_WB.p_WB).norm(), 1e-15);
+    EXPECT_LT((a.v_WB - b.v_WB).norm(), 1e-14);
+    EXPECT_LT((a.a_WB - b.a_WB).norm(), 1e-12);
+    EXPECT_NEAR(by_boundary->row.contacts[0].at.rho1, by_conic->row.contacts[0].at.rho1, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
