@@ -2,6 +2,7 @@
 
 /// The library's front door: everything that a program needs to analyse a mechanism. See docs/library.md.
 
+#include "higherpair/cam/motion_law.hpp"   // IWYU pragma: export
 #include "higherpair/drawing/draw.hpp"     // IWYU pragma: export
 #include "higherpair/front/branches.hpp"   // IWYU pragma: export
 #include "higherpair/front/drawing.hpp"    // IWYU pragma: export

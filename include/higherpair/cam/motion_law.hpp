@@ -1,0 +1,128 @@
+#pragma once
+
+#include "higherpair/cam/law_description.hpp"
+#include "higherpair/geometry/expansion.hpp"
+#include "higherpair/geometry/support_curve.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace higherpair {
+
+/// Which of the two pieces that meet at a coordinate is meant.
+enum class LawSide { kBefore, kAfter };
+
+/// What is wrong with a description: "KEY: rule".
+struct LawFault {
+  std::optional<std::size_t> segment;  ///< the one with the mistake
+  std::optional<std::size_t> point;    ///< the same of a spline
+  std::string key;                     ///< "over", "start", …; empty: the law as a whole
+  std::string rule;                    ///< the end of a sentence about it
+};
+
+/// Where two pieces of a law meet: the ends of segments, and places within them where v, a or j jumps.
+struct LawJoin {
+  double x = 0;
+  std::array<double, 4> before{};  ///< s, v, a, j: derivatives by the coordinate
+  std::array<double, 4> after{};
+  int lowest_jump = 0;  ///< 1, 2, 3: v, a, j is the first that jumps; 0: none does
+};
+
+/// Smallest and largest value of a derivative, and where; of several places the first.
+struct LawExtremes {
+  double least = 0;
+  double least_at = 0;
+  double greatest = 0;
+  double greatest_at = 0;
+
+  /// The larger of the two by size, with its sign, and where.
+  [[nodiscard]] double peak() const { return -least > greatest ? least : greatest; }
+  [[nodiscard]] double peak_at() const { return -least > greatest ? least_at : greatest_at; }
+};
+
+/// How many derivatives of a function of x count in an expression of this type.
+template <class T>
+inline constexpr int kTotalOrder = 0;
+template <class C, int N, Terms kTerms>
+inline constexpr int kTotalOrder<Expansion<C, N, kTerms>> =
+    (kTerms == Terms::kPowers ? N : 1) + kTotalOrder<C>;
+
+/// A motion law s(x): polynomials and sine waves piece by piece, of which every derivative is exact but for
+/// rounding. Its units are those of the description. An immutable value, cheap to copy.
+///
+/// Outside of its pieces a law that does not repeat stays at its first or last value. A coordinate within
+/// rounding of where two pieces meet (8 units in the last place of the largest of x and the ends) is there.
+class MotionLaw {
+public:
+  [[nodiscard]] static tl::expected<MotionLaw, LawFault> make(const LawDescription& description);
+
+  /// Where the first piece begins and the last one ends.
+  [[nodiscard]] double begin() const;
+  [[nodiscard]] double end() const;
+  [[nodiscard]] bool repeats() const;
+  /// By how much it ends higher than it begins.
+  [[nodiscard]] double advance() const;
+
+  /// Taylor coefficients at x: out[k] = (1/k!) dᵏs/dxᵏ.
+  void expand(double x, LawSide side, std::span<double> out) const;
+
+  template <int N>
+  [[nodiscard]] PowerSeries<double, N> series(double x, LawSide side = LawSide::kAfter) const {
+    PowerSeries<double, N> s;
+    expand(x, side, s.c);
+    return s;
+  }
+
+  /// dᵏs/dxᵏ; k = 0: s itself.
+  [[nodiscard]] double derivative(int k, double x, LawSide side = LawSide::kAfter) const;
+
+  /// s as a function of x, which may be a number or itself an expansion (nested ones too): the chain rule to
+  /// every order that x has.
+  template <class X>
+  [[nodiscard]] X operator()(const X& x, LawSide side = LawSide::kAfter) const {
+    std::array<double, static_cast<std::size_t>(kTotalOrder<X>) + 1> c{};
+    expand(value_of(x), side, c);
+    const X change = x - X(value_of(x));
+    X s(c.back());
+    for (std::size_t k = c.size() - 1; k-- > 0;) {
+      s = s * change + X(c[k]);
+    }
+    return s;
+  }
+  [[nodiscard]] double operator()(double x, LawSide side = LawSide::kAfter) const {
+    return derivative(0, x, side);
+  }
+
+  /// Bounds of the k-th derivative between two coordinates, from <= to; where it jumps, of both sides. They
+  /// hold, and close up on the values with the square of to - from.
+  [[nodiscard]] Bounds bounds(int k, double from, double to) const;
+
+  /// Smallest and largest value of the k-th derivative from begin() to end(), or between two coordinates:
+  /// exact but for rounding. Where it jumps, of both sides.
+  [[nodiscard]] LawExtremes extremes(int k) const { return extremes(k, begin(), end()); }
+  [[nodiscard]] LawExtremes extremes(int k, double from, double to) const;
+
+  /// Where the k-th derivative is 0 between two coordinates or jumps over 0, ascending; none of a stretch in
+  /// which it is 0 throughout. A zero that it touches without passing may come as several that are close.
+  [[nodiscard]] std::vector<double> zeros(int k, double from, double to) const;
+
+  /// From the begin to the end, both included: beyond the ends of a law that does not repeat it stays, and
+  /// the end of one that does is followed by its begin.
+  [[nodiscard]] const std::vector<LawJoin>& joins() const;
+
+  struct Data;
+
+private:
+  explicit MotionLaw(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "higherpair/cam/motion_law.hpp"
+
+#include <optional>
+
+namespace higherpair {
+
+/// The first mistake in a description, if there is one.
+[[nodiscard]] std::optional<LawFault> fault_of(const LawDescription& description);
+
+}  // namespace higherpair
