@@ -11,7 +11,7 @@ using Series = PowerSeries<double, kHighestDerivative>;
 
 std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
                                                            const std::vector<DriverMotion>& drivers,
-                                                           int order) {
+                                                           int order, std::span<const HigherRates> higher) {
   assert(order >= 1 && order <= kHighestDerivative);
   const MotionRow& row = run.row;
   if (row.status == RowStatus::kNotAssemblable || !row.all_rates) {
@@ -21,6 +21,9 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     at.drivers[i] = series_of<kHighestDerivative>(
         std::array{drivers[i].position, drivers[i].velocity, drivers[i].acceleration});
+    for (std::size_t k = 3; !higher.empty() && k <= kHighestDerivative; ++k) {
+      at.drivers[i].c[k] = higher[i][k - 3] / kFactorials[k];
+    }
   }
   const Dimensions<double> dimensions = dimensions_of(run.mechanism);
   const auto motion = solve_series(run.plan, dimensions, dimensions, std::move(at));

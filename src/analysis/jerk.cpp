@@ -36,13 +36,15 @@ Dimensions<double> frozen(const Run& run, Dimensions<double> dimensions) {
   return dimensions;
 }
 
-Jerks jerks_with(const Run& run, const Dimensions<double>& dimensions, bool surplus_slip) {
+Jerks jerks_with(const Run& run, const Dimensions<double>& dimensions, std::span<const HigherRates> higher,
+                 bool surplus_slip) {
   const Mechanism& mechanism = run.mechanism;
   Coordinates<Series> at = constant<Series>(row_coordinates(run));
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
     const JointMotion driver = joint_motion(mechanism, joint, run.row.bodies);
-    at.drivers[i] = series_of<3>(std::array{driver.position, driver.velocity, driver.acceleration});
+    at.drivers[i] = series_of<3>(std::array{driver.position, driver.velocity, driver.acceleration,
+                                            higher.empty() ? 0.0 : higher[i][0]});
   }
   const auto motion =
       solve_series(run.plan, dimensions, dimensions, std::move(at), {surplus_slip, &run.row.has_rates});
@@ -59,17 +61,17 @@ Jerks jerks_with(const Run& run, const Dimensions<double>& dimensions, bool surp
 
 }  // namespace
 
-JerkRow jerks_of(const Run& run) {
+JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher) {
   if (run.row.status == RowStatus::kNotAssemblable) {
     const Jerks none(run.row.bodies.size());
     return {none, none};
   }
   const Dimensions<double> dimensions = dimensions_of(run.mechanism);
-  JerkRow jerks{jerks_with(run, dimensions, true), {}};
+  JerkRow jerks{jerks_with(run, dimensions, higher, true), {}};
   // Two joints to ground and a contact that rolls: only the curves themselves fulfil all conditions, and the
   // link takes the place of the one along n.
   jerks.linkage =
-      run.mechanism.contacts.empty() ? jerks.bodies : jerks_with(run, frozen(run, dimensions), false);
+      run.mechanism.contacts.empty() ? jerks.bodies : jerks_with(run, frozen(run, dimensions), higher, false);
   return jerks;
 }
 

@@ -19,7 +19,8 @@ struct LawWave {
 enum class PieceStart : std::uint8_t {
   kSegment,  ///< a segment begins
   kPart,     ///< within a segment, where acceleration or jerk may jump
-  kSmooth,   ///< the same function goes on, written about another place; or a knot of a spline
+  kKnot,     ///< of a spline: a higher derivative than the jerk may jump, of a cubic one the jerk
+  kSmooth,   ///< the same function goes on, written about another place
 };
 
 /// A stretch of a law:  s = base + Σ c_k tᵏ + Σ waves,  t = x - origin. The origin is that end of the stretch

@@ -108,6 +108,8 @@ struct MotionLaw::Data {
     }
   }
 
+  [[nodiscard]] std::vector<double> places(int k, double from, double to, double level) const;
+
   // A bound of the size of the k-th derivative over the whole law; infinite where that leaves the range of
   // numbers.
   [[nodiscard]] double size(int k) const {
@@ -139,18 +141,16 @@ std::vector<LawJoin> joins_of(const MotionLaw& law, const LawPieces& pieces) {
   std::vector<LawJoin> joins;
   for (std::size_t i = 0; i < pieces.begins.size(); ++i) {
     const bool is_end = i == pieces.pieces.size();
-    if (!is_end && pieces.pieces[i].start == PieceStart::kSmooth) {
+    if (!is_end && pieces.pieces[i].start > PieceStart::kPart) {
       continue;
     }
-    LawJoin join{pieces.begins[i], {}, {}};
+    LawJoin join{pieces.begins[i], {}, {}, {}};
     join.before = derivatives(law, join.x, LawSide::kBefore);
     join.after = derivatives(law, join.x, LawSide::kAfter);
-    for (std::size_t k = 3; k > 0; --k) {
-      if (std::abs(join.after[k] - join.before[k]) > kJump * scale[k]) {
-        join.lowest_jump = static_cast<int>(k);
-      }
+    for (std::size_t k = 1; k < scale.size(); ++k) {
+      join.is_jump[k] = std::abs(join.after[k] - join.before[k]) > kJump * scale[k];
     }
-    if (is_end || pieces.pieces[i].start == PieceStart::kSegment || join.lowest_jump > 0) {
+    if (is_end || pieces.pieces[i].start == PieceStart::kSegment || join.lowest_jump() > 0) {
       joins.push_back(join);
     }
   }
@@ -223,6 +223,21 @@ double MotionLaw::advance() const {
 
 const std::vector<LawJoin>& MotionLaw::joins() const {
   return data_->joins;
+}
+
+std::vector<double> MotionLaw::breaks(double from, double to) const {
+  std::vector<double> found;
+  const auto visit = [&](const LawPiece* piece, double low, double high, double, double shift) {
+    const bool breaks = piece == nullptr || (piece->start != PieceStart::kSmooth && low == piece->begin);
+    const bool ends = high == end();
+    for (const double x : {breaks ? low + shift : from, ends ? high + shift : from}) {
+      if (x > from && x < to && (found.empty() || x > found.back())) {
+        found.push_back(x);
+      }
+    }
+  };
+  data_->for_each_piece(from, to, visit);
+  return found;
 }
 
 void MotionLaw::expand(double x, LawSide side, std::span<double> out) const {
@@ -299,51 +314,56 @@ LawExtremes MotionLaw::extremes(int k, double from, double to) const {
   return best;
 }
 
-std::vector<double> MotionLaw::zeros(int k, double from, double to) const {
+// Where the k-th derivative is `level`, which is 0 but for k = 0.
+std::vector<double> MotionLaw::Data::places(int k, double from, double to, double level) const {
   std::vector<double> found;
   const auto add = [&](double x) {
     if (found.empty() || x > found.back()) {
       found.push_back(x);
     }
   };
-  const LawPieces& law = data_->law;
-  const double negligible = kNoise * data_->size(k);
+  const double negligible = kNoise * size(k);
   double before = 0;  // sign at the end of the piece before
   const auto visit = [&](const LawPiece* piece, double low, double high, double offset, double shift) {
-    const auto value = [&](double x) {
-      return (piece ? law.derivative(*piece, k, x) : 0) + (k == 0 ? offset : 0);
-    };
+    const double higher_by = k == 0 ? offset - level : 0;
+    const auto value = [&](double x) { return (piece ? law.derivative(*piece, k, x) : 0) + higher_by; };
     const double at_low = value(low);
     if (before * at_low < 0) {
       add(low + shift);
     }
     before = value(high);
-    if (piece == nullptr || law.vanishes(*piece, k)) {
+    if (piece == nullptr) {
       return;
     }
-    LawPieces shifted;
-    const LawPieces* own = &law;
-    const LawPiece* own_piece = piece;
-    if (k == 0 && offset != 0) {
-      LawPiece higher = *piece;
-      higher.base += offset;
-      shifted.add(higher, std::span(law.powers).subspan(piece->first_power, piece->powers),
-                  std::span(law.waves).subspan(piece->first_wave, piece->waves));
-      own = &shifted;
-      own_piece = &shifted.pieces.front();
+    // The piece by itself, higher by so much.
+    LawPieces own;
+    LawPiece raised = *piece;
+    raised.base += higher_by;
+    own.add(raised, std::span(law.powers).subspan(piece->first_power, piece->powers),
+            std::span(law.waves).subspan(piece->first_wave, piece->waves));
+    if (own.vanishes(own.pieces.front(), k)) {
+      return;
     }
     if (std::abs(at_low) <= negligible) {
       add(low + shift);
     }
-    for (const double x : zeros_of(*own, *own_piece, k, low, high, negligible)) {
+    for (const double x : zeros_of(own, own.pieces.front(), k, low, high, negligible)) {
       add(x + shift);
     }
     if (std::abs(before) <= negligible) {
       add(high + shift);
     }
   };
-  data_->for_each_piece(from, to, visit);
+  for_each_piece(from, to, visit);
   return found;
+}
+
+std::vector<double> MotionLaw::zeros(int k, double from, double to) const {
+  return data_->places(k, from, to, 0);
+}
+
+std::vector<double> MotionLaw::places(double value, double from, double to) const {
+  return data_->places(0, from, to, value);
 }
 
 }  // namespace higherpair

@@ -28,7 +28,7 @@ void add_spline(const LawDescription& description, LawPieces& pieces) {
     Eigen::Map<Eigen::VectorXd>(c.data(), terms) = powers.col(0).segment(i * terms, terms);
     const double x = task.x[static_cast<std::size_t>(i)];
     LawPiece piece{x, x, c[0] + slope * (x - points.front().x())};
-    piece.start = i == 0 ? PieceStart::kSegment : PieceStart::kSmooth;
+    piece.start = i == 0 ? PieceStart::kSegment : PieceStart::kKnot;
     c[0] = 0;
     c[1] += slope;
     pieces.add(piece, c, {});

@@ -149,7 +149,7 @@ private:
     double tail = std::numeric_limits<double>::infinity();  // of the span that it is a half of
   };
 
-  // How many pieces to start with; 0 where nothing changes.
+  // How many pieces to start with; 0 where nothing changes on the whole path.
   [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
                                      const std::vector<DriverMotion>& to) const {
     double parts = 0;
@@ -162,7 +162,7 @@ private:
       changes = changes || from[i].position != to[i].position || from[i].velocity != to[i].velocity ||
                 from[i].acceleration != to[i].acceleration;
     }
-    return changes ? std::max(1.0, std::ceil(parts * (1 - kAtEnd))) : 0;
+    return changes || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtEnd))) : 0;
   }
 
   void add_stretch(double from, double to, double parts) {

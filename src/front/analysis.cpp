@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace higherpair {
 namespace {
 
 constexpr std::int64_t kSlipsLookedFor = 1000;  // positions at which a rolling pair is tried before the run
+constexpr std::array kRates = {"position", "velocity", "acceleration"};
+
 constexpr double kAtEnd = 1e-9;  // share of the path between two rows: as near as this to the end is there
 
 Dimension driver_dimension(const Mechanism& mechanism) {
@@ -101,7 +104,7 @@ Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settin
   }
   add_status_columns(columns);
   if (settings.jerk) {
-    add_jerk_columns(columns, mechanism, *model.plan);
+    add_jerk_columns(columns, model.profile, *model.plan);
   }
   if (settings.derivatives) {
     add_derivative_columns(columns, mechanism, *settings.derivatives);
@@ -170,21 +173,60 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   events.push_back(std::move(event));
 }
 
-// Moves to the next row, over the place where the driver turns back if that lies between the rows: it may
+// Moves to the next row, over the places where the driver turns back if such lie between the rows: it may
 // pass something there and pass it again.
 void Analysis::Impl::move() {
+  const std::size_t first = events.size();
   const auto note = [&](double from, double to) {
     for (const RunEvent& event : run.events) {
       add_event(event, std::lerp(from, to, event.share));
     }
   };
-  const auto turning = schedule.turning_point(next);
-  if (turning) {
-    move_to(run, {{turning->si.position, turning->si.velocity, turning->si.acceleration}});
-    note(0, turning->share);
+  double from = 0;
+  for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(next)) {
+    move_to(run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+    note(from, turning.share);
+    from = turning.share;
   }
   move_to(run, motions);
-  note(turning ? turning->share : 0, 1);
+  note(from, 1);
+  add_law_jumps(first);
+}
+
+// Among the events from `first` on, those of this row.
+void Analysis::Impl::add_law_jumps(std::size_t first) {
+  const Profile& profile = model->profile;
+  for (const DriverSchedule::LawJump& jump : schedule.law_jumps(next)) {
+    const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[jump.driver].joint);
+    Dimension dimension =
+        profile.mechanism.joints[joint].type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
+    Event event;
+    event.type = EventType::kLawJump;
+    event.row = next;
+    event.driver_si = schedule.at_time(to_si(dimension::kTime, profile.units).apply(jump.time), 0).position;
+    event.driver = from_si(driver_dimension(profile.mechanism), units).apply(event.driver_si);
+    event.time =
+        from_si(dimension::kTime, units).apply(to_si(dimension::kTime, profile.units).apply(jump.time));
+    event.joint = static_cast<int>(joint);
+    event.item = profile.mechanism.joints[joint].name;
+    for (std::size_t k = 1; k <= 2; ++k) {
+      dimension = dimension / dimension::kTime;
+      if (jump.join.jumps(k)) {
+        const auto shown = [&](double value) {
+          return from_si(dimension, units).apply(to_si(dimension, profile.units).apply(value));
+        };
+        event.cause +=
+            fmt::format("{} jumps from {:.6g} to {:.6g} {}",
+                        event.cause.empty() ? profile.programs[jump.driver].law_name + ": " + kRates[k]
+                                            : fmt::format(" and {}", kRates[k]),
+                        shown(jump.join.before[k]), shown(jump.join.after[k]), unit_text(dimension, units));
+      }
+    }
+    event.cause += "; a row there shows what is after it";
+    events.push_back(std::move(event));
+  }
+  std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
+                   [](const Event& a, const Event& b) { return a.time.value_or(0) < b.time.value_or(0); });
 }
 
 // Contacts that open lie between rows as well: they are looked for on the whole path, whatever its rows.

@@ -34,6 +34,7 @@ private:
   void read_drivers();
   void add_event(const RunEvent& what, double share);
   void move();
+  void add_law_jumps(std::size_t first);
   void report_openings();
 };
 

@@ -93,7 +93,7 @@ void add_force_columns(ColumnSet& set, const Mechanism& mechanism);
 void add_status_columns(ColumnSet& set);
 /// The third derivatives of bodies and points; of each contact that of the coordinate of the joint on which
 /// it moves a body, and what it would be if every contact were replaced by its equivalent link.
-void add_jerk_columns(ColumnSet& set, const Mechanism& mechanism, const Plan& plan);
+void add_jerk_columns(ColumnSet& set, const Profile& profile, const Plan& plan);
 /// The kth derivatives of bodies and points, k = 3 … order.
 void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int order);
 

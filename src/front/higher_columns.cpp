@@ -32,6 +32,29 @@ std::vector<std::optional<int>> moved_joints(const Mechanism& mechanism, const P
   return joints;
 }
 
+std::vector<HigherRates> higher_rates(const RowSource& source) {
+  std::vector<HigherRates> rates;
+  for (const DriverState& driver : source.drivers) {
+    rates.push_back(driver.higher_si);
+  }
+  return rates;
+}
+
+// Of the drivers that follow a law; the jerk of the others is 0.
+void add_driver_jerks(ColumnSet& set, const Profile& profile) {
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    if (!profile.programs[i].law) {
+      continue;
+    }
+    const Driver& driver = profile.mechanism.drivers[i];
+    const bool turns =
+        profile.mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    set.add({{driver.name.empty() ? "driver.jerk" : "driver." + driver.name + ".jerk",
+              per_time(turns ? dimension::kAngle : dimension::kLength, 3)}},
+            [i](const RowSource& source, double* out) { *out = source.drivers[i].higher_si[0]; });
+  }
+}
+
 double* put_body(const Run& run, const JerkRow& jerks, std::size_t index, double* out) {
   const std::optional<BodyJerk>& jerk = jerks.bodies[index];
   out = put(jerk ? std::optional(jerk->j_WB) : std::nullopt, out);
@@ -47,7 +70,9 @@ double* put_body(const Run& run, const JerkRow& jerks, std::size_t index, double
 
 }  // namespace
 
-void add_jerk_columns(ColumnSet& set, const Mechanism& mechanism, const Plan& plan) {
+void add_jerk_columns(ColumnSet& set, const Profile& profile, const Plan& plan) {
+  const Mechanism& mechanism = profile.mechanism;
+  add_driver_jerks(set, profile);
   const Dimension linear = per_time(dimension::kLength, 3);
   const Dimension angular = per_time(dimension::kAngle, 3);
   std::vector<NewColumn> columns;
@@ -70,7 +95,7 @@ void add_jerk_columns(ColumnSet& set, const Mechanism& mechanism, const Plan& pl
     }
   }
   set.add(columns, [joints](const RowSource& source, double* out) {
-    const JerkRow jerks = jerks_of(source.run);
+    const JerkRow jerks = jerks_of(source.run, higher_rates(source));
     for (std::size_t i = 1; i < jerks.bodies.size(); ++i) {
       out = put_body(source.run, jerks, i, out);
     }
@@ -104,7 +129,7 @@ void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int orde
     for (const DriverState& driver : source.drivers) {
       motions.push_back({driver.si.position, driver.si.velocity, driver.si.acceleration});
     }
-    const auto bodies = derivatives_of(source.run, motions, order);
+    const auto bodies = derivatives_of(source.run, motions, order, higher_rates(source));
     for (std::size_t i = 1; bodies && i < bodies->size(); ++i) {
       const BodyDerivatives& body = (*bodies)[i];
       for (int k = 3; k <= order; ++k) {

@@ -266,6 +266,8 @@ std::string_view name_of(EventType type) {
       return "corner";
     case EventType::kEnd:
       return "end";
+    case EventType::kLawJump:
+      return "law_jump";
   }
   return "limit_position";
 }

@@ -74,25 +74,18 @@ RowPath path_through(const DriverSchedule& schedule) {
 
 // In time the parameter is the time [s].
 RowPath path_in_time(const DriverSchedule& schedule) {
-  const std::vector<DriverMotion> first = drivers_in(schedule, 0);
   const double end = schedule.time_si(schedule.size() - 1);
   RowPath result;
-  result.path.knots = {0};
-  for (const DriverMotion& driver : first) {
-    const double turn = driver.acceleration == 0 ? 0 : -driver.velocity / driver.acceleration;
-    if (turn > 0 && turn < end) {
-      result.path.knots.push_back(turn);
-    }
-  }
+  result.path.knots = schedule.breaks();
+  result.path.knots.insert(result.path.knots.begin(), 0);
   if (end > 0) {
     result.path.knots.push_back(end);
   }
-  std::sort(result.path.knots.begin(), result.path.knots.end());
-  result.path.motion = [first](double t, std::vector<DriverMotion>& drivers) {
-    drivers = first;
-    for (DriverMotion& driver : drivers) {
-      driver.position += t * (driver.velocity + t / 2 * driver.acceleration);
-      driver.velocity += t * driver.acceleration;
+  result.path.motion = [schedule](double t, std::vector<DriverMotion>& drivers) {
+    drivers.resize(schedule.driver_count());
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+      const DriverValues si = schedule.at_time(t, i);
+      drivers[i] = {si.position, si.velocity, si.acceleration};
     }
   };
   result.row = [schedule](double t) {

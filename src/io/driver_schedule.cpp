@@ -161,18 +161,81 @@ std::optional<Steps> steps_in(double duration, double time_step) {
   return Steps{static_cast<std::int64_t>(std::floor(ratio)), true};
 }
 
+// Up to the end of the law that ends last; none without laws.
+std::optional<double> end_of_laws(const Profile& profile) {
+  std::optional<double> end;
+  for (const DriverProgram& program : profile.programs) {
+    if (program.law) {
+      end = std::max(end.value_or(program.law->end()), program.law->end());
+    }
+  }
+  return end;
+}
+
+// Rows of a run whose rows are neither listed nor a time step apart.
+tl::expected<std::int64_t, Diagnostic> given_samples(const Profile& profile) {
+  std::optional<std::int64_t> samples;
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    const auto own = profile.programs[i].samples;
+    if (own && samples && *own != *samples) {
+      return tl::unexpected(
+          mistake(profile, i, "samples", "differs from that of another driver: all have the same rows"));
+    }
+    samples = samples ? samples : own;
+  }
+  return samples.value_or(kDefaultSamples);
+}
+
 struct Timing {
   std::int64_t rows = 1;
   double duration = 0;
   double time_step = 0;  // 0: the rows divide the duration evenly
 };
 
+// Of the whole law, in rows that are equally spaced.
+tl::expected<Timing, Diagnostics> timing_of_laws(const Profile& profile,
+                                                 std::optional<std::int64_t> samples) {
+  const double end = *end_of_laws(profile);
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    const DriverProgram& program = profile.programs[i];
+    if (program.law && !(end > 0)) {
+      return tl::unexpected(Diagnostics{
+          mistake(profile, i, "law",
+                  fmt::format("{} ends at {}, before time 0: nothing moves", program.law_name, end))});
+    }
+    if (!program.positions.empty()) {
+      return tl::unexpected(Diagnostics{mistake(profile, i, "positions",
+                                                "have no meaning here: another driver follows a law, and all "
+                                                "move in time, with `velocity` and `acceleration`")});
+    }
+  }
+  if (!samples) {
+    const auto given = given_samples(profile);
+    if (!given) {
+      return tl::unexpected(Diagnostics{given.error()});
+    }
+    samples = *given;
+  }
+  return Timing{*samples, end, 0};
+}
+
 tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optional<std::int64_t> samples) {
   Diagnostics errors;
-  const auto duration = shared_time(profile, &DriverProgram::duration, "duration", errors);
+  auto duration = shared_time(profile, &DriverProgram::duration, "duration", errors);
+  const auto laws_end = end_of_laws(profile);
+  if (!duration && laws_end && *laws_end > 0) {
+    duration = laws_end;
+  }
   const auto time_step = shared_time(profile, &DriverProgram::time_step, "time_step", errors);
   if (!duration) {
     errors.push_back(mistake(profile, 0, "duration", "is missing: `step` needs to know how long to run"));
+  }
+  if (!samples && !time_step && laws_end) {
+    const auto given = given_samples(profile);
+    if (!given) {
+      return tl::unexpected(Diagnostics{given.error()});
+    }
+    samples = *given;
   }
   if (!samples && !time_step) {
     errors.push_back(
@@ -193,6 +256,21 @@ tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optiona
   return Timing{steps->full + (steps->has_remainder ? 2 : 1), *duration, *time_step};
 }
 
+// When a law comes to a value first.
+std::optional<double> first_time(const MotionLaw& law, double value) {
+  const LawExtremes range = law.extremes(0, 0, std::max(law.end(), 0.0));
+  const double rounding = 1e-12 * (range.greatest - range.least);
+  if (value < range.least - rounding || value > range.greatest + rounding) {
+    return std::nullopt;
+  }
+  const double reached = std::clamp(value, range.least, range.greatest);
+  if (law(0.0) == reached) {
+    return 0;
+  }
+  const auto times = law.places(reached, 0, std::max(law.end(), 0.0));
+  return times.empty() ? std::nullopt : std::optional(times.front());
+}
+
 }  // namespace
 
 std::vector<DriverSchedule::OneDriver> DriverSchedule::drivers_of(const Profile& profile) {
@@ -202,9 +280,23 @@ std::vector<DriverSchedule::OneDriver> DriverSchedule::drivers_of(const Profile&
     const DriverProgram& program = profile.programs[i];
     const Dimension position = is_turning(profile, i) ? dimension::kAngle : dimension::kLength;
     const Dimension velocity = position / dimension::kTime;
-    drivers.push_back({program.positions, program.start, end_of(profile, i).value_or(program.start),
-                       program.velocity, program.acceleration, to_si(position, profile.units),
-                       to_si(velocity, profile.units), to_si(velocity / dimension::kTime, profile.units)});
+    OneDriver driver{program.positions,
+                     program.start,
+                     end_of(profile, i).value_or(program.start),
+                     program.velocity,
+                     program.acceleration,
+                     to_si(position, profile.units),
+                     to_si(velocity, profile.units),
+                     to_si(velocity / dimension::kTime, profile.units),
+                     {},
+                     program.law,
+                     {}};
+    Dimension higher = velocity / dimension::kTime;
+    for (Scaling& scaling : driver.higher_to_si) {
+      higher = higher / dimension::kTime;
+      scaling = to_si(higher, profile.units);
+    }
+    drivers.push_back(std::move(driver));
   }
   return drivers;
 }
@@ -212,6 +304,12 @@ std::vector<DriverSchedule::OneDriver> DriverSchedule::drivers_of(const Profile&
 tl::expected<DriverSchedule, Diagnostics> DriverSchedule::analyze(const Profile& profile,
                                                                   std::optional<std::int64_t> samples) {
   Diagnostics errors = mistakes_of_option(samples);
+  const bool laws =
+      std::any_of(profile.programs.begin(), profile.programs.end(),
+                  [](const DriverProgram& program) { return program.law && program.positions.empty(); });
+  if (errors.empty() && laws) {
+    return in_time(profile, samples, true);
+  }
   DriverSchedule schedule;
   schedule.drivers_ = drivers_of(profile);
   for (std::size_t i = 0; errors.empty() && i < profile.programs.size(); ++i) {
@@ -227,6 +325,18 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::analyze(const Profile&
                       *rows, schedule.size_)));
     }
   }
+  for (std::size_t i = 0; errors.empty() && i < schedule.drivers_.size(); ++i) {
+    OneDriver& driver = schedule.drivers_[i];
+    for (const double position : driver.law ? driver.positions : std::vector<double>{}) {
+      if (const auto time = first_time(*driver.law, position)) {
+        driver.times.push_back(*time);
+      } else {
+        errors.push_back(
+            mistake(profile, i, "law",
+                    fmt::format("{} does not come to {}", profile.programs[i].law_name, position)));
+      }
+    }
+  }
   if (!errors.empty()) {
     return tl::unexpected(errors);
   }
@@ -239,7 +349,14 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& pr
   if (!errors.empty()) {
     return tl::unexpected(errors);
   }
-  const auto timing = timing_of(profile, samples);
+  return in_time(profile, samples, false);
+}
+
+tl::expected<DriverSchedule, Diagnostics> DriverSchedule::in_time(const Profile& profile,
+                                                                  std::optional<std::int64_t> samples,
+                                                                  bool equally_spaced) {
+  Diagnostics errors;
+  const auto timing = equally_spaced ? timing_of_laws(profile, samples) : timing_of(profile, samples);
   if (!timing) {
     return tl::unexpected(timing.error());
   }
@@ -251,6 +368,7 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::step(const Profile& pr
   schedule.time_step_ = timing->time_step;
   schedule.time_step_rest_ = timing->time_step > 0 ? rest_of_decimal(timing->time_step) : 0;
   schedule.time_to_si_ = to_si(dimension::kTime, profile.units);
+  schedule.time_from_si_ = from_si(dimension::kTime, profile.units);
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     const DriverState last = schedule.state(schedule.size() - 1, i);
     if (is_turning(profile, i) && !is_sharp_angle(last.si.position)) {
@@ -287,55 +405,20 @@ double DriverSchedule::time(std::int64_t row) const {
   return multiple.high + (multiple.low + steps * time_step_rest_);
 }
 
-double DriverSchedule::passing_time(std::int64_t row, double position, double share) const {
-  if (row == 0) {
-    return time(0);
-  }
-  const double before = time(row - 1);
-  const double after = time(row);
-  const double t = std::lerp(before, after, std::clamp(share, 0.0, 1.0));
-  if (drivers_.size() != 1) {
-    return t;
-  }
-  const OneDriver& driver = drivers_.front();
-  const double way = position - driver.start;
-  if (driver.acceleration == 0) {
-    return driver.velocity == 0 ? t : std::clamp(way / driver.velocity, before, after);
-  }
-  // A parabola passes a place twice: once in the interval, or else the nearer time is meant.
-  const double discriminant = driver.velocity * driver.velocity + 2 * driver.acceleration * way;
-  const double sum = driver.velocity + std::copysign(std::sqrt(std::max(discriminant, 0.0)), driver.velocity);
-  const double one = sum == 0 ? 0 : 2 * way / sum;
-  const double other = -sum / driver.acceleration;
-  const auto missed = [&](double root) { return std::abs(std::clamp(root, before, after) - root); };
-  const auto from_share = [&](double root) { return std::abs(root - t); };
-  const bool first =
-      missed(one) == missed(other) ? from_share(one) <= from_share(other) : missed(one) < missed(other);
-  return std::clamp(first ? one : other, before, after);
-}
-
-std::optional<DriverSchedule::TurningPoint> DriverSchedule::turning_point(std::int64_t row) const {
-  if (!timed_ || row == 0 || drivers_.size() != 1 || drivers_.front().acceleration == 0) {
-    return std::nullopt;
-  }
-  const OneDriver& driver = drivers_.front();
-  const double t = -driver.velocity / driver.acceleration;
-  const double before = time(row - 1);
-  const double after = time(row);
-  if (!(t > before && t < after)) {
-    return std::nullopt;
-  }
-  const double position = driver.start + t * driver.velocity / 2;
-  const DriverValues si{driver.position_to_si.apply(position), 0,
-                        driver.acceleration_to_si.apply(driver.acceleration)};
-  return TurningPoint{si, (t - before) / (after - before)};
-}
-
 DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {
   if (timed_) {
     const double t = time(row);
+    if (driver.law) {
+      const auto s = driver.law->series<2>(t, side_of(row));
+      return {s.c[0], s.c[1], 2 * s.c[2]};
+    }
     return {driver.start + t * (driver.velocity + t * driver.acceleration / 2),
             driver.velocity + t * driver.acceleration, driver.acceleration};
+  }
+  if (driver.law) {
+    const auto k = static_cast<std::size_t>(row);
+    const auto s = driver.law->series<2>(driver.times[k]);
+    return {driver.positions[k], s.c[1], 2 * s.c[2]};
   }
   if (!driver.positions.empty()) {
     return {driver.positions[static_cast<std::size_t>(row)], driver.velocity, driver.acceleration};
@@ -348,9 +431,20 @@ DriverState DriverSchedule::state(std::int64_t row, std::size_t driver) const {
   assert(row >= 0 && row < size_ && driver < drivers_.size());
   const OneDriver& one = drivers_[driver];
   const DriverValues profile = values(row, one);
-  return {profile,
-          {one.position_to_si.apply(profile.position), one.velocity_to_si.apply(profile.velocity),
-           one.acceleration_to_si.apply(profile.acceleration)}};
+  DriverState state{profile,
+                    {one.position_to_si.apply(profile.position), one.velocity_to_si.apply(profile.velocity),
+                     one.acceleration_to_si.apply(profile.acceleration)},
+                    {}};
+  if (one.law) {
+    const double t = timed_ ? time(row) : one.times[static_cast<std::size_t>(row)];
+    const auto s = one.law->series<6>(t, side_of(row));
+    double factorial = 2;
+    for (std::size_t k = 0; k < state.higher_si.size(); ++k) {
+      factorial *= static_cast<double>(k + 3);
+      state.higher_si[k] = one.higher_to_si[k].apply(factorial * s.c[k + 3]);
+    }
+  }
+  return state;
 }
 
 std::vector<double> DriverSchedule::first_positions() const {

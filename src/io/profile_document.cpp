@@ -2,11 +2,9 @@
 
 #include "document_content.hpp"
 #include "names.hpp"
+#include "text_file.hpp"
 
-#include <cerrno>
-#include <cstdio>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,33 +16,6 @@ using io_detail::Array;
 using io_detail::Entry;
 using io_detail::Table;
 using io_detail::Value;
-
-constexpr std::size_t kLargestFile = std::size_t{1} << 28;  // 256 MB; an endless device is no profile
-
-tl::expected<std::string, std::string> read_text(const std::string& path) {
-  const auto reason = [] { return std::generic_category().message(errno); };
-  errno = 0;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (file == nullptr) {
-    return tl::unexpected(fmt::format("cannot be opened: {}", reason()));
-  }
-  std::string text;
-  constexpr std::size_t kBlock = std::size_t{1} << 16;
-  std::size_t got = kBlock;
-  while (got == kBlock && text.size() <= kLargestFile) {
-    const std::size_t before = text.size();
-    text.resize(before + kBlock);
-    got = std::fread(text.data() + before, 1, kBlock, file.get());
-    text.resize(before + got);
-  }
-  if (std::ferror(file.get()) != 0) {
-    return tl::unexpected(fmt::format("cannot be read: {}", reason()));
-  }
-  if (text.size() > kLargestFile) {
-    return tl::unexpected(fmt::format("is larger than {} MB: not a profile", kLargestFile >> 20));
-  }
-  return text;
-}
 
 void visit_numbers(const Value& value, const std::string& path,
                    const std::function<void(const std::string&, double)>& found) {
@@ -67,7 +38,7 @@ void visit_numbers(const Value& value, const std::string& path,
 }  // namespace
 
 tl::expected<ProfileDocument, Diagnostics> ProfileDocument::open(const std::string& path) {
-  auto text = read_text(path);
+  auto text = io_detail::read_text_file(path, "profile");
   if (!text) {
     return tl::unexpected(Diagnostics{about(path, text.error())});
   }

@@ -46,6 +46,7 @@ public:
       : reading_(reading), document_(document), profile_(profile), mechanism_(profile.mechanism) {}
 
   Diagnostics all() {
+    found_ = reading_.notes;
     gravity();
     size();
     ground();
@@ -223,7 +224,9 @@ private:
       angle_unit(at("start"), path + ".start");
       angle_unit(at("end"), path + ".end");
     }
-    if (!program.positions.empty()) {
+    if (program.law) {
+      // Its rows are in time.
+    } else if (!program.positions.empty()) {
       for (const char* key : {"end", "samples"}) {
         if (const Value* value = at(key))
           add_with_value(value, path + "." + key, "not used, for `positions` are given");

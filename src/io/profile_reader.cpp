@@ -51,12 +51,14 @@ Profile read_root(TableReader& root) {
     mechanism.gravity_W =
         io_detail::as_vector(root.reading(), *gravity, dimension::kAcceleration).value_or(Vector2d::Zero());
   }
+  io_detail::LawBook laws(root);
   read_bodies(root, mechanism);
   const std::vector<bool> joint_type_known = read_joints(root, mechanism);
   read_contacts(root, mechanism);
-  read_drivers(root, profile, joint_type_known);
+  read_drivers(root, profile, joint_type_known, laws);
   read_loads(root, mechanism);
   read_springs(root, mechanism, joint_type_known);
+  laws.finish();
   (void)root.take("extra");
   root.finish();
   return profile;

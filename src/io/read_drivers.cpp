@@ -105,10 +105,29 @@ void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& jo
   program.acceleration = read_number(table, "acceleration", {velocity / dimension::kTime}).value_or(0);
 }
 
+constexpr const char* kMotionKeys[] = {"start", "end", "positions", "velocity", "acceleration"};
+
 // The keys of read_motion where the joint, and so their units, are unknown.
 void skip_motion(TableReader& table) {
-  for (const char* key : {"start", "end", "positions", "velocity", "acceleration"}) {
+  for (const char* key : kMotionKeys) {
     (void)table.take(key);
+  }
+}
+
+// The coordinate as a function of time.
+void read_driving_law(TableReader& table, const Item& name, const Joint& joint, Mechanism& mechanism,
+                      LawBook& laws, DriverProgram& program) {
+  for (const char* key : kMotionKeys) {
+    table.refuse(key, "the law says where the driver is at which time: leave it out");
+  }
+  const bool turns = joint.type == JointType::kRevolute;
+  const auto law =
+      laws.find(name, {dimension::kTime, turns ? dimension::kAngle : dimension::kLength}, mechanism);
+  if (law) {
+    program.law = laws.in_profile_units(*law);
+    program.law_name = "laws." + mechanism.laws[static_cast<std::size_t>(*law)].name;
+    program.start = (*program.law)(0.0);
+    program.velocity = default_velocity(turns, table.reading().units);
   }
 }
 
@@ -134,12 +153,16 @@ std::optional<int> read_joint(TableReader& table, const Mechanism& mechanism,
 }
 
 void read_driver(TableReader& table, const std::string& name, Profile& profile,
-                 const std::vector<bool>& joint_type_known) {
+                 const std::vector<bool>& joint_type_known, LawBook& laws) {
   DriverProgram program;
   program.place = place_of(table.reading(), table.mark());
   Mechanism& mechanism = profile.mechanism;
   const auto joint = read_joint(table, mechanism, joint_type_known);
-  if (joint) {
+  const auto law = table.take("law");
+  if (joint && law) {
+    read_driving_law(table, *law, mechanism.joints[static_cast<std::size_t>(*joint)], mechanism, laws,
+                     program);
+  } else if (joint) {
     read_motion(table, mechanism, mechanism.joints[static_cast<std::size_t>(*joint)], program);
   } else {
     skip_motion(table);
@@ -153,7 +176,8 @@ void read_driver(TableReader& table, const std::string& name, Profile& profile,
 
 }  // namespace
 
-void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known) {
+void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known,
+                  LawBook& laws) {
   Reading& reading = root.reading();
   const auto one = root.take("driver");
   const auto several = root.take("drivers");
@@ -168,12 +192,12 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
   if (one) {
     if (const Table* table = as_table(reading, *one, "a table")) {
       TableReader reader(reading, *table, one->value->mark, one->path);
-      read_driver(reader, "", profile, joint_type_known);
+      read_driver(reader, "", profile, joint_type_known, laws);
     }
   }
   if (several) {
     for_each_table(reading, *several, "a driver (a table)", [&](const std::string& name, TableReader& table) {
-      read_driver(table, name, profile, joint_type_known);
+      read_driver(table, name, profile, joint_type_known, laws);
     });
   }
 }

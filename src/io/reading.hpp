@@ -2,6 +2,7 @@
 
 #include "higherpair/io/profile.hpp"
 #include "higherpair/mechanism/description.hpp"
+#include "laws.hpp"
 #include "table_reader.hpp"
 
 #include <optional>
@@ -72,6 +73,7 @@ void read_loads(TableReader& root, Mechanism& mechanism);
 void read_springs(TableReader& root, Mechanism& mechanism, const std::vector<bool>& joint_type_known);
 
 /// Drivers and what they are to do; needs at least one.
-void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known);
+void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known,
+                  LawBook& laws);
 
 }  // namespace higherpair::io_detail

@@ -23,6 +23,7 @@ struct Reading {
   std::vector<std::string> sources;  ///< the names of the sources that marks are in
   Units units;
   std::vector<Mistake> mistakes;
+  std::vector<Mistake> notes;  ///< what is probably a slip, found while reading
 };
 
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);

@@ -280,7 +280,7 @@ TEST(MotionLaw, ReportsWhatJumpsAtItsJoins) {
   std::vector<int> jumps;
   for (const LawJoin& join : law.joins()) {
     places.push_back(join.x);
-    jumps.push_back(join.lowest_jump);
+    jumps.push_back(join.lowest_jump());
   }
   EXPECT_THAT(places, ElementsAre(0, 2, 3, 4, 6));
   EXPECT_THAT(jumps, ElementsAre(1, 1, 2, 2, 3));
@@ -438,6 +438,15 @@ TEST(MotionLaw, FindsZeros) {
   const MotionLaw corner = law_of({{LawType::kUniform, 1, 1}, {LawType::kUniform, 2, -1}});
   EXPECT_THAT(corner.zeros(1, 0.5, 2), ElementsAre(1));  // jumps over 0
   EXPECT_THAT(corner.zeros(1, 0.5, 0.9), IsEmpty());
+  EXPECT_THAT(corner.places(0.25, 0, 3), ElementsAre(DoubleNear(0.25, 1e-15), DoubleNear(2.5, 1e-15)));
+  EXPECT_THAT(corner.places(1, 0, 3), ElementsAre(1));
+  EXPECT_THAT(corner.places(1.1, 0, 3), IsEmpty());
+}
+
+TEST(MotionLaw, NamesWhereAnotherFunctionBegins) {
+  const MotionLaw law = law_of({{LawType::kModifiedTrapezoid, 8, 1}, {LawType::kDwell, 2}}, true);
+  EXPECT_THAT(law.breaks(-1, 19), ElementsAre(0, 1, 3, 5, 7, 8, 10, 11, 13, 15, 17, 18));
+  EXPECT_THAT(law_of({{LawType::kCycloidal, 1, 1}}).breaks(-1, 2), ElementsAre(0, 1));
 }
 
 std::string fault(const LawDescription& description) {

@@ -106,7 +106,7 @@ TEST(SplineLaw, RepeatsSmoothlyWherePeriodic) {
   for (int k = 0; k < 5; ++k) {
     EXPECT_NEAR(law.derivative(k, 0, LawSide::kBefore), law.derivative(k, 0, LawSide::kAfter), 1e-7);
   }
-  for (const LawJoin& join : law.joins()) EXPECT_EQ(join.lowest_jump, 0);
+  for (const LawJoin& join : law.joins()) EXPECT_EQ(join.lowest_jump(), 0);
   // The closing point may be left out.
   LawDescription open = turn([](double x) { return std::sin(x) + 0.2 * std::cos(3 * x); }, 90);
   open.points.pop_back();

@@ -222,7 +222,7 @@ TEST(ReferenceOfResults, ExplainsEveryStatusAndEvent) {
   }
   for (const EventType type :
        {EventType::kLimitPosition, EventType::kDeadPoint, EventType::kStrokeEnd, EventType::kConforming,
-        EventType::kSecondContact, EventType::kOverlap, EventType::kContactOpen}) {
+        EventType::kSecondContact, EventType::kOverlap, EventType::kContactOpen, EventType::kLawJump}) {
     EXPECT_THAT(words, Contains(std::string(name_of(type))));
   }
 }

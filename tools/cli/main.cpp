@@ -100,10 +100,12 @@ int run(int argc, char** argv) {
       add_run_command(app, "analyze", "motion at every driver position of the profile", analyze);
   const CLI::App* step_command =
       add_run_command(app, "step", "motion in time, with the driver's velocity and acceleration", step);
-  add_run_command(app, "forces",
-                  "motion at every driver position, with the reactions of joints and contacts and the effort "
-                  "of the drivers; there is no friction but what rolling needs",
-                  forces);
+  CLI::App* forces_command = add_run_command(
+      app, "forces",
+      "motion at every driver position, with the reactions of joints and contacts and the effort "
+      "of the drivers; there is no friction but what rolling needs",
+      forces);
+  forces_command->add_flag("--time", forces.timed, "the motion in time, as step has it");
   BranchesOptions branches;
   const CLI::App* branches_command = add_branches_command(app, branches);
   higherpair::cli::MobilityOptions mobility;

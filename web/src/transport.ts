@@ -13,6 +13,7 @@ const STATUS: Readonly<Record<string, string>> = {
   overlap: "the touching bodies overlap elsewhere",
   not_converged: "not accurate: the residual exceeds the tolerance",
   contact_open: "a contact would have to pull here: it opens",
+  law_jump: "velocity or acceleration of the driver jumps",
 };
 
 export class Transport {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace higherpair {
@@ -16,15 +17,17 @@ struct BodyDerivatives {
   std::array<double, kHighestDerivative + 1> theta;   ///< of the angle [rad/s^k]
 };
 
-/// The time derivatives of all bodies up to `order` where run.row stands, the drivers' accelerations being
-/// constant. With every coordinate a power series in time, the conditions of joints, contacts (gap, common
-/// normal, no slip) and drivers hold order by order:
+/// The time derivatives of all bodies up to `order` where run.row stands. With every coordinate a power
+/// series in time, the conditions of joints, contacts (gap, common normal, no slip) and drivers hold order by
+/// order:
 ///     J x_k = -(what lower orders leave of the conditions at order k),
 /// with the same Jacobian J in each. No differences are taken, and no equivalent linkage. None where the
 /// conditions leave a body free to move (a singular position), or the row has no rates.
 /// \param drivers  those of the row \param order  1 … kHighestDerivative
+/// \param higher  of the drivers; none: their accelerations are constant
 [[nodiscard]] std::optional<std::vector<BodyDerivatives>> derivatives_of(
-    const Run& run, const std::vector<DriverMotion>& drivers, int order);
+    const Run& run, const std::vector<DriverMotion>& drivers, int order,
+    std::span<const HigherRates> higher = {});
 
 /// The k-th time derivative of a point of the body, in ground [m/s^k].
 /// \param p_B  in the body's frame [m]

@@ -4,6 +4,7 @@
 #include "higherpair/geometry/body_jerk.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace higherpair {
@@ -15,11 +16,11 @@ struct JerkRow {
                                                  ///< replaced by its link, the motion up to acceleration kept
 };
 
-/// The third time derivatives of run.row, the drivers' accelerations being constant: group by group from the
-/// conditions of its joints, contacts and drivers, differentiated once more. None where the row has no rates
-/// or the conditions leave a group's jerks open; of the frozen linkage besides where a rolling contact was
-/// all that set a body in motion (discs about their centres). Allocates.
-[[nodiscard]] JerkRow jerks_of(const Run& run);
+/// The third time derivatives of run.row: group by group from the conditions of its joints, contacts and
+/// drivers, differentiated once more. None where the row has no rates or the conditions leave a group's jerks
+/// open; of the frozen linkage besides where a rolling contact was all that set a body in motion (discs about
+/// their centres). Allocates. \param higher  of the drivers; none: their accelerations are constant
+[[nodiscard]] JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher = {});
 
 /// Third time derivative of a joint's coordinate in run.row [rad/s³ or m/s³]: the angle of the second body
 /// relative to the first, or the displacement of the second point along the line of the first.

@@ -43,6 +43,7 @@ enum class EventType {
                    ///< jump
   kCorner,         ///< the contact goes onto a corner, or leaves it
   kEnd,            ///< the contact comes to the end of a curve: a limit position
+  kLawJump,        ///< velocity or acceleration of a driver's law jumps
 };
 
 struct RunEvent {

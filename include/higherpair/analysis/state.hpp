@@ -7,6 +7,7 @@
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -38,5 +39,8 @@ struct DriverMotion {
   double velocity = 0;
   double acceleration = 0;
 };
+
+/// The third to the sixth time derivative of a driver's coordinate [rad/s³ or m/s³, …].
+using HigherRates = std::array<double, 4>;
 
 }  // namespace higherpair

@@ -54,7 +54,7 @@ struct LawDescription {
   double start = 0;   ///< value there; of a polynomial its own counts
   std::vector<LawSegment> segments{};
   std::vector<Vector2d> points{};  ///< (x, s) in ascending order of x
-  int degree = 5;                ///< of the spline: 3 or 5
+  int degree = 5;                  ///< of the spline: 3 or 5
   SplineEnds ends = SplineEnds::kNatural;
   double period = 0;     ///< of a periodic spline; 0: the last point is the first, a period on
   double smoothing = 0;  ///< no point is left by more than this; 0: the spline goes through them

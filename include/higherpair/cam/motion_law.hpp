@@ -32,10 +32,14 @@ struct LawJoin {
   double x = 0;
   std::array<double, 4> before{};  ///< s, v, a, j: derivatives by the coordinate
   std::array<double, 4> after{};
-  int lowest_jump = 0;  ///< 1, 2, 3: v, a, j is the first that jumps; 0: none does
+  std::array<bool, 4> is_jump{};  ///< whether they differ by more than rounding
+
+  [[nodiscard]] bool jumps(std::size_t k) const { return is_jump[k]; }
+  /// 1, 2, 3: v, a, j is the first that jumps; 0: none does.
+  [[nodiscard]] int lowest_jump() const { return is_jump[1] ? 1 : is_jump[2] ? 2 : is_jump[3] ? 3 : 0; }
 };
 
-/// Smallest and largest value of a derivative, and where; of several places the first.
+/// Smallest and largest value of a derivative, and where; of several places one.
 struct LawExtremes {
   double least = 0;
   double least_at = 0;
@@ -113,9 +117,16 @@ public:
   /// which it is 0 throughout. A zero that it touches without passing may come as several that are close.
   [[nodiscard]] std::vector<double> zeros(int k, double from, double to) const;
 
+  /// Where the law has a value, in the same way.
+  [[nodiscard]] std::vector<double> places(double value, double from, double to) const;
+
   /// From the begin to the end, both included: beyond the ends of a law that does not repeat it stays, and
   /// the end of one that does is followed by its begin.
   [[nodiscard]] const std::vector<LawJoin>& joins() const;
+
+  /// Strictly between two coordinates, where one smooth function ends and another begins: joins, knots of a
+  /// spline, and places where only higher derivatives than the jerk jump.
+  [[nodiscard]] std::vector<double> breaks(double from, double to) const;
 
   struct Data;
 

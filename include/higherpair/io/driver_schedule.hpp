@@ -1,9 +1,11 @@
 #pragma once
 
+#include "higherpair/cam/motion_law.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile.hpp"
 #include "higherpair/io/units.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -24,6 +26,8 @@ struct DriverValues {
 struct DriverState {
   DriverValues profile;  ///< in the profile's units; what tables show
   DriverValues si;       ///< the same in SI units and radians
+  /// The third to the sixth time derivative, in SI units and radians; 0 but where a law drives.
+  std::array<double, 4> higher_si{};
 };
 
 /// The driver positions of a run, row by row. Rows are computed when asked for: a schedule of ten million
@@ -34,8 +38,12 @@ public:
   ///     start + (end - start) k/(samples - 1),   k = 0 … samples - 1,
   /// correctly rounded and exact at both ends; velocity and acceleration are the profile's in every row.
   /// \param samples takes the place of the profile's `samples` of every driver (the option --samples).
-  /// Fails where it is below 1 or above 2^53, where it meets explicit positions or a prismatic driver without
-  /// `end`, and where the drivers have unequal numbers of positions.
+  /// Where a law drives, the rows are in time, from 0 to the end of the law that ends last; other drivers
+  /// move as in step(). A driver with a law and explicit positions has at each of them the velocity and
+  /// acceleration with which the law comes to it first. Fails where it is below 1 or above 2^53, where it
+  /// meets explicit positions or a prismatic driver without `end`, where the drivers have unequal numbers of
+  /// positions, and where a law ends before time 0, does not come to a position, or meets another driver with
+  /// explicit positions.
   [[nodiscard]] static tl::expected<DriverSchedule, Diagnostics> analyze(
       const Profile& profile, std::optional<std::int64_t> samples = std::nullopt);
 
@@ -43,6 +51,9 @@ public:
   /// velocity t + acceleration t²/2. A remainder of the duration below 1e-9 time steps (or the rounding of
   /// their number) is none: duration 6 and time_step 0.01 give 601 rows. t is the double nearest to k times
   /// the decimal number that is given as time_step (3 times 0.1 is 0.3).
+  /// Where a law drives, the duration is by default up to the end of the law that ends last, and without a
+  /// time step there are `samples` rows. The first row has the rates after a jump of the law, as all others,
+  /// the last one those before it.
   /// \param samples so many rows over the duration, equally spaced, instead of `time_step`.
   /// Duration and time step may be given by any of several drivers, but not differently. Fails where one of
   /// them is missing, for more than 2^53 rows, and where the motion leaves the range of a double or turns a
@@ -56,7 +67,7 @@ public:
   /// Number of drivers: that of Mechanism::drivers, in the same order.
   [[nodiscard]] std::size_t driver_count() const { return drivers_.size(); }
 
-  /// Whether rows have a time (made by `step`).
+  /// Whether rows have a time (made by `step`, or where a law drives).
   [[nodiscard]] bool is_timed() const { return timed_; }
 
   /// Whether positions are given one by one; else they are equally spaced, or a function of time.
@@ -65,6 +76,10 @@ public:
   /// Time of a row in the profile's unit and in seconds; 0 in a schedule without time.
   [[nodiscard]] double time(std::int64_t row) const;
   [[nodiscard]] double time_si(std::int64_t row) const { return time_to_si_.apply(time(row)); }
+
+  /// The drivers at any time of a schedule in time [s], in SI units and radians; at a jump of a law, after
+  /// it.
+  [[nodiscard]] DriverValues at_time(double time_si, std::size_t driver) const;
 
   /// When the drivers, on their way from the row before to `row`, pass a place: a single driver by its law of
   /// motion, several in proportion to their way. In the profile's unit.
@@ -84,8 +99,23 @@ public:
     double share = 0;  ///< of the time between the rows
   };
 
-  /// Of a single driver in time; none where it does not turn back strictly between the rows.
-  [[nodiscard]] std::optional<TurningPoint> turning_point(std::int64_t row) const;
+  /// Of a single driver in time, in their order; none where it does not turn back strictly between the rows.
+  [[nodiscard]] std::vector<TurningPoint> turning_points(std::int64_t row) const;
+
+  /// Where velocity or acceleration of a law jumps.
+  struct LawJump {
+    std::size_t driver = 0;
+    double time = 0;      ///< in the profile's unit
+    double position = 0;  ///< of the driver in the profile's unit
+    LawJoin join;         ///< the same, of the first repetition
+  };
+
+  /// After the row before up to this one, in their order; not at the ends of the run.
+  [[nodiscard]] std::vector<LawJump> law_jumps(std::int64_t row) const;
+
+  /// Strictly within a run in time, ascending [s]: where a driver turns back, and where a law goes over to
+  /// another function.
+  [[nodiscard]] std::vector<double> breaks() const;
 
 private:
   struct OneDriver {
@@ -97,11 +127,19 @@ private:
     Scaling position_to_si;
     Scaling velocity_to_si;
     Scaling acceleration_to_si;
+    std::array<Scaling, 4> higher_to_si;
+    std::optional<MotionLaw> law;
+    std::vector<double> times;  ///< at which the law comes to the explicit positions
   };
 
   DriverSchedule() = default;
   static std::vector<OneDriver> drivers_of(const Profile& profile);
+  static tl::expected<DriverSchedule, Diagnostics> in_time(const Profile& profile,
+                                                           std::optional<std::int64_t> samples,
+                                                           bool equally_spaced);
   [[nodiscard]] DriverValues values(std::int64_t row, const OneDriver& driver) const;
+  [[nodiscard]] LawSide side_of(std::int64_t row) const;
+  [[nodiscard]] static std::vector<double> reversals(const OneDriver& driver, double from, double to);
 
   std::vector<OneDriver> drivers_;
   std::int64_t size_ = 1;
@@ -110,6 +148,7 @@ private:
   double time_step_ = 0;       ///< 0: rows are equally spaced over the duration
   double time_step_rest_ = 0;  ///< what the decimal number that was given is more than its double
   Scaling time_to_si_;
+  Scaling time_from_si_;
 };
 
 }  // namespace higherpair

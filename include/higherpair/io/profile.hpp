@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/cam/motion_law.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/description.hpp"
@@ -22,7 +23,10 @@ struct DriverProgram {
   double acceleration = 0;
   std::optional<double> duration;   ///< of `step`, >= 0
   std::optional<double> time_step;  ///< of `step`, > 0
-  Place place;                      ///< of the driver's table, for messages
+  /// The coordinate as a function of time; takes the place of start, end, velocity and acceleration.
+  std::optional<MotionLaw> law;
+  std::string law_name;  ///< what messages call it
+  Place place;           ///< of the driver's table, for messages
 };
 
 /// One degree a row over a full turn.

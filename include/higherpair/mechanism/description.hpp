@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/cam/law_description.hpp"
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
@@ -119,6 +120,13 @@ struct Driver {
   int joint = 0;     ///< index into Mechanism::joints
 };
 
+/// A motion law that something in the mechanism follows: of the coordinate of a joint [rad or m], or of time
+/// [s].
+struct NamedLaw {
+  std::string name;
+  LawDescription law;
+};
+
 enum class LoadFrame { kGround, kBody };
 
 struct Load {
@@ -151,6 +159,7 @@ struct Mechanism {
   std::vector<Driver> drivers;
   std::vector<Load> loads;
   std::vector<Spring> springs;
+  std::vector<NamedLaw> laws;
 };
 
 }  // namespace higherpair

@@ -1,0 +1,92 @@
+#include "laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// A table is taken for rounded if its values have at most so many decimals, and it has enough points to tell.
+constexpr int kMostDecimals = 7;
+constexpr std::size_t kFewestPoints = 12;
+
+// Noise below this share of the peak acceleration is not worth a note.
+constexpr double kWorthSaying = 0.01;
+
+// The unit of the last decimal that all values make do with; none where they have many.
+std::optional<double> guessed_rounding(const std::vector<Vector2d>& points) {
+  for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+    const double power = std::pow(10.0, decimals);
+    const bool enough = std::all_of(points.begin(), points.end(), [&](const Vector2d& point) {
+      const double scaled = point.y() * power;
+      return std::abs(scaled - std::round(scaled)) <= 1e-9 * std::max(1.0, std::abs(scaled));
+    });
+    if (enough) {
+      return 1 / power;
+    }
+  }
+  return std::nullopt;
+}
+
+// Largest difference of the accelerations of two laws at the points and between them.
+double largest_difference(const MotionLaw& a, const MotionLaw& b, const std::vector<Vector2d>& points) {
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    for (const double share : {0.0, 0.5}) {
+      const double x = std::lerp(points[i].x(), points[i + 1].x(), share);
+      largest = std::max(largest, std::abs(a.derivative(2, x) - b.derivative(2, x)));
+    }
+  }
+  return largest;
+}
+
+void note_rounding(TableReader& table, const LawQuantities& quantities, const LawDescription& law) {
+  Reading& reading = table.reading();
+  const auto stated = table.take("rounding");
+  const auto quantity = stated ? as_quantity(reading, *stated, {quantities.value}) : std::nullopt;
+  const auto rounding = quantity ? std::optional(quantity->profile) : guessed_rounding(law.points);
+  if (law.smoothing > 0 || !rounding || (!quantity && law.points.size() < kFewestPoints)) {
+    return;
+  }
+  LawDescription smooth = law;
+  smooth.smoothing = *rounding / 2;
+  const auto through = MotionLaw::make(law);
+  const auto beside = MotionLaw::make(smooth);
+  if (!through || !beside) {
+    return;
+  }
+  const double noise = largest_difference(*through, *beside, law.points);
+  const double peak = std::abs(beside->extremes(2).peak());
+  if (!(noise > kWorthSaying * peak)) {
+    return;
+  }
+  const Dimension acceleration = quantities.value / quantities.coordinate / quantities.coordinate;
+  reading.notes.push_back(
+      {table.mark(), fmt::format("{}: its values are {} {:g} {}; the spline through them has about {:.2g} {} "
+                                 "of noise from that in its "
+                                 "second derivative, whose peak is {:.3g}; smoothing = {:g} takes it out",
+                                 table.path(), quantity ? "rounded to" : "given to, and probably rounded to,",
+                                 *rounding, unit_text(quantities.value, reading.units), noise,
+                                 unit_text(acceleration, reading.units), peak, *rounding / 2)});
+}
+
+}  // namespace
+
+void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw& law) {
+  Reading& reading = table.reading();
+  if (!law.profile.points.empty()) {
+    note_rounding(table, quantities, law.profile);
+  }
+  const auto made = MotionLaw::make(law.profile);
+  if (made && law.profile.repeats && quantities.coordinate == dimension::kAngle && made->advance() != 0) {
+    reading.notes.push_back(
+        {table.mark(),
+         fmt::format("{}: it does not end where it begins: every turn is {:g} {} higher "
+                     "than the one before",
+                     table.path(), made->advance(), unit_text(quantities.value, reading.units))});
+  }
+}
+
+}  // namespace higherpair::io_detail

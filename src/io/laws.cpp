@@ -1,0 +1,95 @@
+#include "laws.hpp"
+
+#include "higherpair/io/suggestion.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+std::optional<ReadLaw> read_item(Reading& reading, const Item& item, const LawQuantities& quantities) {
+  TableReader table(reading, std::get<Table>(item.value->content), item.value->mark, item.path);
+  auto law = read_law(table, quantities);
+  if (law) {
+    note_law(table, quantities, *law);
+  }
+  return law;
+}
+
+}  // namespace
+
+LawBook::LawBook(TableReader& root) : reading_(&root.reading()) {
+  if (const auto laws = root.take("laws")) {
+    for_each_named(*reading_, *laws, "a law (a table)", [&](const std::string& name, const Item& item) {
+      if (as_table(*reading_, item, "a law (a table)") != nullptr) {
+        entries_.push_back({name, item, false});
+      }
+    });
+  }
+}
+
+std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantities, Mechanism& mechanism) {
+  const auto text = as_text(*reading_, name);
+  if (!text) {
+    return std::nullopt;
+  }
+  const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& candidate) { return candidate.name == *text; });
+  if (entry == entries_.end()) {
+    std::vector<std::string> names;
+    for (const Entry& other : entries_) {
+      names.push_back(other.name);
+    }
+    report(*reading_, name, fmt::format("there is no law `{}`; {}", *text, suggestion(*text, names)));
+    return std::nullopt;
+  }
+  entry->used = true;
+  const auto place = static_cast<std::size_t>(entry - entries_.begin());
+  for (const Known& known : known_) {
+    if (known.entry == place && known.quantities == quantities) {
+      return known.index;
+    }
+  }
+  Known known{place, quantities, std::nullopt};
+  if (auto law = read_item(*reading_, entry->item, quantities)) {
+    known.index = static_cast<int>(mechanism.laws.size());
+    laws_.push_back(MotionLaw::make(law->profile).value());
+    mechanism.laws.push_back({*text, std::move(law->si)});
+  }
+  known_.push_back(known);
+  return known.index;
+}
+
+const MotionLaw& LawBook::in_profile_units(int index) const {
+  return laws_[static_cast<std::size_t>(index)];
+}
+
+void LawBook::finish() {
+  for (const Entry& entry : entries_) {
+    if (entry.used) {
+      continue;
+    }
+    // Which quantities are meant is unknown: those with which it has no mistake.
+    std::optional<Reading> first;
+    bool right = false;
+    for (const Dimension& coordinate : {dimension::kAngle, dimension::kTime, dimension::kLength}) {
+      for (const Dimension& value : {dimension::kLength, dimension::kAngle}) {
+        Reading trial = *reading_;
+        right = right || read_item(trial, entry.item, {coordinate, value});
+        if (!first) {
+          first = std::move(trial);
+        }
+      }
+    }
+    if (!right) {
+      reading_->mistakes = std::move(first->mistakes);
+    }
+    reading_->notes.push_back({entry.item.value->mark,
+                               entry.item.path + ": nothing uses this law; a driver does by its key `law`"});
+  }
+}
+
+}  // namespace higherpair::io_detail

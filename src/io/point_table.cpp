@@ -1,0 +1,181 @@
+#include "point_table.hpp"
+
+#include "names.hpp"
+#include "numeric/decimal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::size_t kMostMistakes = 5;
+
+using Fields = std::vector<std::string_view>;
+
+std::string_view bare(std::string_view field) {
+  field = trimmed(field);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+    field = trimmed(field.substr(1, field.size() - 2));
+  }
+  return field;
+}
+
+// The separator of a file is that of its first line; ' ' for any number of spaces.
+char separator_of(std::string_view line) {
+  for (const char separator : {';', '\t', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return ' ';
+}
+
+Fields fields_of(std::string_view line, char separator) {
+  Fields fields;
+  while (true) {
+    if (separator == ' ') {
+      line = trimmed(line);
+      if (line.empty()) return fields;
+    }
+    const std::size_t end = separator == ' ' ? line.find_first_of(" \t") : line.find(separator);
+    fields.push_back(bare(line.substr(0, end)));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> number_in(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = read_decimal(field.data(), field.data() + field.size(), value);
+  const bool whole = error == std::errc() && end == field.data() + field.size() && !field.empty();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+class Reader {
+public:
+  Reader(const PointColumns& columns, const Units& units) : columns_(columns), units_(units) {}
+
+  void line(std::string_view text, int number) {
+    text = trimmed(text);
+    if (text.empty() || text.front() == '#' || mistakes_.size() >= kMostMistakes) return;
+    const bool first = separator_ == 0;
+    if (first) separator_ = separator_of(text);
+    const Fields fields = fields_of(text, separator_);
+    if (first && !number_in(fields.front()) &&
+        !std::isdigit(static_cast<unsigned char>(fields.front().front()))) {
+      header(fields, number);
+    } else {
+      row(fields, number);
+    }
+  }
+
+  tl::expected<PointTable, std::vector<std::string>> finish() {
+    if (mistakes_.empty() && table_.points.empty()) {
+      mistakes_.push_back("has no points");
+    }
+    if (!mistakes_.empty()) {
+      return tl::unexpected(std::move(mistakes_));
+    }
+    return std::move(table_);
+  }
+
+private:
+  void fail(int line, const std::string& what) {
+    mistakes_.push_back(fmt::format("line {}: {}", line, what));
+  }
+
+  void header(const Fields& fields, int line) {
+    count_ = fields.size();
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::optional<std::size_t> found;
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (trimmed(fields[i].substr(0, fields[i].find('['))) == columns_.names[k]) found = i;
+      }
+      if (!found && count_ != 2) {
+        fail(line,
+             fmt::format("expected two columns, {0} and {1}, or a header that has {0} and {1} among others; "
+                         "found {2} columns",
+                         columns_.names[0], columns_.names[1], count_));
+        return;
+      }
+      place_[k] = found.value_or(k);
+      const std::string_view field = fields[place_[k]];
+      const std::size_t open = field.find('[');
+      if (open != std::string_view::npos && field.ends_with(']')) {
+        unit_[k] = std::string(field.substr(open + 1, field.size() - open - 2));
+        if (const auto one = parse_quantity("1 " + unit_[k], columns_.dimensions[k], units_); !one) {
+          fail(line, fmt::format("{}: {}", field, one.error()));
+        }
+      }
+    }
+  }
+
+  void row(const Fields& fields, int line) {
+    if (count_ == 0) count_ = 2;
+    if (fields.size() != count_) {
+      fail(line, fmt::format("expected {} columns, found {}{}", count_, fields.size(),
+                             separator_ == ',' && fields.size() == 2 * count_
+                                 ? ": decimals are written with a point, not a comma"
+                                 : ""));
+      return;
+    }
+    std::array<Quantity, 2> point;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::string_view field = fields[place_[k]];
+      const auto value = number_in(field);
+      if (!value) {
+        const bool comma = field.find(',') != std::string_view::npos;
+        fail(line, fmt::format("`{}` is no number{}", visible(field.substr(0, 40)),
+                               comma ? ": decimals are written with a point, not a comma" : ""));
+        return;
+      }
+      point[k] = quantity(*value, k);
+      if (!(std::abs(point[k].si) <= kLargestQuantity)) {
+        fail(line, fmt::format("{} is too large", *value));
+        return;
+      }
+    }
+    table_.points.push_back(point);
+    table_.lines.push_back(line);
+  }
+
+  [[nodiscard]] Quantity quantity(double value, std::size_t k) const {
+    if (!unit_[k].empty()) {
+      if (auto own = parse_quantity(fmt::format("{} {}", value, unit_[k]), columns_.dimensions[k], units_)) {
+        return *own;
+      }
+    }
+    return {value, to_si(columns_.dimensions[k], units_).apply(value), value};
+  }
+
+  const PointColumns& columns_;
+  const Units& units_;
+  char separator_ = 0;
+  std::size_t count_ = 0;  // of columns
+  std::array<std::size_t, 2> place_{0, 1};
+  std::array<std::string, 2> unit_;
+  PointTable table_;
+  std::vector<std::string> mistakes_;
+};
+
+}  // namespace
+
+tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view text,
+                                                               const PointColumns& columns,
+                                                               const Units& units) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Reader reader(columns, units);
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    reader.line(line, number);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return reader.finish();
+}
+
+}  // namespace higherpair::io_detail
