@@ -1,5 +1,6 @@
 #include "higherpair/drawing/draw.hpp"
 
+#include "draw_foot.hpp"
 #include "labels.hpp"
 #include "svg_writer.hpp"
 
@@ -12,10 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kFont = 14;     // [px]
-constexpr double kInkEvery = 5;  // [px]
-constexpr double kHead = 8;      // length of an arrow's head [px]
-constexpr double kFoot = 26;     // below the picture, for the scale [px]
+constexpr double kFont = 14;           // [px]
+constexpr double kInkEvery = 5;        // [px]
+constexpr double kMillimetres = 1000;  // in a metre
 
 // Widths in px; lines are told apart by their dashes where there are no colours.
 constexpr const char* kStyle = R"(
@@ -39,9 +39,9 @@ text.name { font-style: italic; }
 .velocity { stroke: #0072b2; stroke-width: 1.6; } .velocity.head { fill: #0072b2; }
 .acceleration { stroke: #d55e00; stroke-width: 1.6; stroke-dasharray: 6 2; }
 .acceleration.head { fill: #d55e00; stroke-dasharray: none; }
-.force { stroke: #009e73; stroke-width: 2; } .force.head { fill: #009e73; }
+.force { stroke: #b0306a; stroke-width: 2.2; } .force.head, .force.filled { fill: #b0306a; }
 .ghost path, .ghost circle { fill: none; stroke: #9aa5b1; stroke-width: 0.8; }
-.scale { stroke-width: 1.2; }
+.scale { stroke-width: 1.2; } text.sample { text-anchor: start; stroke: none; fill: #111; }
 )";
 
 using Kind = Shape::Kind;
@@ -137,26 +137,10 @@ private:
                               {"d", SvgPath().polyline(px, shape.closed)}});
         break;
       case Kind::kArrow:
-        draw_arrow(px, role, shape.name);
+        draw_arrow(svg_, px, role, role, shape.name);
         break;
     }
     if (!ghost) add_ink(shape.kind, px);
-  }
-
-  void draw_arrow(const std::vector<double>& px, const std::string& role, const std::string& name) {
-    const Vector2d from(px[0], px[1]), to(px[2], px[3]);
-    svg_.element("path",
-                 {{"class", role}, {"data-role", role}, {"data-name", name}, {"d", SvgPath().polyline(px)}});
-    const double length = (to - from).norm();
-    if (!(length > 0.5)) {
-      return;
-    }
-    const Vector2d d = (to - from) / length * std::min(kHead, length);
-    const Vector2d a = to - d + 0.32 * perp(d), b = to - d - 0.32 * perp(d);
-    const std::vector<double> head{to.x(), to.y(), a.x(), a.y(), b.x(), b.y()};
-    svg_.element(
-        "path",
-        {{"class", role + " head"}, {"data-role", role + "-head"}, {"d", SvgPath().polyline(head, true)}});
   }
 
   void add_ink(Kind kind, const std::vector<double>& px) {
@@ -186,32 +170,6 @@ private:
   std::vector<Vector2d> ink_;
 };
 
-// 1, 2 or 5 times a power of ten, about a fifth of the width.
-double round_length(double width) {
-  const double wanted = width / 5;
-  const double power = std::pow(10, std::floor(std::log10(wanted)));
-  const double digit = wanted / power;
-  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-}
-
-void draw_scale(SvgWriter& svg, const Screen& screen, const Scene& scene, const DrawSettings& settings,
-                double height) {
-  const double length = round_length(scene.view.size().x() / settings.unit_mm);
-  const double px = length * settings.unit_mm * screen.scale;
-  const double left = 12, y = height - 9;
-  svg.element("path", {{"class", "scale"},
-                       {"data-role", "scale"},
-                       {"d", SvgPath()
-                                 .move_to(left, y - 4)
-                                 .line_to(left, y + 4)
-                                 .move_to(left, y)
-                                 .line_to(left + px, y)
-                                 .move_to(left + px, y - 4)
-                                 .line_to(left + px, y + 4)}});
-  svg.text({{"data-role", "scale"}, {"x", left + px / 2}, {"y", y - 10}},
-           fmt::format("{:g} {}", length, settings.unit));
-}
-
 }  // namespace
 
 std::vector<Role> default_layers() {
@@ -224,12 +182,13 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
   assert(!scenes.empty());
   const Box& view = scenes.front().view;
   const double scale = settings.width / view.size().x();
-  const double height = scale * view.size().y() + kFoot;
   const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
   const double count = settings.strip ? static_cast<double>(scenes.size()) : 1;
+  const DrawFoot foot(scenes.front(), settings, layers, scale, settings.width * count);
+  const double drawn = scale * view.size().y(), height = drawn + foot.height();
   const Screen screen{scale, {-scale * view.low.x(), scale * view.high.y()}};
   SvgWriter svg({settings.width * count, height, settings.title, kStyle},
-                {{"data-scale", fmt::format("{:.12g}", scale * settings.unit_mm)},
+                {{"data-scale", fmt::format("{:.12g}", scale * kMillimetres * settings.length.si)},
                  {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const bool ghost = !settings.strip && i + 1 < scenes.size();
@@ -239,15 +198,15 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
     const double shift = settings.strip ? settings.width * static_cast<double>(i) : 0;
     svg.open(
         "svg",
-        {{"class", ghost ? "ghost" : "scene"}, {"x", shift}, {"width", settings.width}, {"height", height}});
+        {{"class", ghost ? "ghost" : "scene"}, {"x", shift}, {"width", settings.width}, {"height", drawn}});
     Picture picture(svg, screen, layers);
     picture.draw(scenes[i], ghost);
     if (!ghost) {
-      picture.draw_labels({settings.width, height - kFoot});
+      picture.draw_labels({settings.width, drawn});
     }
     svg.close();
   }
-  draw_scale(svg, screen, scenes.front(), settings, height);
+  foot.draw(svg, drawn);
   return std::move(svg).finish();
 }
 

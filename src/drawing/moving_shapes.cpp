@@ -43,7 +43,7 @@ Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool clos
   return shape;
 }
 
-const Scene& SceneMaker::at(const MotionRow& row) {
+const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   scene_.defined = has_place(row);
   for (std::size_t i = 0; scene_.defined && i < row.bodies.size(); ++i) {
     const Vector2d p = kMillimetre * row.bodies[i].X_WB.p_WB;
@@ -63,10 +63,12 @@ const Scene& SceneMaker::at(const MotionRow& row) {
   for (std::size_t i = 1; i < row.bodies.size(); ++i) {
     add_motion(row, static_cast<int>(i));
   }
-  if (!scene_.defined) {
-    for (Shape& shape : scene_.moving) {
-      shape.numbers.clear();
-    }
+  if (forces_ && reactions != nullptr) {
+    add_forces(row, *reactions);
+  }
+  // What has no place in this row, and what is left out of it.
+  for (std::size_t i = scene_.defined ? next_ : 0; i < scene_.moving.size(); ++i) {
+    scene_.moving[i].numbers.clear();
   }
   return scene_;
 }

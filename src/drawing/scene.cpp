@@ -12,11 +12,13 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;       // of a metre
-constexpr double kUnitsAcross = 110;       // along the picture's diagonal
-constexpr double kMargin = 3;              // [units]
-constexpr std::size_t kRowsLookedAt = 72;  // for the room that shapes need
-constexpr double kLongestArrow = 14;       // [units]
+constexpr double kMillimetre = 1000;        // of a metre
+constexpr double kUnitsAcross = 110;        // along the picture's diagonal
+constexpr double kMargin = 3;               // [units]
+constexpr std::size_t kRowsLookedAt = 72;   // for the room that shapes need
+constexpr double kLongestArrow = 14;        // [units]
+constexpr double kLongestTurn = 1.5 * kPi;  // of the arc of a torque
+constexpr double kOutOfProportion = 1e-4;   // of the largest: at rest but for these rows
 
 struct Extent {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
@@ -72,6 +74,12 @@ Extent full_extent(const Sketch& sketch) {
     for (const Shape& shape : sketch.shapes) {
       add_shape(extent, shape, body_in(*sketch.rows[k], shape.body).X_WB);
     }
+    for (const Spring& spring : sketch.mechanism.springs) {
+      if (spring.joint) continue;
+      for (const PointRef& end : {spring.first, spring.second}) {
+        extent.add(body_in(*sketch.rows[k], end.body).X_WB * point_of(sketch.mechanism, end));
+      }
+    }
   }
   return extent;
 }
@@ -108,10 +116,24 @@ void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
   }
 }
 
-// So that the longest arrow of all rows has the length kLongestArrow.
+// By which the longest arrow of all rows has the length `longest`, or where some are out of proportion, as
+// near a limit position, four times the middle one of the rows: those go beyond.
+double scale_for(std::vector<double> of_rows, double longest) {
+  std::erase_if(of_rows, [](double size) { return !(size > 0); });
+  if (of_rows.empty()) {
+    return 0;
+  }
+  const auto middle = of_rows.begin() + static_cast<std::ptrdiff_t>(of_rows.size() / 2);
+  std::nth_element(of_rows.begin(), middle, of_rows.end());
+  const double typical = *middle;
+  const double largest = *std::max_element(of_rows.begin(), of_rows.end());
+  return longest / (typical > kOutOfProportion * largest ? std::min(largest, 4 * typical) : largest);
+}
+
 void set_arrow_scales(const Sketch& sketch, Scene& scene) {
-  double fastest = 0, hardest = 0;
+  std::vector<double> velocities, accelerations;
   for (const MotionRow* row : sketch.rows) {
+    double fastest = 0, hardest = 0;
     for (std::size_t i = 1; i < row->bodies.size(); ++i) {
       if (!row->all_rates && !row->has_rates[i]) {
         continue;
@@ -122,10 +144,23 @@ void set_arrow_scales(const Sketch& sketch, Scene& scene) {
         hardest = std::max(hardest, motion.a_W.norm());
       }
     }
+    velocities.push_back(fastest);
+    accelerations.push_back(hardest);
   }
   const double longest = kLongestArrow * scene.unit / kMillimetre;
-  scene.velocity_scale = fastest > 0 ? longest / fastest : 0;
-  scene.acceleration_scale = hardest > 0 ? longest / hardest : 0;
+  scene.velocity_scale = scale_for(std::move(velocities), longest);
+  scene.acceleration_scale = scale_for(std::move(accelerations), longest);
+}
+
+void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene) {
+  std::vector<double> forces, torques;
+  for (const Reactions& row : reactions) {
+    const LargestForces largest = largest_forces(mechanism, row);
+    forces.push_back(largest.force);
+    torques.push_back(largest.torque);
+  }
+  scene.force_scale = scale_for(std::move(forces), kLongestArrow * scene.unit);
+  scene.torque_scale = scale_for(std::move(torques), kLongestTurn);
 }
 
 }  // namespace
@@ -150,8 +185,8 @@ void Sketch::add_text(const std::string& name, const std::string& text, int body
 }
 
 SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
-                       const std::vector<PointRef>& traces)
-    : mechanism_(&mechanism) {
+                       const std::vector<PointRef>& traces, const std::vector<Reactions>& reactions)
+    : mechanism_(&mechanism), forces_(!reactions.empty()) {
   Sketch sketch{mechanism, {}, 1, {}};
   for (const MotionRow& row : rows) {
     if (has_place(row)) {
@@ -188,7 +223,9 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   }
   scene_.places.resize(mechanism.bodies.size());
   set_arrow_scales(sketch, scene_);
-  at(*sketch.rows.front());
+  set_force_scales(mechanism, reactions, scene_);
+  const auto first = static_cast<std::size_t>(sketch.rows.front() - rows.data());
+  at(rows[first], forces_ ? &reactions[first] : nullptr);
 }
 
 }  // namespace higherpair

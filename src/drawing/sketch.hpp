@@ -43,6 +43,12 @@ void add_bodies(Sketch& sketch);
 /// Pins, slides, slots, wheels and what holds them to ground.
 void add_joints(Sketch& sketch);
 
+/// The largest force [N] and driving torque [N m] of a row; 0 where there are none.
+struct LargestForces {
+  double force = 0, torque = 0;
+};
+[[nodiscard]] LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reactions);
+
 /// Pitch radii of the two wheels of gears or a belt at their distance [m].
 [[nodiscard]] std::array<double, 2> wheel_radii(const Joint& joint, double distance);
 

@@ -257,7 +257,8 @@ bool Analysis::Impl::next_row(Row& row) {
   if (is_stopped(run)) {
     return false;
   }
-  RowSource source{run, drivers, schedule.time(next), dynamics ? &dynamics->solve(run) : nullptr, false};
+  reactions = dynamics ? &dynamics->solve(run) : nullptr;
+  RowSource source{run, drivers, schedule.time(next), reactions, false};
   source.opens = source.reactions != nullptr && run.row.status == RowStatus::kOk && source.reactions->opens();
   columns.fill(source, row.values);
   row.number = next;
@@ -288,6 +289,10 @@ bool Analysis::next(Row& row) {
 
 const MotionRow& Analysis::motion() const {
   return impl_->run.row;
+}
+
+const Reactions* Analysis::reactions() const {
+  return impl_->reactions;
 }
 
 bool Analysis::stopped() const {
@@ -363,7 +368,8 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
                                                                   {},
                                                                   true,
                                                                   std::move(notes),
-                                                                  {}}));
+                                                                  {},
+                                                                  nullptr}));
 }
 
 }  // namespace higherpair

@@ -26,7 +26,8 @@ struct Analysis::Impl {
   std::vector<Event> events;
   bool good = true;
   Diagnostics notes;
-  ContactForceReport contacts;  ///< of a run with forces, after its last row
+  ContactForceReport contacts;           ///< of a run with forces, after its last row
+  const Reactions* reactions = nullptr;  ///< in the row, of a run with forces
 
   [[nodiscard]] bool next_row(Row& row);
 

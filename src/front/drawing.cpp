@@ -5,6 +5,7 @@
 #include "model_data.hpp"
 #include "reach.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,7 +23,8 @@ tl::unexpected<Error> wrong(const Model& model, std::string what) {
 
 struct Rows {
   std::vector<MotionRow> rows;
-  std::vector<double> drivers;  ///< of each row, in its unit
+  std::vector<Reactions> reactions;  ///< the same, of a run with forces
+  std::vector<double> drivers;       ///< of each row, in its unit
 };
 
 Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
@@ -34,6 +36,7 @@ Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
   Row row;
   while (analysis->next(row)) {
     rows.rows.push_back(analysis->motion());
+    if (analysis->reactions() != nullptr) rows.reactions.push_back(*analysis->reactions());
     rows.drivers.push_back(row.values.front());
   }
   if (analysis->stopped()) {
@@ -60,7 +63,12 @@ Result<Scenes> scene_at(const Model& model, const RunSettings& settings, double 
     return tl::unexpected(reached.error());
   }
   Scenes scenes;
-  scenes.scenes.push_back(maker.at(reached->run.row));
+  if (settings.forces) {
+    InverseDynamics dynamics(reached->run);
+    scenes.scenes.push_back(maker.at(reached->run.row, &dynamics.solve(reached->run)));
+  } else {
+    scenes.scenes.push_back(maker.at(reached->run.row));
+  }
   if (reached->limit) {
     scenes.limit = reached->limit->driver;
     scenes.cause = reached->limit->cause;
@@ -86,13 +94,33 @@ Result<Scenes> scenes_every(const Model& model, RunSettings settings, double ste
     return tl::unexpected(rows.error());
   }
   Scenes scenes;
-  for (const MotionRow& row : rows->rows) {
-    if (has_place(row)) scenes.scenes.push_back(maker.at(row));
+  for (std::size_t i = 0; i < rows->rows.size(); ++i) {
+    const Reactions* reactions = settings.forces ? &rows->reactions[i] : nullptr;
+    if (has_place(rows->rows[i])) scenes.scenes.push_back(maker.at(rows->rows[i], reactions));
   }
   return scenes;
 }
 
 }  // namespace
+
+DrawSettings draw_settings(const Units& units) {
+  const auto unit = [&](const Dimension& of) {
+    return PictureUnit{unit_text(of, units), 1 / from_si(of, units).apply(1)};
+  };
+  DrawSettings settings;
+  settings.length = unit(dimension::kLength);
+  settings.velocity = unit(dimension::kVelocity);
+  settings.acceleration = unit(dimension::kAcceleration);
+  settings.force = unit(dimension::kForce);
+  settings.torque = unit(dimension::kTorque);
+  return settings;
+}
+
+bool has_forces(const Mechanism& mechanism) {
+  return !mechanism.loads.empty() || !mechanism.springs.empty() ||
+         std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [](const Body& body) { return body.mass.has_value(); });
+}
 
 Result<PointRef> find_point(const Model& model, const std::string& name) {
   std::vector<std::string> names;
@@ -117,12 +145,16 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
     }
     traces.push_back(*point);
   }
-  const RunSettings alone = driver_alone(model, settings.tolerance, settings.stop);
+  if (settings.forces && !has_forces(model.mechanism())) {
+    return wrong(model, "there are no forces to draw: give bodies a mass, or add [loads] or [springs]");
+  }
+  RunSettings alone = driver_alone(model, settings.tolerance, settings.stop);
+  alone.forces = settings.forces;
   const auto run = rows_of_run(model, alone);
   if (!run) {
     return tl::unexpected(run.error());
   }
-  SceneMaker maker(model.mechanism(), run->rows, traces);
+  SceneMaker maker(model.mechanism(), run->rows, traces, run->reactions);
   if (settings.every) {
     return scenes_every(model, alone, *settings.every, *run, maker);
   }

@@ -1,5 +1,6 @@
 #include "higherpair/front/report.hpp"
 
+#include "higherpair/front/drawing.hpp"
 #include "model_data.hpp"
 #include "reach.hpp"
 #include "report_data.hpp"
@@ -15,12 +16,6 @@ namespace higherpair {
 namespace {
 
 constexpr std::string_view kDataMark = "@REPORT_DATA@";
-
-bool has_forces(const Mechanism& mechanism) {
-  return !mechanism.loads.empty() || !mechanism.springs.empty() ||
-         std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
-                     [](const Body& body) { return body.mass.has_value(); });
-}
 
 std::size_t driver_column(const std::vector<Column>& columns) {
   const auto found = std::find_if(columns.begin(), columns.end(),

@@ -85,6 +85,9 @@ TEST_F(Draw, RefusesWhatIsWrong) {
   };
   EXPECT_THAT(message("four_bar.toml -o w.svg --layers joints"),
               HasSubstr("--layers: there is no layer joints; did you mean `joint`?"));
+  EXPECT_THAT(message("four_bar.toml -o w.svg --layers forces"),
+              HasSubstr("--layers: there is no layer forces; did you mean `force`?"));
+  EXPECT_THAT(message("four_bar.toml -o w.svg --layers force"), HasSubstr("there are no forces to draw"));
   EXPECT_THAT(message("four_bar.toml -o w.svg --trace E"),
               HasSubstr("there is no point E; there are ground.O2"));
   EXPECT_THAT(message("four_bar.toml -o w.svg --at 1 --every 2"), HasSubstr("--at excludes --every"));

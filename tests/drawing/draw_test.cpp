@@ -3,6 +3,8 @@
 #include "higherpair/higherpair.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <map>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -162,6 +164,76 @@ TEST(Scenes, OfSeveralDriversAreThoseOfTheNearestRow) {
   const auto scenes = scenes_of(model, settings);
   ASSERT_TRUE(scenes);
   EXPECT_NEAR(scenes->scenes.front().places[1].theta, rows_of(model)[5].bodies[1].theta, 1e-12);
+}
+
+// Of a joint's second body, to the scene's scale; the driver's torque as an arc.
+TEST(Drawing, HasTheForcesOfTheTable) {
+  const Model model = shipped("watt_sixbar_forces");
+  SceneSettings at;
+  at.at = 60;
+  at.forces = true;
+  const auto scenes = scenes_of(model, at).value();
+  const Scene& scene = scenes.scenes.front();
+  RunSettings settings;
+  settings.forces = true;
+  settings.positions = {0, 60};
+  const Motion motion = model.run(settings).value();
+  std::size_t arrows = 0, arcs = 0;
+  for (const Shape& shape : scene.moving) {
+    if (shape.role != Role::kForce) continue;
+    if (shape.kind == Shape::Kind::kPath) {
+      EXPECT_EQ(shape.name, "driver");
+      arcs += shape.numbers.empty() ? 0 : 1;
+      continue;
+    }
+    ASSERT_EQ(shape.numbers.size(), 4U) << shape.name;
+    const Vector2d drawn(shape.numbers[2] - shape.numbers[0], shape.numbers[3] - shape.numbers[1]);
+    const Vector2d force(motion.column(shape.name + ".fx")[1], motion.column(shape.name + ".fy")[1]);
+    EXPECT_LT((drawn - scene.force_scale * force).norm(), 1e-9 * scene.unit) << shape.name;
+    ++arrows;
+  }
+  EXPECT_EQ(arrows, model.mechanism().joints.size());
+  EXPECT_EQ(arcs, 2U);  // and its head
+}
+
+TEST(Drawing, OfForcesNeedsSomethingThatLoads) {
+  SceneSettings settings;
+  settings.forces = true;
+  const auto scenes = scenes_of(shipped("four_bar"), settings);
+  ASSERT_FALSE(scenes);
+  EXPECT_EQ(scenes.error().kind, ErrorKind::kInput);
+  EXPECT_THAT(to_string(scenes.error()), HasSubstr("there are no forces to draw: give bodies a mass"));
+}
+
+// Each scale is a round number, and as long as what it says.
+TEST(Drawing, HasTheScalesOfItsArrows) {
+  SceneSettings at;
+  at.forces = true;
+  const Model model = shipped("watt_sixbar_forces");
+  const auto scenes = scenes_of(model, at).value();
+  DrawSettings settings = draw_settings(model.units());
+  settings.layers = {Role::kVelocity, Role::kForce};
+  std::map<std::string, std::string> texts;
+  std::map<std::string, double> lengths;
+  const Reading picture(draw_svg(scenes.scenes, settings));
+  for (const Element& element : picture.elements) {
+    if (element.role != "scale" || element.name.empty()) continue;
+    if (element.tag == "text") {
+      texts.emplace(element.name, element.text);
+    } else if (element.name != "torque") {
+      double x0 = 0, x1 = 0, y = 0;
+      std::sscanf(element.attributes.at("d").c_str(), "M%lf %lfL%lf", &x0, &y, &x1);
+      lengths[element.name] = x1 - x0;
+    }
+  }
+  ASSERT_THAT(texts["force"], ::testing::MatchesRegex("[125]0* N"));
+  const Scene& scene = scenes.scenes.front();
+  const double px_per_mm = picture.scale / 1000 / settings.length.si;
+  EXPECT_NEAR(lengths["force"], std::stod(texts["force"]) * scene.force_scale * px_per_mm, 1e-3);
+  ASSERT_THAT(texts["velocity"], ::testing::HasSubstr("/s"));
+  EXPECT_NEAR(lengths["velocity"],
+              std::stod(texts["velocity"]) * settings.velocity.si * 1000 * scene.velocity_scale * px_per_mm,
+              1e-3);
 }
 
 TEST(Drawing, EscapesWhatAProfileSays) {

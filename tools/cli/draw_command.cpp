@@ -8,6 +8,7 @@
 #include "positive_number.hpp"
 #include "run_command.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -53,7 +54,7 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
       ->add_option(
           "--layers", options.layers,
           "LAYER[,LAYER]: what is drawn: ground, link, body, joint, gear, spring, contact, normal, tangent, "
-          "curvature, linkage, center, trace, velocity, acceleration, label")
+          "curvature, linkage, center, trace, velocity, acceleration, force, label")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--trace", options.traces, "BODY.POINT: draw the path of this point; repeatable")
@@ -82,18 +83,17 @@ int draw_command(const DrawOptions& options) {
   settings.at = options.at;
   settings.every = options.every;
   settings.traces = options.traces;
+  settings.forces = std::find(layers->begin(), layers->end(), Role::kForce) != layers->end();
   settings.tolerance = options.tolerance;
   const auto scenes = scenes_of(*model, settings);
   if (!scenes) {
     return report_error(scenes.error());
   }
-  DrawSettings draw;
+  DrawSettings draw = draw_settings(model->units());
   draw.layers = *layers;
   draw.width = options.width;
   draw.strip = options.strip;
   draw.title = model->mechanism().title;
-  draw.unit = unit_text(dimension::kLength, model->units());
-  draw.unit_mm = 1000 / from_si(dimension::kLength, model->units()).apply(1);
   if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}})) {
     return kExitMachine;
   }

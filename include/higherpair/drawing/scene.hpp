@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/description.hpp"
 
 #include <array>
@@ -28,7 +29,7 @@ enum class Role {  // in the order in which they are drawn, one over the other
   kTrace,          ///< path of a point
   kVelocity,       ///< arrows
   kAcceleration,   ///< arrows
-  kForce,          ///< arrows
+  kForce,          ///< arrows: what joints and contacts do to their second bodies, and the drivers' effort
   kLabel,          ///< names
 };
 inline constexpr int kRoleCount = 17;
@@ -71,6 +72,8 @@ struct Scene {
   double unit = 1;                ///< [mm] in which symbols are drawn: a pin has the radius 1
   double velocity_scale = 0;      ///< length of an arrow for a velocity [mm/(mm/s)]; 0: nothing moves
   double acceleration_scale = 0;  ///< the same for an acceleration [mm/(mm/s²)]
+  double force_scale = 0;         ///< the same for a force [mm/N]; 0: there are none
+  double torque_scale = 0;        ///< turn of the arc for a driving torque [rad/(N m)]; 0: there are none
   std::vector<Shape> fixed;       ///< drawn in this order, the ground first
   std::vector<Shape> moving;      ///< drawn after them
   bool defined = true;            ///< false: the row has no position
@@ -87,19 +90,22 @@ public:
   /// \param rows    of a motion, at least one with a position: how much room the picture needs, and how far
   ///                slides and contacts travel
   /// \param traces  points whose paths are drawn, besides those that are joined to nothing
+  /// \param reactions  in the same rows; empty: no forces are drawn
   SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
-             const std::vector<PointRef>& traces = {});
+             const std::vector<PointRef>& traces = {}, const std::vector<Reactions>& reactions = {});
 
   /// The scene of the row given last; at first of the first one that has a place.
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
   /// The scene of a row; the reference holds until the next call.
-  const Scene& at(const MotionRow& row);
+  /// \param reactions  in this row, where the maker has any; none: forces are left out
+  const Scene& at(const MotionRow& row, const Reactions* reactions = nullptr);
 
 private:
   const Mechanism* mechanism_;
   Scene scene_;
-  double largest_ = 1;    // circle that is drawn [mm]
+  double largest_ = 1;  // circle that is drawn [mm]
+  bool forces_ = false;
   std::size_t next_ = 0;  // of scene_.moving, while it is filled
 
   Shape& next(Role role, const std::string& name, Shape::Kind kind, bool closed = false);
@@ -108,6 +114,8 @@ private:
   void add_spring(const MotionRow& row, const Spring& spring);
   void add_belt(const MotionRow& row, const Joint& joint);
   void add_motion(const MotionRow& row, int body);
+  void add_forces(const MotionRow& row, const Reactions& reactions);
+  void add_effort(const MotionRow& row, const Driver& driver, double effort);
 };
 
 }  // namespace higherpair

@@ -1,0 +1,137 @@
+#include "draw_foot.hpp"
+
+#include "higherpair/geometry/vector.hpp"
+#include "text_layout.hpp"
+#include "ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kHead = 8;        // length of an arrow's head [px]
+constexpr double kShortest = 0.5;  // arrow that is drawn [px]
+constexpr double kMargin = 12;     // [px], as all lengths here
+constexpr double kFirstLine = 26;
+constexpr double kLine = 20;  // from one line of samples to the next
+constexpr double kFont = 14;
+constexpr double kArcRadius = 6;
+constexpr double kLongestArrow = 90;
+
+// The largest of 1, 2 or 5 times a power of ten that is not larger.
+double round_down(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  const double digit = value / power;
+  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
+std::string quantity(double value, const PictureUnit& unit) {
+  return fmt::format("{:g} {}", value, printed_unit(unit.name));
+}
+
+bool has(const std::vector<Role>& layers, Role role) {
+  return std::find(layers.begin(), layers.end(), role) != layers.end();
+}
+
+}  // namespace
+
+void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& style, const std::string& role,
+                const std::string& name) {
+  const Vector2d from(px[0], px[1]), to(px[2], px[3]);
+  const double length = (to - from).norm();
+  if (!(length > kShortest)) {
+    return;
+  }
+  svg.element("path",
+              {{"class", style}, {"data-role", role}, {"data-name", name}, {"d", SvgPath().polyline(px)}});
+  const Vector2d d = (to - from) / length * std::min(kHead, length);
+  const Vector2d a = to - d + 0.32 * perp(d), b = to - d - 0.32 * perp(d);
+  const std::vector<double> head{to.x(), to.y(), a.x(), a.y(), b.x(), b.y()};
+  svg.element(
+      "path",
+      {{"class", style + " head"}, {"data-role", role + "-head"}, {"d", SvgPath().polyline(head, true)}});
+}
+
+DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers,
+                   double scale, double width) {
+  constexpr double kMillimetres = 1000;  // in a metre
+  const double unit = settings.length.si * kMillimetres;
+  const double length = round_down(scene.view.size().x() / unit / 5);
+  samples_.push_back({"scale", length * unit * scale, 0, quantity(length, settings.length)});
+  const auto add_arrow = [&](Role role, double mm_per_si, const PictureUnit& of) {
+    const double px = scale * mm_per_si * of.si;
+    if (!has(layers, role) || !(px > 0)) return;
+    const double value = round_down(std::min(kLongestArrow, 0.12 * settings.width) / px);
+    samples_.push_back({std::string(name_of(role)), value * px, 0, quantity(value, of)});
+  };
+  add_arrow(Role::kVelocity, scene.velocity_scale * kMillimetres, settings.velocity);
+  add_arrow(Role::kAcceleration, scene.acceleration_scale * kMillimetres, settings.acceleration);
+  add_arrow(Role::kForce, scene.force_scale, settings.force);
+  const double turn = scene.torque_scale * settings.torque.si;
+  if (has(layers, Role::kForce) && turn > 0) {
+    const double value = round_down(1.5 * kPi / turn);
+    samples_.push_back({"force", 2 * kArcRadius, value * turn, quantity(value, settings.torque)});
+  }
+  lay_out(width);
+}
+
+void DrawFoot::lay_out(double width) {
+  double x = kMargin;
+  int line = 0;
+  for (Sample& sample : samples_) {
+    const bool above = &sample == &samples_.front();  // its text
+    const double needed = sample.length + (above ? 0 : 6 + text_width(sample.text, kFont));
+    if (x > kMargin && x + needed > width - kMargin) {
+      x = kMargin;
+      ++line;
+    }
+    sample.x = x;
+    sample.line = line;
+    x += needed + 2 * kMargin;
+  }
+}
+
+double DrawFoot::height() const {
+  return kFirstLine + kLine * samples_.back().line;
+}
+
+void DrawFoot::draw(SvgWriter& svg, double top) const {
+  for (const Sample& sample : samples_) {
+    draw_sample(svg, sample, top + kFirstLine - 9 + kLine * sample.line);
+  }
+}
+
+void DrawFoot::draw_sample(SvgWriter& svg, const Sample& sample, double y) const {
+  const double left = sample.x, right = sample.x + sample.length;
+  if (&sample == &samples_.front()) {
+    SvgPath bar;
+    bar.move_to(left, y - 4).line_to(left, y + 4).move_to(left, y).line_to(right, y);
+    svg.element(
+        "path",
+        {{"class", "scale"}, {"data-role", "scale"}, {"d", bar.move_to(right, y - 4).line_to(right, y + 4)}});
+    svg.text({{"data-role", "scale"}, {"x", (left + right) / 2}, {"y", y - 10}}, sample.text);
+    return;
+  }
+  if (sample.turn > 0) {
+    const Vector2d center(left + kArcRadius, y);
+    const auto at = [&](double turn) {
+      const Vector2d d = unit_vector(kPi / 2 + turn);
+      return Vector2d(center.x() + kArcRadius * d.x(), center.y() - kArcRadius * d.y());
+    };
+    const Vector2d from = at(0), to = at(sample.turn);
+    SvgPath arc;
+    arc.move_to(from.x(), from.y()).arc_to(kArcRadius, sample.turn > kPi, false, to.x(), to.y());
+    svg.element("path",
+                {{"class", sample.role}, {"data-role", "scale"}, {"data-name", "torque"}, {"d", arc}});
+  } else {
+    draw_arrow(svg, std::vector{left, y, right, y}, sample.role, "scale", sample.role);
+  }
+  svg.text(
+      {{"class", "sample"}, {"data-role", "scale"}, {"data-name", sample.role}, {"x", right + 6}, {"y", y}},
+      sample.text);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "higherpair/drawing/draw.hpp"
+#include "svg_writer.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// An arrow in px: its line and its head.
+void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& style, const std::string& role,
+                const std::string& name);
+
+/// What stands below a picture: the scale of lengths, and one for each kind of arrow that is drawn.
+class DrawFoot {
+public:
+  /// \param scale   of the picture [px/mm]
+  /// \param width   of all of it [px]
+  DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers, double scale,
+           double width);
+
+  [[nodiscard]] double height() const;  ///< [px]
+  /// \param top  where it begins [px]
+  void draw(SvgWriter& svg, double top) const;
+
+private:
+  struct Sample {
+    std::string role;
+    double length = 0;  // [px]
+    double turn = 0;    // of an arc instead [rad]
+    std::string text;
+    double x = 0;
+    int line = 0;
+  };
+  std::vector<Sample> samples_;
+
+  void draw_sample(SvgWriter& svg, const Sample& sample, double y) const;
+  void lay_out(double width);
+};
+
+}  // namespace higherpair

@@ -1,0 +1,107 @@
+#include "higherpair/geometry/motion.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kMillimetre = 1000;  // of a metre
+constexpr double kTurnRadius = 6;     // of the arc of a torque [units]
+constexpr double kMostTurn = 1.75 * kPi;
+constexpr double kHead = 1.7;    // length of the arc's head [units]
+constexpr double kDrawn = 0.02;  // least turn of an arc [rad]
+constexpr double kArcStep = kPi / 24;
+
+using Kind = Shape::Kind;
+
+// Counter-clockwise where turn > 0, beginning at the top.
+void set_arc(Shape& arc, const Vector2d& center, double radius, double turn) {
+  const int count = 1 + static_cast<int>(std::abs(turn) / kArcStep);
+  for (int i = 0; i <= count; ++i) {
+    const Vector2d p = center + radius * unit_vector(kPi / 2 + turn * i / count);
+    arc.numbers.insert(arc.numbers.end(), {p.x(), p.y()});
+  }
+}
+
+void set_arc_head(Shape& head, const Vector2d& center, double radius, double turn, double longest) {
+  const Vector2d outward = unit_vector(kPi / 2 + turn);
+  const Vector2d tip = center + radius * outward;
+  const double length = std::min(longest, radius * std::abs(turn));
+  const Vector2d along = std::copysign(length, turn) * perp(outward);
+  const Vector2d a = tip + 0.4 * length * outward, b = tip - 0.4 * length * outward, c = tip + along;
+  head.numbers.assign({c.x(), c.y(), a.x(), a.y(), b.x(), b.y()});
+}
+
+}  // namespace
+
+LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reactions) {
+  double largest = 0, torque = 0;
+  for (const JointReaction& joint : reactions.joints) {
+    if (joint.fx && joint.fy) largest = std::max(largest, std::hypot(*joint.fx, *joint.fy));
+  }
+  for (const ContactReaction& contact : reactions.contacts) {
+    if (contact.force && contact.friction)
+      largest = std::max(largest, std::hypot(*contact.force, *contact.friction));
+  }
+  for (std::size_t i = 0; i < reactions.drivers.size(); ++i) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
+    double& of_kind = has_angle(joint.type) ? torque : largest;
+    of_kind = std::max(of_kind, std::abs(reactions.drivers[i].effort.value_or(0)));
+  }
+  return {largest, torque};
+}
+
+// Each on the second body of its joint or contact, from the point at which it acts.
+void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
+  const auto add_arrow = [&](const std::string& name, const Vector2d& p_W, const Vector2d& force) {
+    Shape& arrow = next(Role::kForce, name, Kind::kArrow);
+    const Vector2d from = kMillimetre * p_W, to = from + scene_.force_scale * force;
+    if (force.norm() > 0) arrow.numbers.assign({from.x(), from.y(), to.x(), to.y()});
+  };
+  const auto place = [&](const Joint& joint) {
+    return Vector2d(row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
+                    point_of(*mechanism_, joint.second));
+  };
+  for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
+    const Joint& joint = mechanism_->joints[i];
+    const JointReaction& reaction = reactions.joints[i];
+    if (couples_turning(joint.type)) continue;  // passes on moments only
+    add_arrow(joint.name, place(joint), {reaction.fx.value_or(0), reaction.fy.value_or(0)});
+  }
+  for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
+    const CommonNormal& at = row.contacts[i].at;
+    const ContactReaction& reaction = reactions.contacts[i];
+    add_arrow(mechanism_->contacts[i].name, at.p_W(),
+              reaction.force.value_or(0) * at.n_W + reaction.friction.value_or(0) * perp(at.n_W));
+  }
+  for (std::size_t i = 0; i < mechanism_->drivers.size(); ++i) {
+    add_effort(row, mechanism_->drivers[i], reactions.drivers[i].effort.value_or(0));
+  }
+}
+
+// A force along the slide, or a torque as an arc around the pin.
+void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double effort) {
+  const Joint& joint = mechanism_->joints[static_cast<std::size_t>(driver.joint)];
+  const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+  const Vector2d p = kMillimetre * (row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
+                                    point_of(*mechanism_, joint.second));
+  if (has_angle(joint.type)) {
+    const double turn = std::clamp(scene_.torque_scale * effort, -kMostTurn, kMostTurn);
+    const bool is_drawn = std::abs(turn) > kDrawn;
+    const double radius = kTurnRadius * scene_.unit;
+    Shape& arc = next(Role::kForce, name, Kind::kPath);
+    if (is_drawn) set_arc(arc, p, radius, turn);
+    Shape& head = next(Role::kForce, name, Kind::kPath, true);
+    if (is_drawn) set_arc_head(head, p, radius, turn, kHead * scene_.unit);
+    return;
+  }
+  Shape& arrow = next(Role::kForce, name, Kind::kArrow);
+  const Vector2d along = row.bodies[static_cast<std::size_t>(joint.first.body)].X_WB.R_WB * joint.direction_A;
+  const Vector2d to = p + scene_.force_scale * effort * along;
+  if (effort != 0) arrow.numbers.assign({p.x(), p.y(), to.x(), to.y()});
+}
+
+}  // namespace higherpair
