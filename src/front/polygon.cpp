@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace higherpair {
-namespace {
 
 void to_units(std::vector<Polygon>& polygons, const Units& units) {
   for (Polygon& polygon : polygons) {
@@ -16,8 +15,6 @@ void to_units(std::vector<Polygon>& polygons, const Units& units) {
     convert(polygon, from_si(of, units).apply(1), unit_text(of, units));
   }
 }
-
-}  // namespace
 
 Result<Polygons> polygons_of(const Model& model, const PolygonSettings& wanted) {
   const auto reached = reach(model, driver_alone(model, wanted.tolerance, wanted.stop), wanted.at);

@@ -49,6 +49,7 @@ ReportData collect(Analysis& analysis, const ReportSettings& settings) {
     if (row.number % stride == 0 || row.number == data.size - 1) {
       data.rows.push_back(row);
       data.motions.push_back(analysis.motion());
+      if (analysis.reactions() != nullptr) data.reactions.push_back(*analysis.reactions());
     }
     if (settings.progress) {
       settings.progress(row.number, data.size);

@@ -23,10 +23,11 @@ struct Extremes {
 /// What a report tells of a run.
 struct ReportData {
   std::vector<Column> columns;
-  std::int64_t size = 0;           ///< rows of the whole run
-  std::vector<Row> rows;           ///< that the page holds
-  std::vector<MotionRow> motions;  ///< the same
-  std::vector<Extremes> extremes;  ///< of columns, over the whole run
+  std::int64_t size = 0;             ///< rows of the whole run
+  std::vector<Row> rows;             ///< that the page holds
+  std::vector<MotionRow> motions;    ///< the same
+  std::vector<Reactions> reactions;  ///< the same, of a run with forces
+  std::vector<Extremes> extremes;    ///< of columns, over the whole run
   /// Of columns: what is small against it by kNoise is rounding.
   std::vector<double> scales;
   std::vector<Event> events;

@@ -1,39 +1,29 @@
-#include "higherpair/drawing/scene.hpp"
-#include "json_writer.hpp"
+#include "packed_series.hpp"
 #include "report_data.hpp"
+#include "report_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 
 namespace higherpair {
 namespace {
 
 constexpr int kPlaceDigits = 8;
-constexpr int kShapeDigits = 6;  // of what is drawn in one row alone
 constexpr int kValueDigits = 10;
+constexpr double kValueSteps = 4e10;   // of the largest value of a column
 constexpr double kMillimetres = 1000;  // in a metre
-constexpr double kSamePlace = 1e-6;    // of the picture, and [rad]: first and last row show one picture
 
-void write(JsonWriter& json, std::span<const double> numbers, int digits) {
-  json.open('[');
-  for (const double number : numbers) {
-    json.number(number, digits);
-  }
-  json.close(']');
-}
-
-// The number that a column has in every row is written once.
 void write_values(JsonWriter& json, const ReportData& data, std::size_t column) {
   std::vector<double> values;
   for (const Row& row : data.rows) {
     values.push_back(row.values[column]);
   }
-  const bool constant =
-      std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
+  const auto& [low, high] = data.extremes[column];
+  const double largest = std::max(std::abs(low.value), std::abs(high.value));
+  const bool words = !data.columns[column].words.empty();
   json.key("values");
-  write(json, std::span(values).first(constant ? 1 : values.size()), kValueDigits);
+  write_packed(json, values, words ? 1 : largest / kValueSteps);
 }
 
 void write_columns(JsonWriter& json, const ReportData& data) {
@@ -51,106 +41,6 @@ void write_columns(JsonWriter& json, const ReportData& data) {
     json.close('}');
   }
   json.close(']');
-}
-
-std::string_view name_of(Shape::Kind kind) {
-  switch (kind) {
-    case Shape::Kind::kPath:
-      return "path";
-    case Shape::Kind::kCircle:
-      return "circle";
-    case Shape::Kind::kArrow:
-      return "arrow";
-    case Shape::Kind::kText:
-      break;
-  }
-  return "text";
-}
-
-void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shape>& shapes, bool numbers) {
-  json.key(key).open('[');
-  for (const Shape& shape : shapes) {
-    json.open('{')
-        .key("role")
-        .string(higherpair::name_of(shape.role))
-        .key("kind")
-        .string(name_of(shape.kind));
-    json.key("name").string(shape.name);
-    if (shape.body != 0) json.key("body").integer(shape.body);
-    if (shape.closed) json.key("closed").boolean(true);
-    if (!shape.text.empty()) json.key("text").string(shape.text);
-    if (numbers) {
-      json.key("numbers");
-      write(json, shape.numbers, kPlaceDigits);
-    }
-    json.close('}');
-  }
-  json.close(']');
-}
-
-struct RowScene {
-  bool defined = false;
-  std::vector<Scene::Place> places;
-};
-
-void write_moving(JsonWriter& json, const Scene& scene) {
-  json.open('[');
-  for (const Shape& shape : scene.moving) {
-    write(json, shape.numbers, kShapeDigits);
-  }
-  json.close(']');
-}
-
-void write_place(JsonWriter& json, const RowScene& row) {
-  if (!row.defined) {
-    json.null();
-    return;
-  }
-  json.open('[');
-  for (const Scene::Place& place : row.places) {
-    json.number(place.x, kPlaceDigits).number(place.y, kPlaceDigits).number(place.theta, kPlaceDigits);
-  }
-  json.close(']');
-}
-
-bool same_place(const RowScene& a, const RowScene& b, const Box& view) {
-  const double near = kSamePlace * view.size().norm();
-  return a.defined && b.defined &&
-         std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
-                    [&](const Scene::Place& p, const Scene::Place& q) {
-                      return std::hypot(p.x - q.x, p.y - q.y) <= near &&
-                             std::abs(std::remainder(p.theta - q.theta, 2 * kPi)) <= kSamePlace;
-                    });
-}
-
-// Shapes, and where they are in every row.
-void write_scene(JsonWriter& json, const Mechanism& mechanism, const ReportData& data) {
-  SceneMaker maker(mechanism, data.motions);
-  std::vector<RowScene> rows;
-  JsonWriter moving;
-  std::vector<Shape> shapes;
-  moving.open('[');
-  for (const MotionRow& motion : data.motions) {
-    const Scene& scene = maker.at(motion);
-    if (shapes.size() < scene.moving.size()) shapes = scene.moving;
-    rows.push_back({scene.defined, scene.places});
-    write_moving(moving, scene);
-  }
-  moving.close(']');
-  const Scene& scene = maker.scene();
-  json.key("scene").open('{').key("view");
-  write(json, std::vector{scene.view.low.x(), scene.view.low.y(), scene.view.high.x(), scene.view.high.y()},
-        kPlaceDigits);
-  json.key("unit").number(scene.unit, kPlaceDigits).key("bodies").open('[');
-  for (const Body& body : mechanism.bodies) json.string(body.name);
-  json.close(']');
-  write_shapes(json, "fixed", scene.fixed, true);
-  write_shapes(json, "moving", shapes, false);
-  json.close('}');
-  json.key("closed").boolean(rows.size() > 2 && same_place(rows.front(), rows.back(), scene.view));
-  json.key("places").open('[');
-  for (const RowScene& row : rows) write_place(json, row);
-  json.close(']').key("moving").raw(moving.take());
 }
 
 void write_driver(JsonWriter& json, const Model& model) {
@@ -180,7 +70,7 @@ void write_joints(JsonWriter& json, const Mechanism& mechanism) {
         .key("body")
         .integer(joint.second.body)
         .key("point");
-    write(json, std::vector{point.x(), point.y()}, kPlaceDigits);
+    json.open('[').number(point.x(), kPlaceDigits).number(point.y(), kPlaceDigits).close(']');
     json.close('}');
   }
   json.close(']').key("contacts").open('[');
@@ -237,7 +127,7 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   const Mechanism& mechanism = model.mechanism();
   const Units& units = model.units();
   JsonWriter json;
-  json.open('{').key("format").integer(1).key("title").string(mechanism.title);
+  json.open('{').key("format").integer(2).key("title").string(mechanism.title);
   json.key("description").string(mechanism.description);
   json.key("version").string(HIGHERPAIR_VERSION).key("file");
   json.string(std::filesystem::path(model.profile().source).filename().string());
@@ -250,7 +140,9 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   write_facts(json, mechanism, data);
   write_events(json, data);
   write_columns(json, data);
-  write_scene(json, mechanism, data);
+  write_scene(json, model, data);
+  write_polygons(json, model, data);
+  write_maps(json, model, data);
   return json.close('}').take();
 }
 

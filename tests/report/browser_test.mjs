@@ -1,18 +1,24 @@
 // Every shipped profile's report in a real browser: it says nothing on the console and asks nothing of the network,
-// what it draws is where the table of `analyze` says, and all of its controls move it.
+// what it draws is where the table of `analyze` says, and its controls move it.
 //   node browser_test.mjs PROGRAM PROFILES PAGE_FOLDER OUTPUT_FOLDER [PROFILE …]
-import { execFileSync } from "node:child_process";
+import { execFile, execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, rmSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
-import { join } from "node:path";
+import { cpus } from "node:os";
+import { basename, join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { checkControls, checkDrag } from "./controls.mjs";
-import { checkDrawing } from "./drawing.mjs";
 import { Checks, parseCsv } from "./checks.mjs";
-import { checkLongRun, checkSaving, checkTitle } from "./special.mjs";
+import { checkControls, checkDrag, checkSlider } from "./controls.mjs";
+import { checkDrawing } from "./drawing.mjs";
+import { checkFigures } from "./figures.mjs";
+import { checkFrames, checkLongRun, checkSaving, checkTitle } from "./special.mjs";
 
 const SKIPPED = 77; // of ctest
 const LARGEST_PAGE = 2 * 1024 * 1024;
+/** All controls, dark mode and the size of a phone are tried on these, which are of different kinds. */
+const LOOKED_AT_CLOSELY = [
+  "ellipse_cam_roller", "lock_up", "slider_crank", "five_bar", "watt_sixbar_forces", "flat_faced_translating", "planetary_gear",
+];
 const [program, profiles, pageFolder, output, ...wanted] = process.argv.slice(2);
 const reports = join(output, "reports of profiles"); // names with spaces are names
 const screens = join(output, "screens");
@@ -31,17 +37,17 @@ function findBrowser() {
 
 /** Runs the program; any exit code but those is an error. */
 function run(args, codes = [0]) {
-  try {
-    return execFileSync(program, args, { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
-  } catch (error) {
-    if (codes.includes(error.status)) return error.stdout;
-    throw error;
-  }
+  return new Promise((done, fail) => {
+    execFile(program, args, { encoding: "utf8", maxBuffer: 1 << 28 }, (error, stdout) => {
+      if (error === null || codes.includes(error.code)) done(stdout);
+      else fail(error);
+    });
+  });
 }
 
-function report(profile, name, ...options) {
+async function report(profile, name, ...options) {
   const file = join(reports, `${name}.html`);
-  run(["report", profile, "-o", file, "--quiet", ...options], [0, 4]);
+  await run(["report", profile, "-o", file, "--quiet", ...options], [0, 4]);
   return file;
 }
 
@@ -59,16 +65,15 @@ async function open(context, file, checks) {
   return page;
 }
 
-async function checkSizesAndColours(page, name, checks) {
-  const luminance = () =>
-    page.evaluate(() => {
-      const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
-      return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
-    });
-  checks.true((await luminance()) > 0.8, "light is not light");
-  await page.screenshot({ path: join(screens, `${name}.png`), fullPage: true });
+const luminance = (page) =>
+  page.evaluate(() => {
+    const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
+    return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
+  });
+
+async function checkDarkAndPhone(page, name, checks) {
   await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
-  checks.true((await luminance()) < 0.2, "dark is not dark");
+  checks.true((await luminance(page)) < 0.2, "dark is not dark");
   await page.screenshot({ path: join(screens, `${name}-dark.png`) });
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
   await page.setViewportSize({ width: 375, height: 740 });
@@ -79,21 +84,51 @@ async function checkSizesAndColours(page, name, checks) {
   await page.screenshot({ path: join(screens, `${name}-phone.png`) });
 }
 
-async function checkProfile(context, file, checks) {
-  const name = file.replace(/\.toml$/, "");
-  const profile = join(profiles, file);
-  const html = report(profile, name);
+async function checkProfile(context, name, made, checks) {
+  const { html, table } = await made;
   checks.true(statSync(html).size < LARGEST_PAGE, "the page is 2 MiB or more");
-  const table = parseCsv(run(["analyze", profile, "--quiet"], [0, 4]));
   const page = await open(context, html, checks);
   checks.equal(await page.evaluate(() => higherpair.state().playing), false, "plays although motion is reduced");
   checks.equal(await page.evaluate(() => higherpair.rows.length), table.rows.length, "rows");
+  checks.true((await luminance(page)) > 0.8, "light is not light");
   await checkDrawing(page, table, checks);
-  await checkControls(page, table, checks);
-  await checkDrag(page, table, checks);
-  await page.evaluate((row) => higherpair.go(row), Math.round(0.15 * table.rows.length));
-  await checkSizesAndColours(page, name, checks);
+  await checkFigures(page, table, checks);
+  await checkSlider(page, table, checks);
+  await page.screenshot({ path: join(screens, `${name}.png`), fullPage: true });
+  if (LOOKED_AT_CLOSELY.includes(name)) {
+    await page.bringToFront();
+    await checkControls(page, table, checks);
+    await checkDrag(page, table, checks);
+    await checkDarkAndPhone(page, name, checks);
+  }
   await page.close();
+}
+
+/** Report and table of each profile, so many at a time as there are processors. */
+function makeAll(names) {
+  const waiting = new Map(names.map((name) => [name, withResolvers()]));
+  const queue = [...names];
+  const work = async () => {
+    for (let name = queue.shift(); name !== undefined; name = queue.shift()) {
+      const profile = join(profiles, `${name}.toml`);
+      try {
+        const html = await report(profile, name);
+        const table = parseCsv(await run(["analyze", profile, "--quiet"], [0, 4]));
+        waiting.get(name).resolve({ html, table });
+      } catch (error) {
+        waiting.get(name).reject(error);
+      }
+    }
+  };
+  cpus().forEach(work);
+  return waiting;
+}
+
+function withResolvers() {
+  const made = {};
+  made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
+  made.promise.catch(() => {}); // whoever waits for it sees it
+  return made;
 }
 
 const executablePath = findBrowser();
@@ -101,6 +136,12 @@ const { chromium } = createRequire(join(pageFolder, "package.json"))("playwright
 for (const folder of [reports, screens]) mkdirSync(folder, { recursive: true });
 const userData = join(output, "browser");
 rmSync(userData, { recursive: true, force: true });
+const names = readdirSync(profiles)
+  .filter((file) => file.endsWith(".toml"))
+  .map((file) => basename(file, ".toml"))
+  .filter((name) => wanted.length === 0 || wanted.includes(name))
+  .sort();
+const made = makeAll(names);
 const context = await chromium.launchPersistentContext(userData, {
   executablePath,
   headless: true,
@@ -111,18 +152,17 @@ const context = await chromium.launchPersistentContext(userData, {
 });
 const all = [];
 try {
-  for (const file of readdirSync(profiles).filter((one) => one.endsWith(".toml")).sort()) {
-    if (wanted.length > 0 && !wanted.includes(file.replace(/\.toml$/, ""))) continue;
-    const checks = new Checks(file);
+  for (const name of names) {
+    const checks = new Checks(name);
     all.push(checks);
-    await checkProfile(context, file, checks);
+    const began = performance.now();
+    await checkProfile(context, name, made.get(name).promise, checks);
+    console.log(`${name}: ${((performance.now() - began) / 1000).toFixed(1)} s`);
   }
   const special = new Checks("special");
   all.push(special);
   const tools = { report, profiles, open: (file) => open(context, file, special) };
-  await checkTitle(tools, special);
-  await checkLongRun(tools, special);
-  await checkSaving(tools, special);
+  for (const check of [checkTitle, checkLongRun, checkSaving, checkFrames]) await check(tools, special);
 } finally {
   await context.close();
 }

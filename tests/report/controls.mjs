@@ -1,11 +1,12 @@
 // Slider, keys, layers, plots and the driven body itself move what is shown.
 
+import { checkRow } from "./drawing.mjs";
+
 const state = (page) => page.evaluate(() => higherpair.state());
 
 export async function checkControls(page, table, checks) {
   const end = table.rows.length - 1;
   await checkKeys(page, end, checks);
-  await checkSlider(page, end, checks);
   await checkLayers(page, checks);
   await checkPlots(page, table, checks);
   await page.locator("#play").click();
@@ -31,10 +32,13 @@ async function checkKeys(page, end, checks) {
   await page.keyboard.press("Home");
 }
 
-async function checkSlider(page, end, checks) {
+/** The slider moves what is drawn to where the table says. */
+export async function checkSlider(page, table, checks) {
+  const end = table.rows.length - 1;
   const slider = page.locator("#row");
   await slider.fill(String(Math.round(end / 3)));
   checks.equal((await state(page)).row, Math.round(end / 3), "row after the slider");
+  await checkRow(page, table, Math.round(end / 3), checks);
   const box = await slider.boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   checks.near((await state(page)).row, end / 2, 0.02 * end + 1, "row after a click on the slider");

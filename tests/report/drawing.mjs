@@ -4,19 +4,24 @@ const NEAR = 2e-6; // of the picture: places travel with eight digits
 
 /** Places of joints and contacts, and that names do not cover each other. */
 export async function checkDrawing(page, table, checks) {
+  const count = table.rows.length;
+  for (const row of [0, Math.round(count / 7), Math.round(count / 2), count - 1]) {
+    await page.evaluate((shown) => higherpair.go(shown), row);
+    await checkRow(page, table, row, checks);
+    checks.equal(await overlappingNames(page), "", `names cover each other in row ${row}`);
+  }
+}
+
+/** That this row is shown, and everything where it says. */
+export async function checkRow(page, table, row, checks) {
   const scene = await page.evaluate(() => {
     const report = JSON.parse(document.getElementById("report-data").textContent);
     const [x0, y0, x1, y1] = report.scene.view;
     return { joints: report.joints, size: Math.hypot(x1 - x0, y1 - y0) * report.lengthPerMm };
   });
-  const count = table.rows.length;
-  for (const row of [0, Math.round(count / 7), Math.round(count / 2), count - 1]) {
-    await page.evaluate((shown) => higherpair.go(shown), row);
-    const state = await page.evaluate(() => higherpair.state());
-    checks.equal(state.row, row, "row that is shown");
-    checkPlaces(state, table.rows[row], scene, checks);
-    checks.equal(await overlappingNames(page), "", `names cover each other in row ${row}`);
-  }
+  const state = await page.evaluate(() => higherpair.state());
+  checks.equal(state.row, row, "row that is shown");
+  checkPlaces(state, table.rows[row], scene, checks);
 }
 
 function checkPlaces(state, row, { joints, size }, checks) {

@@ -6,7 +6,7 @@ import { join } from "node:path";
 export async function checkTitle({ report, profiles, open }, checks) {
   const title = `<script>document.body.remove()</script></script><!--<script> & "quoted" \\ é`;
   const toml = `title=${JSON.stringify(title)}`;
-  const page = await open(report(join(profiles, "knife_edge.toml"), "title", "--set", toml));
+  const page = await open(await report(join(profiles, "knife_edge.toml"), "title", "--set", toml));
   checks.equal(await page.locator("h1").textContent(), title, "title");
   checks.equal(await page.title(), title, "title of the window");
   checks.true((await page.locator("#source").textContent()).includes("--set title="), "the foot does not show --set");
@@ -15,13 +15,29 @@ export async function checkTitle({ report, profiles, open }, checks) {
 
 /** Of a long run the page holds a part, says so, and knows the extremes of all. */
 export async function checkLongRun({ report, profiles, open }, checks) {
-  const page = await open(report(join(profiles, "knife_edge.toml"), "long run", "--samples", "100001"));
+  const page = await open(await report(join(profiles, "knife_edge.toml"), "long run", "--samples", "100001"));
   const rows = await page.evaluate(() => higherpair.rows.length);
   checks.true(rows > 700 && rows <= 1441, `${rows} rows of a long run`);
   const subtitle = await page.locator("#subtitle").textContent();
   checks.true(subtitle.includes("of 100001 rows"), `the page does not say that it is thinned: ${subtitle}`);
   const ends = await page.evaluate(() => [higherpair.rows[0][0], higherpair.rows[higherpair.rows.length - 1][0]]);
   checks.equal(ends.join(), "0,360", "ends of the thinned run");
+  await page.close();
+}
+
+/** How long frames take while the motion plays with forces on; said, since it is the machine's matter. */
+export async function checkFrames({ report, profiles, open }, checks) {
+  const page = await open(await report(join(profiles, "watt_sixbar_forces.toml"), "frames"));
+  const painted = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime);
+  const seconds = 2;
+  const { gaps, busy } = await page.evaluate(framesOf, 1000 * seconds);
+  const sorted = [...gaps].sort((a, b) => a - b);
+  const at = (share) => sorted[Math.floor(share * (sorted.length - 1))]?.toFixed(1);
+  checks.true(gaps.length > 1, "no frame while it plays");
+  console.log(
+    `frames of the six-bar with forces: ${(gaps.length / seconds).toFixed(0)} a second, median ${at(0.5)} ms, 95 % within ${at(0.95)} ms; ` +
+      `a row is set in ${busy.toFixed(2)} ms; first picture after ${painted?.toFixed(0)} ms`,
+  );
   await page.close();
 }
 
@@ -34,7 +50,7 @@ async function saved(page, button) {
 
 /** Frame and table as files; plots against time; a page that plays by itself. */
 export async function checkSaving({ report, profiles, open }, checks) {
-  const page = await open(report(join(profiles, "eccentric_disc_oscillating_roller.toml"), "in time", "--time"));
+  const page = await open(await report(join(profiles, "eccentric_disc_oscillating_roller.toml"), "in time", "--time"));
   const table = await saved(page, "#save-csv");
   checks.equal(table.name, "eccentric_disc_oscillating_roller.csv", "name of the table");
   checks.true(table.text.startsWith("time[s],driver[deg],"), "head of the table");
@@ -57,4 +73,30 @@ export async function checkSaving({ report, profiles, open }, checks) {
   await page.reload();
   checks.equal(await page.evaluate(() => higherpair.state().playing), true, "does not play by itself");
   await page.close();
+}
+
+// Times between frames while it plays [ms], and how long the page works on a row, layout included. Runs in the page.
+async function framesOf(length) {
+  const slow = 60;
+  const began = performance.now();
+  for (let row = 0; row < slow; ++row) {
+    higherpair.go(3 * row);
+    document.body.getBoundingClientRect();
+  }
+  const busy = (performance.now() - began) / slow;
+  document.getElementById("play").click();
+  const gaps = [];
+  await new Promise((done) => {
+    const first = performance.now();
+    let last = first;
+    const frame = (now) => {
+      gaps.push(now - last);
+      last = now;
+      if (now - first < length) requestAnimationFrame(frame);
+      else done();
+    };
+    requestAnimationFrame(frame);
+  });
+  document.getElementById("play").click();
+  return { gaps, busy };
 }

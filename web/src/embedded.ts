@@ -1,35 +1,59 @@
 // The report that lies in the page itself.
-import type { Column, Numbers, Report, Rows } from "./model";
+import type { Column, MapPlace, Numbers, Polygon, Report, Rows, Vector } from "./model";
+import { type Packed, unpack } from "./packed";
 
-interface EmbeddedReport extends Omit<Report, "columns"> {
-  readonly columns: readonly (Column & { readonly values: readonly (number | null)[] })[];
-  readonly places: readonly (readonly number[] | null)[];
-  readonly moving: readonly (readonly Numbers[])[];
+interface EmbeddedReport extends Omit<Report, "columns" | "polygons"> {
+  readonly count: number;
+  readonly columns: readonly (Column & { readonly values: Packed })[];
+  readonly places: readonly Packed[];
+  readonly moving: readonly (readonly Packed[])[];
+  readonly polygons: readonly (Polygon & { readonly vectors: readonly (readonly [Packed, Packed])[] })[];
+  readonly maps: readonly (Report["maps"][number] & Record<"x" | "y" | "branch", Packed>)[];
 }
+
+type Values = readonly (number | null)[];
 
 class EmbeddedRows implements Rows {
   readonly length: number;
-  private readonly columns: readonly (readonly (number | null)[])[];
+  private readonly unpacked = new Map<Packed, Values>();
 
   constructor(private readonly report: EmbeddedReport) {
-    this.length = report.places.length;
-    // What is the same in every row is written once.
-    this.columns = report.columns.map(({ values }) =>
-      values.length === this.length ? values : new Array<number | null>(this.length).fill(values[0] ?? null),
-    );
+    this.length = report.count;
   }
 
   value(column: number, row: number): number | null {
-    return this.columns[column]?.[row] ?? null;
+    return this.values(column)[row] ?? null;
   }
-  values(column: number): readonly (number | null)[] {
-    return this.columns[column] ?? [];
+  values(column: number): Values {
+    return this.all(this.report.columns[column]?.values);
   }
   places(row: number): readonly number[] | null {
-    return this.report.places[row] ?? null;
+    const places = this.report.places.map((packed) => this.all(packed)[row] ?? null);
+    return places.includes(null) ? null : (places as number[]);
   }
-  moving(row: number): readonly Numbers[] {
-    return this.report.moving[row] ?? [];
+  shape(shape: number, row: number): Numbers {
+    const numbers = (this.report.moving[shape] ?? []).map((packed) => this.all(packed)[row] ?? null);
+    while (numbers[numbers.length - 1] === null) numbers.pop();
+    return numbers;
+  }
+  vector(polygon: number, vector: number, row: number): Vector | null {
+    const [x, y] = (this.report.polygons[polygon]?.vectors[vector] ?? []).map((packed) => this.all(packed)[row] ?? null);
+    return x === undefined || y === undefined || x === null || y === null ? null : [x, y];
+  }
+  place(map: number, row: number): MapPlace | null {
+    const packed = this.report.maps[map];
+    const [x, y, branch] = [packed?.x, packed?.y, packed?.branch].map((one) => this.all(one)[row] ?? null);
+    return x == null || y == null || branch == null ? null : { x, y, branch };
+  }
+
+  // What is never looked at stays packed.
+  private all(packed: Packed | undefined): Values {
+    if (packed === undefined) return [];
+    const known = this.unpacked.get(packed);
+    if (known !== undefined) return known;
+    const values = unpack(packed, this.length);
+    this.unpacked.set(packed, values);
+    return values;
   }
 }
 

@@ -12,9 +12,10 @@ interface Rectangle {
   readonly height: number;
 }
 
-interface Label {
+export interface Label {
   readonly element: SVGElement;
-  readonly numbers: Numbers;
+  /** Where, and the direction in which it keeps clear of that; empty: it is not shown. */
+  numbers: Numbers;
   readonly body: number;
   readonly width: number;
   /** Which of the candidates was taken last: it is tried first, so that names do not hop about. */
@@ -33,10 +34,12 @@ export class Labels {
   private readonly labels: Label[] = [];
   private readonly pen = document.createElement("canvas").getContext("2d");
 
-  add(element: SVGElement, numbers: Numbers, body: number): void {
+  add(element: SVGElement, numbers: Numbers, body: number): Label {
     if (this.pen !== null) this.pen.font = "13px system-ui, sans-serif";
     const width = this.pen?.measureText(element.textContent ?? "").width ?? 30;
-    this.labels.push({ element, numbers, body, width, last: 0, second: false });
+    const label = { element, numbers, body, width, last: 0, second: false };
+    this.labels.push(label);
+    return label;
   }
 
   /** Of several points at one place the first keeps its name. */
@@ -55,7 +58,7 @@ export class Labels {
 
   /** @param scale  mm per px */
   place(frame: (body: number) => Frame, scale: number): void {
-    const shown = this.labels.filter((label) => !label.second);
+    const shown = this.labels.filter(({ second, numbers }) => !second && numbers.length > 0);
     const anchors = shown.map(({ numbers, body }) => anchorOf(numbers, frame(body)));
     const taken: Rectangle[] = anchors
       .filter(({ dx, dy }) => dx !== 0 || dy !== 0)

@@ -70,9 +70,8 @@ class Sketch {
 
   show(row: number): void {
     if (this.rows.places(row) === null) return;
-    const shapes = this.rows.moving(row);
     for (const { shape, element: part, index } of this.parts) {
-      placeShape(part, shape, shapes[index] ?? [], this.report.scene.unit);
+      placeShape(part, shape, this.rows.shape(index, row), this.report.scene.unit);
     }
   }
 
@@ -84,7 +83,7 @@ class Sketch {
     const high = [-Infinity, -Infinity];
     for (let row = 0; row < this.rows.length; ++row) {
       for (const { shape, index } of this.parts) {
-        points(shape, this.rows.moving(row)[index] ?? []).forEach((point) =>
+        points(shape, this.rows.shape(index, row)).forEach((point) =>
           point.forEach((value, i) => {
             const inside = Math.min(Math.max(value, (middle[i] ?? 0) - (reach[i] ?? 0)), (middle[i] ?? 0) + (reach[i] ?? 0));
             low[i] = Math.min(low[i] ?? 0, inside);

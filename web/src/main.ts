@@ -10,8 +10,10 @@ import type { Report, Rows } from "./model";
 import { Player } from "./player";
 import { Plots } from "./plots";
 import { PointerControl } from "./pointer";
+import { addFigures } from "./polygons";
 import { addRowsTable } from "./rows_table";
 import { addSaving } from "./save";
+import { ScaleLegend } from "./scales";
 import { Stage } from "./stage";
 import { addTheme } from "./theme";
 import { Transport } from "./transport";
@@ -36,7 +38,11 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
   const player = new Player(rows, report, driverColumn);
   addHeading(report, rows);
   const stage = new Stage(report, rows);
-  const view = new View(stage.root, report, (scale) => stage.setScale(scale));
+  const legend = new ScaleLegend(report);
+  const view = new View(stage.root, report, (scale) => {
+    stage.setScale(scale);
+    legend.show(scale);
+  });
   player.onRow((row) => stage.show(row));
   new PointerControl(stage.root, report, rows, player, view);
   new Transport(report, rows, player, view, columns, driverColumn);
@@ -49,6 +55,7 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
   });
   addEvents(report, unitOf(driverColumn), unitOf(columns.get("time")), player);
   addLinkages(report, rows, columns, player);
+  addFigures(report, rows, player);
   new Values(report, rows, player, plots);
   addRowsTable(report, rows, driverColumn, plots);
   addSaving(report, rows, player, stage.root);

@@ -30,6 +30,36 @@ export interface Scene {
   readonly bodies: readonly string[];
   readonly fixed: readonly (Shape & { readonly numbers: Numbers })[];
   readonly moving: readonly Shape[];
+  /** What arrows of one unit are long [mm]; by their roles. Torques are arcs, which turn [rad]. */
+  readonly scales: { readonly [role: string]: { readonly unit: string; readonly length?: number; readonly turn?: number } };
+}
+
+/** Names have `_{…}` for lowered and `^{…}` for raised text. Vectors are rows' ones, by their numbers. */
+export interface Polygon {
+  readonly title: string;
+  readonly forces: boolean;
+  readonly unit: string;
+  readonly view: readonly [number, number, number, number];
+  /** All arrows are on one line in every row, and are to be drawn side by side. */
+  readonly flat: boolean;
+  readonly equations: readonly string[];
+  readonly points: readonly { readonly name: string; readonly at: number }[];
+  readonly arrows: readonly { readonly kind: string; readonly name: string; readonly item: string; readonly from: number; readonly to: number }[];
+}
+
+/** The configuration space of a contact as an SVG picture; its axes have data-domain and data-range. */
+export interface ContactMap {
+  readonly contact: string;
+  readonly picture: string;
+}
+
+export type Vector = readonly [number, number];
+
+export interface MapPlace {
+  readonly x: number;
+  readonly y: number;
+  /** From 1. */
+  readonly branch: number;
 }
 
 export interface Driver {
@@ -77,6 +107,8 @@ export interface Report {
   readonly events: readonly MotionEvent[];
   readonly columns: readonly Column[];
   readonly scene: Scene;
+  readonly polygons: readonly Polygon[];
+  readonly maps: readonly ContactMap[];
   /** The last row shows the same picture as the first. */
   readonly closed: boolean;
 }
@@ -89,6 +121,10 @@ export interface Rows {
   values(column: number): readonly (number | null)[];
   /** x, y, theta of every body; null where the row has no position. */
   places(row: number): readonly number[] | null;
-  /** Of every moving shape. */
-  moving(row: number): readonly Numbers[];
+  /** Of a moving shape by its number. */
+  shape(shape: number, row: number): Numbers;
+  /** Of a polygon, by their numbers; null where it is not defined. */
+  vector(polygon: number, vector: number, row: number): Vector | null;
+  /** Of a map by its number. */
+  place(map: number, row: number): MapPlace | null;
 }

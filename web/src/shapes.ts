@@ -1,6 +1,6 @@
 // Shapes of a scene as SVG elements. User units are mm; SVG's y points down, the scene's up.
 import { svg } from "./dom";
-import type { Numbers, Shape } from "./model";
+import type { Numbers, Shape, Vector } from "./model";
 
 const HEAD_LENGTH = 2.6; // of an arrow, in units of symbols
 const HEAD_WIDTH = 0.9; // half of it
@@ -24,7 +24,7 @@ function pathData(numbers: Numbers, closed: boolean): string {
   return closed && data !== "" ? data + "Z" : data;
 }
 
-function arrowData(numbers: Numbers, unit: number): string {
+export function arrowData(numbers: Numbers, unit: number): string {
   const [x0, y0, x1, y1] = numbers as number[];
   if (x0 === undefined || y0 === undefined || x1 === undefined || y1 === undefined) return "";
   const length = Math.hypot(x1 - x0, y1 - y0);
@@ -35,6 +35,16 @@ function arrowData(numbers: Numbers, unit: number): string {
   const half = (HEAD_WIDTH * head) / HEAD_LENGTH;
   const tip = [x1, y1, bx - half * uy, by + half * ux, bx + half * uy, by - half * ux];
   return `${pathData([x0, y0, bx, by], false)}${pathData(tip, true)}`;
+}
+
+/** The head of an arrow as the data of a path, and where its line ends; y as it comes. */
+export function arrowHead([x0, y0]: Vector, [x1, y1]: Vector, head: number): [string, Vector] {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
+  const [bx, by] = [x1 - head * ux, y1 - head * uy];
+  const half = 0.32 * head;
+  const corners = [[x1, y1], [bx - half * uy, by + half * ux], [bx + half * uy, by - half * ux]];
+  return [`M${corners.map(([x = 0, y = 0]) => `${digits(x)} ${digits(y)}`).join("L")}Z`, [bx, by]];
 }
 
 /** An element for a shape, still without its coordinates. */

@@ -66,11 +66,10 @@ export class Stage {
       const [c, s, x, y] = frame(places, body);
       element.setAttribute("transform", `matrix(${c} ${-s} ${s} ${c} ${x} ${-y})`);
     }
-    const shapes = this.rows.moving(row);
     this.moving.forEach(({ shape, element }, i) => {
       // What is not seen need not be placed; contacts are read back.
       if (shape.role !== "contact" && this.root.classList.contains(`hide-${shape.role}`)) return;
-      placeShape(element, shape, shapes[i] ?? [], this.report.scene.unit);
+      placeShape(element, shape, this.rows.shape(i, row), this.report.scene.unit);
     });
     this.labels.place((body) => frame(places, body), this.scale);
   }

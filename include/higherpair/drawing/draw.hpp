@@ -31,8 +31,8 @@ struct DrawSettings {
 
 /// A picture of a mechanism as SVG. The last scene is drawn whole, those before it as ghosts, or all side by
 /// side; below them the scales of lengths and arrows. Every element carries data-role and data-name; the top
-/// element data-scale (px per unit of length) and data-origin (px of ground's origin), y up. \pre  at least
-/// one scene, all of one SceneMaker
+/// element data-scale (px per unit of length) and data-origin (px of ground's origin), y up.
+/// \pre  at least one scene, all of one SceneMaker
 [[nodiscard]] std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings);
 
 }  // namespace higherpair

@@ -26,6 +26,9 @@ struct Polygons {
   std::optional<std::string> limit;
 };
 
+/// Polygons in SI units in those of tables.
+void to_units(std::vector<Polygon>& polygons, const Units& units);
+
 /// The polygons where the driver, coming from its first position, is at `at`. With several drivers they are
 /// of the row in which the first one is nearest to it. Fails as Model::run does.
 [[nodiscard]] Result<Polygons> polygons_of(const Model& model, const PolygonSettings& settings);

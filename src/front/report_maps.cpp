@@ -1,0 +1,130 @@
+#include "higherpair/front/map.hpp"
+#include "higherpair/front/plot.hpp"
+#include "packed_series.hpp"
+#include "report_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace higherpair {
+namespace {
+
+constexpr std::int64_t kSamples = 181;  // of a map
+constexpr double kWidth = 560;          // of its picture [px]
+constexpr double kSteps = 1e5;          // of an axis
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+// Of a joint's coordinate in every row.
+std::optional<std::size_t> column_of(const Model& model, const ReportData& data, const std::string& joint) {
+  const Mechanism& mechanism = model.mechanism();
+  std::string name = joint + ".position";
+  for (const Driver& driver : mechanism.drivers) {
+    if (mechanism.joints[static_cast<std::size_t>(driver.joint)].name != joint) continue;
+    name = driver.name.empty() ? "driver" : "driver." + driver.name;
+  }
+  const auto found = std::find_if(data.columns.begin(), data.columns.end(),
+                                  [&](const Column& column) { return column.name == name; });
+  if (found == data.columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - data.columns.begin());
+}
+
+// Of a joint's coordinate in its unit; none of a slide.
+std::optional<double> turn_of(const Model& model, const std::string& name) {
+  const auto& joints = model.mechanism().joints;
+  const auto joint =
+      std::find_if(joints.begin(), joints.end(), [&](const Joint& one) { return one.name == name; });
+  if (joint == joints.end() || !has_angle(joint->type)) return std::nullopt;
+  return from_si(dimension::kAngle, model.units()).apply(2 * kPi);
+}
+
+// The branch's coordinate there; none where it is not.
+std::optional<double> position_on(const MapBranchReport& branch, double driver) {
+  const auto after = std::lower_bound(branch.rows.begin(), branch.rows.end(), driver,
+                                      [](const MapRow& row, double at) { return row.driver < at; });
+  if (after == branch.rows.end()) return std::nullopt;
+  if (after == branch.rows.begin()) {
+    return after->driver == driver ? std::optional(after->position) : std::nullopt;
+  }
+  const MapRow &a = *(after - 1), &b = *after;
+  return a.position + (driver - a.driver) / (b.driver - a.driver) * (b.position - a.position);
+}
+
+struct MapPlace {
+  double driver = kUndefined, position = kUndefined;
+  int branch = 0;  ///< from 1
+};
+
+// The place of a row in the map, each coordinate by whole turns, so that it is on the branch that is next to
+// it.
+MapPlace place_on(const ContactMapReport& map, double driver, double position, std::optional<double> turn,
+                  std::optional<double> follower_turn) {
+  MapPlace best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < map.branches.size(); ++i) {
+    const auto& rows = map.branches[i].rows;
+    if (rows.empty()) continue;
+    const double lap = turn.value_or(0);
+    const double first = turn ? std::ceil((rows.front().driver - driver) / lap - 1e-9) : 0;
+    for (double x = driver + first * lap; x <= rows.back().driver + 1e-9 * std::abs(lap); x += lap) {
+      const auto y = position_on(map.branches[i], std::min(x, rows.back().driver));
+      if (!y) break;
+      const double shift = follower_turn ? *follower_turn * std::round((*y - position) / *follower_turn) : 0;
+      const double away = std::abs(*y - position - shift);
+      if (away < nearest) {
+        nearest = away;
+        best = {x, position + shift, static_cast<int>(i) + 1};
+      }
+      if (!turn) break;
+    }
+  }
+  return best;
+}
+
+void write_map(JsonWriter& json, const Model& model, const ReportData& data, const ContactMapReport& map,
+               const PlotData& plot) {
+  const auto driver = column_of(model, data, map.driver_joint);
+  const auto position = column_of(model, data, map.position_joint);
+  const auto turn = turn_of(model, map.driver_joint), follower_turn = turn_of(model, map.position_joint);
+  std::vector<double> x, y, branch;
+  for (const Row& row : data.rows) {
+    MapPlace place;
+    if (driver && position && row.status != RowStatus::kNotAssemblable) {
+      place = place_on(map, row.values[*driver], row.values[*position], turn, follower_turn);
+    }
+    x.push_back(place.driver);
+    y.push_back(place.position);
+    branch.push_back(place.branch > 0 ? place.branch : kUndefined);
+  }
+  const auto step = [](const std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest > 0 ? largest / kSteps : 1;
+  };
+  json.open('{').key("contact").string(map.contact).key("picture").string(plots_svg({plot}, kWidth));
+  json.key("x");
+  write_packed(json, x, step(x));
+  json.key("y");
+  write_packed(json, y, step(y));
+  json.key("branch");
+  write_packed(json, branch, 1);
+  json.close('}');
+}
+
+}  // namespace
+
+void write_maps(JsonWriter& json, const Model& model, const ReportData& data) {
+  json.key("maps").open('[');
+  if (auto maps = map_of(model, {kSamples, 1e-9})) {
+    maps->title.clear();
+    const std::vector<PlotData> plots = plots_of(*maps);
+    std::size_t drawn = 0;
+    for (const ContactMapReport& map : maps->contacts) {
+      if (map.refusal.empty()) write_map(json, model, data, map, plots[drawn++]);
+    }
+  }
+  json.close(']');
+}
+
+}  // namespace higherpair

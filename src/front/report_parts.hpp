@@ -1,0 +1,19 @@
+#pragma once
+
+#include "json_writer.hpp"
+#include "report_data.hpp"
+
+namespace higherpair {
+
+// Parts of the object that a report's page is made from: members of it, each with its key.
+
+/// `scene`, `closed`, `count`, `places` and `moving`: shapes, and where they are in every row.
+void write_scene(JsonWriter& json, const Model& model, const ReportData& data);
+
+/// `polygons`: those of velocities, accelerations and forces in every row.
+void write_polygons(JsonWriter& json, const Model& model, const ReportData& data);
+
+/// `maps`: the configuration spaces of the contacts as pictures, and where in them every row is.
+void write_maps(JsonWriter& json, const Model& model, const ReportData& data);
+
+}  // namespace higherpair

@@ -1,0 +1,167 @@
+#include "higherpair/drawing/scene.hpp"
+#include "higherpair/front/drawing.hpp"
+#include "packed_series.hpp"
+#include "report_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr int kPlaceDigits = 8;
+constexpr double kPlaceStep = 1e-8;    // of the picture: places of bodies
+constexpr double kAngleStep = 1e-8;    // [rad]
+constexpr double kShapeStep = 1e-6;    // of the picture: what is drawn in one row alone
+constexpr double kMillimetres = 1000;  // in a metre
+constexpr double kSamePlace = 1e-6;    // of the picture, and [rad]: first and last row show one picture
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+void write(JsonWriter& json, std::span<const double> numbers) {
+  json.open('[');
+  for (const double number : numbers) {
+    json.number(number, kPlaceDigits);
+  }
+  json.close(']');
+}
+
+std::string_view name_of(Shape::Kind kind) {
+  switch (kind) {
+    case Shape::Kind::kPath:
+      return "path";
+    case Shape::Kind::kCircle:
+      return "circle";
+    case Shape::Kind::kArrow:
+      return "arrow";
+    case Shape::Kind::kText:
+      break;
+  }
+  return "text";
+}
+
+void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shape>& shapes, bool numbers) {
+  json.key(key).open('[');
+  for (const Shape& shape : shapes) {
+    json.open('{')
+        .key("role")
+        .string(higherpair::name_of(shape.role))
+        .key("kind")
+        .string(name_of(shape.kind));
+    json.key("name").string(shape.name);
+    if (shape.body != 0) json.key("body").integer(shape.body);
+    if (shape.closed) json.key("closed").boolean(true);
+    if (!shape.text.empty()) json.key("text").string(shape.text);
+    if (numbers) {
+      json.key("numbers");
+      write(json, shape.numbers);
+    }
+    json.close('}');
+  }
+  json.close(']');
+}
+
+struct RowScene {
+  bool defined = false;
+  std::vector<Scene::Place> places;
+  std::vector<std::vector<double>> moving;  ///< numbers of each shape
+};
+
+bool same_place(const RowScene& a, const RowScene& b, const Box& view) {
+  const double near = kSamePlace * view.size().norm();
+  return a.defined && b.defined &&
+         std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
+                    [&](const Scene::Place& p, const Scene::Place& q) {
+                      return std::hypot(p.x - q.x, p.y - q.y) <= near &&
+                             std::abs(std::remainder(p.theta - q.theta, 2 * kPi)) <= kSamePlace;
+                    });
+}
+
+// One series for each number that a shape ever has.
+void write_moving(JsonWriter& json, const std::vector<RowScene>& rows, std::size_t shape, double step) {
+  const auto numbers_in = [&](const RowScene& row) -> std::span<const double> {
+    return shape < row.moving.size() ? row.moving[shape] : std::span<const double>();
+  };
+  std::size_t count = 0;
+  for (const RowScene& row : rows) count = std::max(count, numbers_in(row).size());
+  json.open('[');
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> series;
+    for (const RowScene& row : rows) {
+      const auto numbers = numbers_in(row);
+      series.push_back(i < numbers.size() ? numbers[i] : kUndefined);
+    }
+    write_packed(json, series, step);
+  }
+  json.close(']');
+}
+
+void write_places(JsonWriter& json, const std::vector<RowScene>& rows, double step) {
+  json.open('[');
+  for (std::size_t body = 0; body < rows.front().places.size(); ++body) {
+    const auto write = [&](double Scene::Place::*member, double rounding) {
+      std::vector<double> series;
+      for (const RowScene& row : rows) {
+        series.push_back(row.defined ? row.places[body].*member : kUndefined);
+      }
+      write_packed(json, series, rounding);
+    };
+    write(&Scene::Place::x, step);
+    write(&Scene::Place::y, step);
+    write(&Scene::Place::theta, kAngleStep);
+  }
+  json.close(']');
+}
+
+// What a unit of arrows is: mm of the drawing, of a torque rad of its arc.
+void write_scales(JsonWriter& json, const Scene& scene, const DrawSettings& units) {
+  const auto write = [&](Role role, double scale, const PictureUnit& unit) {
+    if (!(scale > 0)) return;
+    json.key(higherpair::name_of(role)).open('{').key("unit").string(unit.name);
+    json.key("length").number(scale * unit.si, kPlaceDigits).close('}');
+  };
+  json.key("scales").open('{');
+  write(Role::kVelocity, kMillimetres * scene.velocity_scale, units.velocity);
+  write(Role::kAcceleration, kMillimetres * scene.acceleration_scale, units.acceleration);
+  write(Role::kForce, scene.force_scale, units.force);
+  if (scene.torque_scale > 0) {
+    json.key("torque").open('{').key("unit").string(units.torque.name);
+    json.key("turn").number(scene.torque_scale * units.torque.si, kPlaceDigits).close('}');
+  }
+  json.close('}');
+}
+
+}  // namespace
+
+void write_scene(JsonWriter& json, const Model& model, const ReportData& data) {
+  const Mechanism& mechanism = model.mechanism();
+  SceneMaker maker(mechanism, data.motions, {}, data.reactions);
+  std::vector<RowScene> rows;
+  std::vector<Shape> shapes;
+  for (std::size_t k = 0; k < data.motions.size(); ++k) {
+    const Scene& scene = maker.at(data.motions[k], data.reactions.empty() ? nullptr : &data.reactions[k]);
+    if (shapes.size() < scene.moving.size()) shapes = scene.moving;
+    RowScene& row = rows.emplace_back(RowScene{scene.defined, scene.places, {}});
+    for (const Shape& shape : scene.moving) row.moving.push_back(shape.numbers);
+  }
+  const Scene& scene = maker.scene();
+  const double size = scene.view.size().norm();
+  json.key("scene").open('{').key("view");
+  write(json, std::vector{scene.view.low.x(), scene.view.low.y(), scene.view.high.x(), scene.view.high.y()});
+  json.key("unit").number(scene.unit, kPlaceDigits).key("bodies").open('[');
+  for (const Body& body : mechanism.bodies) json.string(body.name);
+  json.close(']');
+  write_shapes(json, "fixed", scene.fixed, true);
+  write_shapes(json, "moving", shapes, false);
+  write_scales(json, scene, draw_settings(model.units()));
+  json.close('}');
+  json.key("closed").boolean(rows.size() > 2 && same_place(rows.front(), rows.back(), scene.view));
+  json.key("count").integer(static_cast<long long>(rows.size()));
+  json.key("places");
+  write_places(json, rows, kPlaceStep * size);
+  json.key("moving").open('[');
+  for (std::size_t i = 0; i < shapes.size(); ++i) write_moving(json, rows, i, kShapeStep * size);
+  json.close(']');
+}
+
+}  // namespace higherpair

@@ -1,0 +1,54 @@
+// Polygons and contact maps of the row that is shown, against the table of `analyze`.
+
+const DIGITS = 2e-3; // lengths are shown with four digits, of what is small against the polygon fewer
+
+/** The velocities that the polygon lists are those of the table, and its arrows are as long as it says. */
+async function checkVelocities(page, row, checks) {
+  const arrows = await page.evaluate(() => {
+    const { polygons } = JSON.parse(document.getElementById("report-data").textContent);
+    const index = polygons.findIndex(({ title }) => title === "Velocities");
+    const figure = [...document.querySelectorAll(".figure.beside")][index];
+    if (figure === undefined) return [];
+    const lines = [...figure.querySelectorAll("svg.polygon path.head")];
+    return polygons[index].arrows.map(({ kind, item }, i) => ({
+      kind,
+      item,
+      text: figure.querySelectorAll(".arrows > div")[i].querySelector(".number").textContent,
+      drawn: !lines[i].classList.contains("absent"),
+    }));
+  });
+  const speeds = arrows.map(({ item }) => Math.hypot(Number(row[`${item}.vx`]), Number(row[`${item}.vy`])));
+  const largest = Math.max(...speeds.filter((speed) => !Number.isNaN(speed)));
+  arrows.forEach(({ kind, item, text, drawn }, i) => {
+    if (kind !== "absolute" || Number.isNaN(speeds[i])) return;
+    if (text !== "–") checks.near(Number(text.replace("·10", "e")), speeds[i], DIGITS * largest, `speed of ${item}`);
+    else checks.true(speeds[i] < DIGITS * largest, `speed of ${item} is missing`);
+    if (speeds[i] > 0.2 * largest) checks.true(drawn, `the arrow of ${item} is not drawn`);
+  });
+}
+
+/** The point is in the picture of the map, on the branch whose number is said. */
+async function checkMap(page, checks) {
+  const maps = await page.evaluate(() =>
+    [...document.querySelectorAll(".map")].map((map) => {
+      const point = map.querySelector("i");
+      const [a, b] = [map.querySelector("img").getBoundingClientRect(), point.getBoundingClientRect()];
+      const [x, y] = [(b.left + b.right) / 2, (b.top + b.bottom) / 2];
+      const inside = x > a.left && x < a.right && y > a.top && y < a.bottom;
+      return { hidden: point.hidden, inside, text: map.parentElement.querySelector("h3 span").textContent };
+    }),
+  );
+  for (const { hidden, inside, text } of maps) {
+    checks.true(hidden || inside, "the point is out of the map");
+    checks.equal(/^on branch \d+$/.test(text), !hidden, `branch of the map: "${text}"`);
+  }
+  return maps;
+}
+
+export async function checkFigures(page, table, checks) {
+  const row = Math.round(table.rows.length / 5);
+  await page.evaluate((shown) => higherpair.go(shown), row);
+  await checkVelocities(page, table.rows[row], checks);
+  const maps = await checkMap(page, checks);
+  if (table.rows[row].status === "ok") checks.equal(maps.some(({ hidden }) => hidden), false, "a row is in no map");
+}
