@@ -1,131 +1,16 @@
 #include "higherpair/cam/motion_law.hpp"
 
+#include "law_data.hpp"
 #include "law_faults.hpp"
-#include "law_pieces.hpp"
-#include "law_search.hpp"
-
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
 
-constexpr double kAtJoin = 8 * std::numeric_limits<double>::epsilon();
-
 // A change of a derivative at a join that is smaller, relative to its largest size in the law, is rounding.
 constexpr double kJump = 1e-9;
 
-// Derivatives below this, relative to their largest size, are rounding.
-constexpr double kNoise = 1e-13;
-
 // Where the last repetition ends higher by less than this, relative to the largest value, it is rounding.
 constexpr double kNoAdvance = 1e-14;
-
-}  // namespace
-
-struct MotionLaw::Data {
-  LawPieces law;
-  bool repeats = false;
-  double first = 0;  ///< value at the begin
-  double last = 0;   ///< and at the end
-  std::vector<LawJoin> joins;
-
-  [[nodiscard]] double begin() const { return law.begins.front(); }
-  [[nodiscard]] double end() const { return law.begins.back(); }
-  [[nodiscard]] double length() const { return end() - begin(); }
-  [[nodiscard]] double advance() const { return last - first; }
-
-  // A piece and where x is in it; no piece: beyond the ends of a law that does not repeat.
-  struct Found {
-    const LawPiece* piece = nullptr;
-    double x = 0;
-    double offset = 0;  // to the value
-  };
-
-  [[nodiscard]] Found find(double x, LawSide side) const {
-    const double near = kAtJoin * std::max({std::abs(x), std::abs(begin()), std::abs(end())});
-    double offset = 0;
-    if (repeats && (x < begin() || x >= end())) {
-      const double turns = std::floor((x - begin()) / length());
-      x -= turns * length();
-      offset = turns * advance();
-    }
-    const auto next = std::upper_bound(law.begins.begin(), law.begins.end(), x);
-    auto i = static_cast<std::ptrdiff_t>(next - law.begins.begin()) - 1;
-    const auto count = static_cast<std::ptrdiff_t>(law.pieces.size());
-    const auto join = [&](std::ptrdiff_t k) { return law.begins[static_cast<std::size_t>(k)]; };
-    if (side == LawSide::kAfter && i < count && join(i + 1) - x <= near) {
-      x = join(++i);
-    } else if (side == LawSide::kBefore && i >= 0 && x - join(i) <= near) {
-      x = join(i--);
-    } else if (side == LawSide::kBefore && i < count && join(i + 1) - x <= near) {
-      x = join(i + 1);
-    } else if (side == LawSide::kAfter && i >= 0 && x - join(i) <= near) {
-      x = join(i);
-    }
-    if (repeats && i == count) {
-      return {&law.pieces.front(), x - length(), offset + advance()};
-    }
-    if (repeats && i < 0) {
-      return {&law.pieces.back(), x + length(), offset - advance()};
-    }
-    if (i < 0 || i >= count) {
-      return {nullptr, x, i < 0 ? first : last};
-    }
-    return {&law.pieces[static_cast<std::size_t>(i)], x, offset};
-  }
-
-  // Calls visit(piece, from, to, offset, shift) for every piece between two coordinates, in order; from and
-  // to are in the first repetition, and x is shift on. Without a piece: the law stays.
-  template <class Visit>
-  void for_each_piece(double from, double to, const Visit& visit) const {
-    const std::size_t count = law.pieces.size();
-    const auto visit_turn = [&](double turn) {
-      const double shift = turn * length();
-      for (std::size_t i = 0; i < count; ++i) {
-        const double low = std::max(from - shift, law.begins[i]);
-        const double high = std::min(to - shift, law.begins[i + 1]);
-        if (low <= high) {
-          visit(&law.pieces[i], low, high, turn * advance(), shift);
-        }
-      }
-    };
-    if (repeats) {
-      const double last_turn = std::floor((to - begin()) / length());
-      for (double turn = std::floor((from - begin()) / length()); turn <= last_turn; ++turn) {
-        visit_turn(turn);
-      }
-      return;
-    }
-    if (from < begin()) {
-      visit(static_cast<const LawPiece*>(nullptr), from, std::min(to, begin()), first, 0.0);
-    }
-    visit_turn(0);
-    if (to > end()) {
-      visit(static_cast<const LawPiece*>(nullptr), std::max(from, end()), to, last, 0.0);
-    }
-  }
-
-  [[nodiscard]] std::vector<double> places(int k, double from, double to, double level) const;
-
-  // A bound of the size of the k-th derivative over the whole law; infinite where that leaves the range of
-  // numbers.
-  [[nodiscard]] double size(int k) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < law.pieces.size(); ++i) {
-      const Bounds own = law.bounds(law.pieces[i], k, law.begins[i], law.begins[i + 1]);
-      if (!std::isfinite(own.width())) {
-        return std::numeric_limits<double>::infinity();
-      }
-      largest = std::max({largest, -own.low, own.high});
-    }
-    return largest;
-  }
-};
-
-namespace {
 
 std::array<double, 4> derivatives(const MotionLaw& law, double x, LawSide side) {
   std::array<double, 4> c{};
@@ -225,21 +110,6 @@ const std::vector<LawJoin>& MotionLaw::joins() const {
   return data_->joins;
 }
 
-std::vector<double> MotionLaw::breaks(double from, double to) const {
-  std::vector<double> found;
-  const auto visit = [&](const LawPiece* piece, double low, double high, double, double shift) {
-    const bool breaks = piece == nullptr || (piece->start != PieceStart::kSmooth && low == piece->begin);
-    const bool ends = high == end();
-    for (const double x : {breaks ? low + shift : from, ends ? high + shift : from}) {
-      if (x > from && x < to && (found.empty() || x > found.back())) {
-        found.push_back(x);
-      }
-    }
-  };
-  data_->for_each_piece(from, to, visit);
-  return found;
-}
-
 void MotionLaw::expand(double x, LawSide side, std::span<double> out) const {
   const Data::Found found = data_->find(x, side);
   if (found.piece == nullptr) {
@@ -254,116 +124,6 @@ double MotionLaw::derivative(int k, double x, LawSide side) const {
   const Data::Found found = data_->find(x, side);
   const double own = found.piece == nullptr ? 0 : data_->law.derivative(*found.piece, k, found.x);
   return k == 0 ? own + found.offset : own;
-}
-
-Bounds MotionLaw::bounds(int k, double from, double to) const {
-  assert(from <= to);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Bounds all{kInfinity, -kInfinity};
-  const double near = kAtJoin * std::max(std::abs(from), std::abs(to));
-  data_->for_each_piece(from - near, to + near,
-                        [&](const LawPiece* piece, double low, double high, double offset, double) {
-                          Bounds own = piece ? data_->law.bounds(*piece, k, low, high) : Bounds{};
-                          if (k == 0) {
-                            own.low += offset;
-                            own.high += offset;
-                          }
-                          all.low = std::min(all.low, own.low);
-                          all.high = std::max(all.high, own.high);
-                        });
-  return all;
-}
-
-LawExtremes MotionLaw::extremes(int k, double from, double to) const {
-  assert(from <= to);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  LawExtremes best{kInfinity, 0, -kInfinity, 0};
-  const auto consider = [&](double value, double x) {
-    if (value < best.least) {
-      best.least = value;
-      best.least_at = x;
-    }
-    if (value > best.greatest) {
-      best.greatest = value;
-      best.greatest_at = x;
-    }
-  };
-  const LawPieces& law = data_->law;
-  const double negligible = kNoise * data_->size(k + 1);
-  const auto value = [&](const LawPiece* piece, double x, double offset) {
-    return (piece ? law.derivative(*piece, k, x) : 0) + (k == 0 ? offset : 0);
-  };
-  const auto at_ends = [&](const LawPiece* piece, double low, double high, double offset, double shift) {
-    consider(value(piece, low, offset), low + shift);
-    consider(value(piece, high, offset), high + shift);
-  };
-  const auto within = [&](const LawPiece* piece, double low, double high, double offset, double shift) {
-    if (piece == nullptr) {
-      return;
-    }
-    const Bounds own = law.bounds(*piece, k, low, high);
-    const double base = k == 0 ? offset : 0;
-    if (own.low + base < best.least || own.high + base > best.greatest) {
-      for (const double x : zeros_of(law, *piece, k + 1, low, high, negligible)) {
-        consider(value(piece, x, offset), x + shift);
-      }
-    }
-  };
-  data_->for_each_piece(from, to, at_ends);
-  data_->for_each_piece(from, to, within);
-  return best;
-}
-
-// Where the k-th derivative is `level`, which is 0 but for k = 0.
-std::vector<double> MotionLaw::Data::places(int k, double from, double to, double level) const {
-  std::vector<double> found;
-  const auto add = [&](double x) {
-    if (found.empty() || x > found.back()) {
-      found.push_back(x);
-    }
-  };
-  const double negligible = kNoise * size(k);
-  double before = 0;  // sign at the end of the piece before
-  const auto visit = [&](const LawPiece* piece, double low, double high, double offset, double shift) {
-    const double higher_by = k == 0 ? offset - level : 0;
-    const auto value = [&](double x) { return (piece ? law.derivative(*piece, k, x) : 0) + higher_by; };
-    const double at_low = value(low);
-    if (before * at_low < 0) {
-      add(low + shift);
-    }
-    before = value(high);
-    if (piece == nullptr) {
-      return;
-    }
-    // The piece by itself, higher by so much.
-    LawPieces own;
-    LawPiece raised = *piece;
-    raised.base += higher_by;
-    own.add(raised, std::span(law.powers).subspan(piece->first_power, piece->powers),
-            std::span(law.waves).subspan(piece->first_wave, piece->waves));
-    if (own.vanishes(own.pieces.front(), k)) {
-      return;
-    }
-    if (std::abs(at_low) <= negligible) {
-      add(low + shift);
-    }
-    for (const double x : zeros_of(own, own.pieces.front(), k, low, high, negligible)) {
-      add(x + shift);
-    }
-    if (std::abs(before) <= negligible) {
-      add(high + shift);
-    }
-  };
-  for_each_piece(from, to, visit);
-  return found;
-}
-
-std::vector<double> MotionLaw::zeros(int k, double from, double to) const {
-  return data_->places(k, from, to, 0);
-}
-
-std::vector<double> MotionLaw::places(double value, double from, double to) const {
-  return data_->places(0, from, to, value);
 }
 
 }  // namespace higherpair

@@ -11,6 +11,9 @@
 
 namespace higherpair {
 
+/// Of the first driver: an angle or a length.
+[[nodiscard]] Dimension driver_dimension(const Mechanism& mechanism);
+
 /// The row loop: from the schedule of the drivers to the row of a table, with what happens on the path.
 struct Analysis::Impl {
   std::shared_ptr<const Model::Data> model;

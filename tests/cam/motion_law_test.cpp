@@ -2,9 +2,13 @@
 
 #include "cam/law_testing.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <optional>
 #include <random>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -95,6 +99,45 @@ TEST(PeakFactors, OfTheDoubleHarmonicAreThoseOfTheTextbooks) {
   EXPECT_NEAR(law.extremes(1, 0, 1).greatest, 2.040524, 5e-7);
   EXPECT_NEAR(std::abs(law.extremes(2, 0, 1).peak()), kPi * kPi, 1e-13);
   EXPECT_NEAR(std::abs(law.extremes(3, 0, 1).peak()), 42.41372, 5e-6);
+}
+
+// The number at the end of a cell of a table, "4π^2 = 39.478418".
+std::optional<double> number_at_end(const std::string& cell) {
+  const std::size_t end = cell.find_last_not_of(' ');
+  const std::size_t begin = end == std::string::npos ? end : cell.find_last_of(" =", end);
+  const std::string word = begin == std::string::npos ? "" : cell.substr(begin + 1, end - begin);
+  return word.find_first_not_of("0123456789.") == std::string::npos && !word.empty()
+             ? std::optional(std::stod(word))
+             : std::nullopt;
+}
+
+TEST(PeakFactors, AreThoseOfTheDocumentation) {
+  std::ifstream page(HIGHERPAIR_SOURCE_DIR "/docs/laws.md");
+  int rows = 0;
+  for (std::string line; std::getline(page, line);) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, '|');) cells.push_back(cell);
+    const auto type = std::find_if(std::begin(kRises), std::end(kRises), [&](LawType candidate) {
+      return cells.size() == 6 &&
+             cells[1] == " `" + std::string(kLawNames[static_cast<std::size_t>(candidate)]) + "` ";
+    });
+    if (type == std::end(kRises)) continue;
+    ++rows;
+    const MotionLaw law = law_of({{*type, kOver, kRise}});
+    for (int k = 1; k <= 3; ++k) {
+      if (const auto shown = number_at_end(cells[static_cast<std::size_t>(k) + 1])) {
+        EXPECT_NEAR(factor(law, k), *shown, 6e-7) << line;
+      }
+    }
+    double product = 0;
+    for (int i = 0; i <= 100000; ++i) {
+      const auto s = law.series<2>(kOver * i / 100000);
+      product = std::max(product, std::abs(s.c[1] * 2 * s.c[2]) * std::pow(kOver, 3) / (kRise * kRise));
+    }
+    if (const auto shown = number_at_end(cells[5])) EXPECT_NEAR(product, *shown, 2e-6) << line;
+  }
+  EXPECT_EQ(rows, 8);
 }
 
 TEST(PeakFactors, ComeWithTheirPlaces) {

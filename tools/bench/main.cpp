@@ -6,6 +6,7 @@
 #include "higherpair/drawing/scene.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/linkage/four_bar.hpp"
+#include "laws.hpp"
 #include "linkages.hpp"
 
 #include <algorithm>
@@ -156,8 +157,7 @@ void run_scenes(benchmark::State& state, const Case& reference, double floor) {
 }
 
 void register_rows(const Case& reference, double floor) {
-  add("scene/" + reference.name,
-      [=](benchmark::State& state) { run_scenes(state, reference, floor); });
+  add("scene/" + reference.name, [=](benchmark::State& state) { run_scenes(state, reference, floor); });
   static constexpr std::array kLevels{"move_to/", "move_to_and_cells/", "move_to_and_csv/"};
   for (int level = 0; level < 3; ++level) {
     add(kLevels[static_cast<std::size_t>(level)] + reference.name,
@@ -179,6 +179,21 @@ void register_watt_by_hand(const SixBarByHand& by_hand, double floor) {
     };
     run_turns(state, floor, step, nothing);
   });
+}
+
+// s, v, a and j at each step.
+void register_laws(const std::vector<LawCase>& laws, double floor) {
+  const auto nothing = [] {};
+  add("law/by_hand", [=](benchmark::State& state) {
+    const auto step = [](int k) { benchmark::DoNotOptimize(kCam.at(driver_position(k))); };
+    run_turns(state, floor, step, nothing);
+  });
+  for (const LawCase& one : laws) {
+    add("law/" + one.name, [=](benchmark::State& state) {
+      const auto step = [&](int k) { benchmark::DoNotOptimize(one.law.series<3>(driver_position(k))); };
+      run_turns(state, floor, step, nothing);
+    });
+  }
 }
 
 // Through the general plan: the motion of all bodies, and the reactions of all joints with it.
@@ -217,6 +232,7 @@ int run(int argc, char** argv) {
   }
   const LinkageCase<FourBarByHand> four_bar = checked_four_bar();
   const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
+  const std::vector<LawCase> laws = checked_laws();
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -225,6 +241,7 @@ int run(int argc, char** argv) {
   const double floor = measure_floor();
   register_four_bars(floor);
   register_watt_by_hand(watt.by_hand, floor);
+  register_laws(laws, floor);
   register_plan("four_bar", four_bar.run, floor);
   register_plan("watt_sixbar", watt.run, floor);
   for (const Case& reference : cases) {

@@ -1,0 +1,129 @@
+// What happens on the way to a row.
+#include "analysis_impl.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kAtEnd = 1e-9;  // share of the path between two rows: as near as this to the end is there
+
+constexpr std::array kRates = {"position", "velocity", "acceleration"};
+
+}  // namespace
+
+Dimension driver_dimension(const Mechanism& mechanism) {
+  const auto joint = static_cast<std::size_t>(mechanism.drivers.front().joint);
+  return mechanism.joints[joint].type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
+}
+
+void Analysis::Impl::add_event(const RunEvent& what, double share) {
+  const Mechanism& mechanism = model->profile.mechanism;
+  Event event;
+  event.type = what.type;
+  event.row = next;
+  event.driver_si = what.driver;
+  event.driver = from_si(driver_dimension(mechanism), units).apply(what.driver);
+  if (schedule.is_timed()) {
+    const double position = from_si(driver_dimension(mechanism), model->profile.units).apply(what.driver);
+    const double time = schedule.passing_time(next, position, share);
+    event.time = units == model->profile.units
+                     ? time
+                     : from_si(dimension::kTime, units)
+                           .apply(to_si(dimension::kTime, model->profile.units).apply(time));
+  }
+  event.joint = what.joint;
+  event.contact = what.contact;
+  if (event.contact) {
+    event.item = mechanism.contacts[static_cast<std::size_t>(*event.contact)].name;
+  } else if (event.joint) {
+    event.item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
+  }
+  event.cause = what.cause;
+  const bool at_end = (next == schedule.size() - 1 && share >= 1 - kAtEnd) || next == 0;
+  const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
+  good = good && !limit && event.type != EventType::kOverlap;
+  events.push_back(std::move(event));
+}
+
+// Moves to the next row, over the places where the driver turns back if such lie between the rows: it may
+// pass something there and pass it again.
+void Analysis::Impl::move() {
+  const std::size_t first = events.size();
+  const auto note = [&](double from, double to) {
+    for (const RunEvent& event : run.events) {
+      add_event(event, std::lerp(from, to, event.share));
+    }
+  };
+  double from = 0;
+  for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(next)) {
+    move_to(run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+    note(from, turning.share);
+    from = turning.share;
+  }
+  move_to(run, motions);
+  note(from, 1);
+  add_law_jumps(first);
+}
+
+// Among the events from `first` on, those of this row.
+void Analysis::Impl::add_law_jumps(std::size_t first) {
+  const Profile& profile = model->profile;
+  for (const DriverSchedule::LawJump& jump : schedule.law_jumps(next)) {
+    const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[jump.driver].joint);
+    Dimension dimension =
+        profile.mechanism.joints[joint].type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
+    Event event;
+    event.type = EventType::kLawJump;
+    event.row = next;
+    event.driver_si = schedule.at_time(to_si(dimension::kTime, profile.units).apply(jump.time), 0).position;
+    event.driver = from_si(driver_dimension(profile.mechanism), units).apply(event.driver_si);
+    event.time =
+        from_si(dimension::kTime, units).apply(to_si(dimension::kTime, profile.units).apply(jump.time));
+    event.joint = static_cast<int>(joint);
+    event.item = profile.mechanism.joints[joint].name;
+    for (std::size_t k = 1; k <= 2; ++k) {
+      dimension = dimension / dimension::kTime;
+      if (jump.join.jumps(k)) {
+        const auto shown = [&](double value) {
+          return from_si(dimension, units).apply(to_si(dimension, profile.units).apply(value));
+        };
+        event.cause +=
+            fmt::format("{} jumps from {:.6g} to {:.6g} {}",
+                        event.cause.empty() ? profile.programs[jump.driver].law_name + ": " + kRates[k]
+                                            : fmt::format(" and {}", kRates[k]),
+                        shown(jump.join.before[k]), shown(jump.join.after[k]), unit_text(dimension, units));
+      }
+    }
+    event.cause += "; a row there shows what is after it";
+    events.push_back(std::move(event));
+  }
+  std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
+                   [](const Event& a, const Event& b) { return a.time.value_or(0) < b.time.value_or(0); });
+}
+
+// Contacts that open lie between rows as well: they are looked for on the whole path, whatever its rows.
+void Analysis::Impl::report_openings() {
+  contacts = report_contacts(model->profile, schedule, *start);
+  for (const ContactForceReport::Opening& opening : contacts.openings) {
+    Event event;
+    event.type = EventType::kContactOpen;
+    event.row = static_cast<std::int64_t>(std::ceil(opening.row));
+    event.driver_si = opening.what.driver;
+    event.driver = from_si(driver_dimension(model->profile.mechanism), units).apply(opening.what.driver);
+    event.contact = static_cast<int>(opening.what.contact);
+    event.item = model->profile.mechanism.contacts[opening.what.contact].name;
+    event.cause = opening.cause;
+    events.push_back(std::move(event));
+    good = false;
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.row < b.row; });
+}
+
+}  // namespace higherpair

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/profile.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace higherpair::io_detail {
+
+inline constexpr std::int64_t kMostRows = std::int64_t{1} << 53;  // row numbers are exact doubles
+
+/// "driver.KEY rule", at the driver's table.
+[[nodiscard]] Diagnostic mistake(const Profile& profile, std::size_t driver, std::string_view key,
+                                 std::string_view rule);
+
+/// The rows of a schedule in time.
+struct Timing {
+  std::int64_t rows = 1;
+  double duration = 0;
+  double time_step = 0;  // 0: the rows divide the duration evenly
+};
+
+/// Of `step`: up to the duration, or to the end of the drivers' laws, by time steps or in so many samples.
+[[nodiscard]] tl::expected<Timing, Diagnostics> timing_of(const Profile& profile,
+                                                          std::optional<std::int64_t> samples);
+
+/// Over the whole of the drivers' laws, in rows that are equally spaced.
+[[nodiscard]] tl::expected<Timing, Diagnostics> timing_of_laws(const Profile& profile,
+                                                               std::optional<std::int64_t> samples);
+
+}  // namespace higherpair::io_detail
