@@ -139,7 +139,8 @@ Sparse values_at_points(const Basis& basis) {
   return matrix(basis.points(), basis.size(), triplets);
 }
 
-MatrixXd interpolation(const Basis& basis, const MatrixXd& values) {
+MatrixXd interpolation(const Basis& basis, const SplineTask& task) {
+  const MatrixXd& values = task.values;
   Triplets triplets;
   MatrixXd right = MatrixXd::Zero(basis.size(), values.cols());
   // The conditions at the begin come first: the matrix is banded.
@@ -148,10 +149,16 @@ MatrixXd interpolation(const Basis& basis, const MatrixXd& values) {
     add_row(basis, before + i, i, 0, triplets);
     right.row(before + i) = values.row(i);
   }
+  const auto end_condition = [&](Index row, Index point, Index k, const Eigen::RowVectorXd& slope) {
+    const bool is_slope = k + 1 == before && slope.size() > 0;
+    add_row(basis, row, point, is_slope ? 1 : (basis.degree() + 1) / 2 + static_cast<int>(k), triplets);
+    if (is_slope) {
+      right.row(row) = basis.unit() * slope;
+    }
+  };
   for (Index k = 0; k < before; ++k) {
-    const int order = (basis.degree() + 1) / 2 + static_cast<int>(k);
-    add_row(basis, k, 0, order, triplets);
-    add_row(basis, before + basis.points() + k, basis.points() - 1, order, triplets);
+    end_condition(k, 0, k, task.first_slope);
+    end_condition(before + basis.points() + k, basis.points() - 1, k, task.last_slope);
   }
   const Sparse system = matrix(basis.size(), basis.size(), triplets);
   Eigen::SparseLU<Sparse> lu(system);
@@ -189,21 +196,22 @@ Sparse roughness(const Basis& basis) {
   return matrix(basis.size(), basis.size(), triplets);
 }
 
-MatrixXd smoothed(const Basis& basis, const MatrixXd& values, double tolerance) {
+MatrixXd smoothed(const Basis& basis, const SplineTask& task) {
+  const MatrixXd& values = task.values;
   const Sparse at_points = values_at_points(basis);
   const Sparse normal = at_points.transpose() * at_points;
   const Sparse rough = roughness(basis);
   const MatrixXd right = at_points.transpose() * values;
   Eigen::SimplicialLDLT<Sparse> solver;
   solver.analyzePattern(normal + rough);
-  MatrixXd best = interpolation(basis, values);
+  MatrixXd best = interpolation(basis, task);
   const auto holds = [&](double exponent) {
     solver.factorize(normal + std::pow(10.0, exponent) * rough);
     if (solver.info() != Eigen::Success) {
       return false;
     }
     MatrixXd solution = solver.solve(right);
-    const bool near = (at_points * solution - values).rowwise().norm().maxCoeff() <= tolerance;
+    const bool near = (at_points * solution - values).rowwise().norm().maxCoeff() <= task.smoothing;
     if (near) {
       best = std::move(solution);
     }
@@ -223,8 +231,7 @@ MatrixXd smoothed(const Basis& basis, const MatrixXd& values, double tolerance) 
 MatrixXd spline_powers(const SplineTask& task) {
   assert((task.degree == 3 || task.degree == 5) && task.x.size() >= 3);
   const Basis basis(task);
-  const MatrixXd coefficients =
-      task.smoothing > 0 ? smoothed(basis, task.values, task.smoothing) : interpolation(basis, task.values);
+  const MatrixXd coefficients = task.smoothing > 0 ? smoothed(basis, task) : interpolation(basis, task);
   const Index terms = task.degree + 1;
   MatrixXd powers = MatrixXd::Zero(basis.intervals() * terms, task.values.cols());
   for (Index interval = 0; interval < basis.intervals(); ++interval) {

@@ -15,6 +15,10 @@ struct SplineTask {
   double period = 0;       ///< > x.back() - x.front(): periodic; 0: natural, which is that of all splines
                            ///< derivatives from the (degree+1)/2-th to the last but one vanish at both ends
   double smoothing = 0;    ///< no point is left by more than this; 0: interpolation
+  /// Derivatives at the ends of an interpolating spline that is not periodic; empty: free. Each takes the
+  /// place of the condition on the last derivative but one there.
+  Eigen::RowVectorXd first_slope = {};
+  Eigen::RowVectorXd last_slope = {};
 };
 
 /// Powers of t = x - x_i on the i-th interval: row i (degree + 1) + k has the coefficients of tᵏ of all

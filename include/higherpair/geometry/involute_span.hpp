@@ -1,0 +1,43 @@
+#pragma once
+
+#include "higherpair/geometry/span.hpp"
+
+namespace higherpair {
+
+/// Which flank of a tooth, seen from the centre outwards: the material of the left one is on its right.
+enum class Hand { kLeft, kRight };
+
+/// The involute of a circle: the way of the end of a taut string that is unwound from it. With the angle
+/// φ > 0 through which the string has rolled off and e(ψ) the unit vector at ψ,
+///     p = center + r (e(ψ) ∓ φ e′(ψ)),    ψ = start ± φ,    κ = 1/(r φ),
+/// the upper signs for a right flank. The flank of a gear's tooth, convex, its material on the side of the
+/// string.
+struct Involute {
+  Vector2d center_B = Vector2d::Zero();
+  double base_radius = 1;  ///< r [m]
+  double start = 0;        ///< angle at which it leaves the base circle, in a cusp [rad]
+  Hand hand = Hand::kLeft;
+  Bounds roll = {0.1, 1};  ///< the φ of its ends [rad]; both > 0
+};
+
+/// \pre base_radius > 0, 0 < roll.low < roll.high
+[[nodiscard]] SpanPtr involute_span(const Involute& involute);
+
+/// A spur gear's tooth with involute flanks that a rack of this module has cut.
+struct InvoluteTooth {
+  double module = 1;  ///< [m]
+  double teeth = 20;
+  double pressure_angle = 20 * kPi / 180;
+  double profile_shift = 0;  ///< in modules
+};
+
+[[nodiscard]] double base_radius(const InvoluteTooth& tooth);
+/// From the centre line of the tooth to where its flanks leave the base circle [rad]; the thickness at the
+/// pitch circle is m (π/2 + 2 x tan α).
+[[nodiscard]] double half_angle_at_base(const InvoluteTooth& tooth);
+/// Roll where the straight part of the rack's edge begins to cut; < 0: undercut.
+[[nodiscard]] double roll_at_root(const InvoluteTooth& tooth);
+/// Roll at the tip circle, one module and the profile shift outside the pitch circle.
+[[nodiscard]] double roll_at_tip(const InvoluteTooth& tooth);
+
+}  // namespace higherpair

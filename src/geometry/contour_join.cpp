@@ -1,0 +1,139 @@
+#include "higherpair/geometry/contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace higherpair {
+namespace {
+
+// The end 2i is the begin of the piece i, 2i + 1 its end.
+using End = std::size_t;
+
+struct Cell {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  bool operator==(const Cell&) const = default;
+};
+
+struct CellHash {
+  std::size_t operator()(const Cell& cell) const {
+    constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15U;
+    const std::uint64_t h = static_cast<std::uint64_t>(cell.x) * kMix ^ static_cast<std::uint64_t>(cell.y);
+    return static_cast<std::size_t>((h ^ (h >> 31)) * kMix);
+  }
+};
+
+// All ends by their places.
+class Ends {
+public:
+  Ends(const std::vector<ContourPiece>& pieces, double tolerance) : tolerance_(tolerance) {
+    for (const ContourPiece& piece : pieces) {
+      places_.push_back(begin_of(piece).p_B);
+      places_.push_back(end_of(piece).p_B);
+      far_ = std::max(
+          {far_, places_.back().cwiseAbs().maxCoeff(), places_[places_.size() - 2].cwiseAbs().maxCoeff()});
+    }
+    width_ = std::max(2 * tolerance, far_ * 1e-15);  // so that the numbers of cells are exact
+    for (End end = 0; end < places_.size(); ++end) {
+      cells_[cell(places_[end])].push_back(end);
+    }
+  }
+
+  [[nodiscard]] const Vector2d& place(End end) const { return places_[end]; }
+
+  // The other ends at the place of this one.
+  [[nodiscard]] std::vector<End> others_at(End end) const {
+    std::vector<End> found;
+    const Cell center = cell(places_[end]);
+    for (const std::int64_t dx : {-1, 0, 1}) {
+      for (const std::int64_t dy : {-1, 0, 1}) {
+        const auto at = cells_.find({center.x + dx, center.y + dy});
+        for (const End other : at == cells_.end() ? std::vector<End>{} : at->second) {
+          if (other != end && (places_[other] - places_[end]).norm() <= tolerance_) {
+            found.push_back(other);
+          }
+        }
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+private:
+  [[nodiscard]] Cell cell(const Vector2d& p) const {
+    return {static_cast<std::int64_t>(std::floor(p.x() / width_)),
+            static_cast<std::int64_t>(std::floor(p.y() / width_))};
+  }
+
+  double tolerance_;
+  double width_ = 1;
+  double far_ = 0;
+  std::vector<Vector2d> places_;
+  std::unordered_map<Cell, std::vector<End>, CellHash> cells_;
+};
+
+constexpr End kNone = static_cast<End>(-1);
+
+End other_end(End end) {
+  return end ^ 1U;
+}
+
+// The way from an end on over pieces that are not used yet: the ends at which it enters them.
+std::vector<End> way_from(End end, const std::vector<End>& partner, std::vector<char>& used) {
+  std::vector<End> way;
+  while (end != kNone && used[end / 2] == 0) {
+    used[end / 2] = 1;
+    way.push_back(end);
+    end = partner[other_end(end)];
+  }
+  return way;
+}
+
+}  // namespace
+
+tl::expected<std::vector<Contour>, JoinFault> join(const std::vector<ContourPiece>& pieces,
+                                                   double tolerance) {
+  const Ends ends(pieces, tolerance);
+  std::vector<End> partner(2 * pieces.size(), kNone);
+  for (End end = 0; end < partner.size(); ++end) {
+    const std::vector<End> others = ends.others_at(end);
+    if (others.size() > 1) {
+      JoinFault fault = {ends.place(end), {static_cast<int>(end / 2)}};
+      for (const End other : others) {
+        fault.pieces.push_back(static_cast<int>(other / 2));
+      }
+      return tl::unexpected(fault);
+    }
+    partner[end] = others.empty() ? kNone : others.front();
+  }
+  std::vector<Contour> contours;
+  std::vector<char> used(pieces.size(), 0);
+  for (End piece = 0; piece < pieces.size(); ++piece) {
+    if (used[piece] != 0) {
+      continue;
+    }
+    // Forwards to an end or round; then what comes before, if it is open.
+    std::vector<End> way = way_from(2 * piece, partner, used);
+    const End last = other_end(way.back());
+    Contour contour;
+    contour.closed = partner[last] == way.front();
+    const End before = partner[way.front()];
+    if (!contour.closed && before != kNone) {
+      std::vector<End> back = way_from(before, partner, used);
+      std::reverse(back.begin(), back.end());
+      std::transform(back.begin(), back.end(), back.begin(), other_end);
+      way.insert(way.begin(), back.begin(), back.end());
+    }
+    for (const End end : way) {
+      const ContourPiece& one = pieces[end / 2];
+      contour.pieces.push_back(end % 2 == 0 ? one : reversed(one));
+      contour.sources.push_back(static_cast<int>(end / 2));
+    }
+    contours.push_back(std::move(contour));
+  }
+  return contours;
+}
+
+}  // namespace higherpair

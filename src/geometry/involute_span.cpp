@@ -1,0 +1,69 @@
+#include "higherpair/geometry/involute_span.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+// The material is on the left of the way: a right flank is run through outwards, φ = t, a left one inwards,
+// φ = -t.
+class InvoluteSpan final : public Span {
+public:
+  explicit InvoluteSpan(const Involute& involute)
+      : involute_(involute), sense_(involute.hand == Hand::kRight ? 1 : -1) {}
+
+  [[nodiscard]] SpanPoint at(double t) const override {
+    const double r = involute_.base_radius;
+    const double roll = sense_ * t;
+    const Vector2d e = unit_vector(involute_.start + sense_ * roll);
+    const Vector2d n = -sense_ * perp(e);
+    const double rho = r * roll;
+    // dκ/ds = -1/(r² φ³) where s grows with φ.
+    return {involute_.center_B + r * e + rho * n, n, 1 / rho, -sense_ / (rho * rho * roll), rho};
+  }
+  [[nodiscard]] Bounds range() const override {
+    return sense_ > 0 ? involute_.roll : Bounds{-involute_.roll.high, -involute_.roll.low};
+  }
+  // No part turns by more than a tenth of a radian, nor does its radius grow by much more than a third of the
+  // whole.
+  [[nodiscard]] int parts() const override {
+    return std::max(8, 1 + static_cast<int>(involute_.roll.width() / 0.1));
+  }
+
+private:
+  Involute involute_;
+  double sense_;
+};
+
+}  // namespace
+
+SpanPtr involute_span(const Involute& involute) {
+  assert(involute.base_radius > 0 && involute.roll.low > 0 && involute.roll.width() > 0);
+  return std::make_shared<InvoluteSpan>(involute);
+}
+
+double base_radius(const InvoluteTooth& tooth) {
+  return tooth.module * tooth.teeth / 2 * std::cos(tooth.pressure_angle);
+}
+
+double half_angle_at_base(const InvoluteTooth& tooth) {
+  const double tangent = std::tan(tooth.pressure_angle);
+  return (kPi / 2 + 2 * tooth.profile_shift * tangent) / tooth.teeth + tangent - tooth.pressure_angle;
+}
+
+// The rack's straight edge ends one module below its pitch line; the point that its end cuts is at
+// (1 - x) m / sin α on the line of action before the pitch point, which is r tan α from the base point.
+double roll_at_root(const InvoluteTooth& tooth) {
+  return std::tan(tooth.pressure_angle) -
+         4 * (1 - tooth.profile_shift) / (tooth.teeth * std::sin(2 * tooth.pressure_angle));
+}
+
+double roll_at_tip(const InvoluteTooth& tooth) {
+  const double ratio =
+      (tooth.teeth / 2 + 1 + tooth.profile_shift) / (tooth.teeth / 2 * std::cos(tooth.pressure_angle));
+  return std::sqrt(std::max(0.0, ratio * ratio - 1));
+}
+
+}  // namespace higherpair

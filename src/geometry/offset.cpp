@@ -1,0 +1,58 @@
+#include "higherpair/geometry/contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+// Where 1 + κ d is least, at four times as many places as show the shape.
+std::optional<OffsetFault> cusp(const Span& span, double distance) {
+  constexpr double kLeast = 1e-6;
+  const int probes = 4 * span.parts();
+  const Bounds range = span.range();
+  SpanPoint worst = span.at(range.low);
+  for (int k = 1; k <= probes; ++k) {
+    const SpanPoint point = span.at(range.low + range.width() * k / probes);
+    if (point.kappa * distance < worst.kappa * distance) {
+      worst = point;
+    }
+  }
+  if (1 + worst.kappa * distance > kLeast) {
+    return std::nullopt;
+  }
+  return OffsetFault{OffsetFault::Kind::kCusp, worst.p_B, 1 / std::abs(worst.kappa)};
+}
+
+}  // namespace
+
+tl::expected<std::vector<SpanPtr>, OffsetFault> offset_spans(const Boundary& boundary, double distance) {
+  std::vector<SpanPtr> spans;
+  for (std::size_t i = 0; i < boundary.spans().size(); ++i) {
+    const SpanPtr& span = boundary.spans()[i];
+    const Bounds range = span->range();
+    const bool notch = boundary.joint_after(static_cast<int>(i)) == SpanJoint::kNotch;
+    if ((span->is_corner() && distance < 0) || (notch && distance > 0)) {
+      return tl::unexpected(OffsetFault{OffsetFault::Kind::kCorner, span->at(range.high).p_B});
+    }
+    if (span->is_corner()) {
+      spans.push_back(conic_span(*make_circle(span->at(range.low).p_B, distance), range.low, range.high));
+      continue;
+    }
+    if (const auto fault = cusp(*span, distance)) {
+      return tl::unexpected(*fault);
+    }
+    spans.push_back(offset_span(span, distance));
+    if (notch) {
+      // A hollow corner goes on as a hollow arc; its normals turn backwards.
+      const Vector2d p = span->at(range.high).p_B;
+      const SpanPtr& next = boundary.spans()[(i + 1) % boundary.spans().size()];
+      const double from = angle_of(span->at(range.high).n_B);
+      const double to = nearest_turn(angle_of(next->at(next->range().low).n_B), from);
+      spans.push_back(conic_span(*make_circle(p, -distance, Side::kOutside), to, from));
+    }
+  }
+  return spans;
+}
+
+}  // namespace higherpair
