@@ -115,8 +115,8 @@ std::optional<Rounding> rounding(const ContourPiece& a, const ContourPiece& b, d
 
 }  // namespace
 
-tl::expected<std::vector<ContourPiece>, FilletFault> with_fillets(const std::vector<ContourPiece>& pieces,
-                                                                  bool closed, double radius) {
+tl::expected<Contour, FilletFault> with_fillets(const std::vector<ContourPiece>& pieces, bool closed,
+                                                double radius) {
   std::vector<ContourPiece> cut_pieces = pieces;
   const std::size_t count = pieces.size();
   std::vector<std::optional<ArcPiece>> arcs(count);
@@ -146,11 +146,14 @@ tl::expected<std::vector<ContourPiece>, FilletFault> with_fillets(const std::vec
     b = round->after;
     arcs[i] = round->arc;
   }
-  std::vector<ContourPiece> all;
+  Contour all;
+  all.closed = closed;
   for (std::size_t i = 0; i < count; ++i) {
-    all.push_back(cut_pieces[i]);
+    all.pieces.push_back(cut_pieces[i]);
+    all.sources.push_back(static_cast<int>(i));
     if (arcs[i]) {
-      all.emplace_back(*arcs[i]);
+      all.pieces.emplace_back(*arcs[i]);
+      all.sources.push_back(static_cast<int>(i));
     }
   }
   return all;

@@ -4,6 +4,7 @@
 #include "numeric/decimal.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -79,6 +80,7 @@ public:
     if (!mistakes_.empty()) {
       return tl::unexpected(std::move(mistakes_));
     }
+    table_.unit = {quantity(1, 0).si, quantity(1, 1).si};
     return std::move(table_);
   }
 
@@ -92,7 +94,8 @@ private:
     for (std::size_t k = 0; k < 2; ++k) {
       std::optional<std::size_t> found;
       for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (trimmed(fields[i].substr(0, fields[i].find('['))) == columns_.names[k]) found = i;
+        const std::string_view name = trimmed(fields[i].substr(0, fields[i].find('[')));
+        if (name == columns_.names[k] || name.ends_with(fmt::format(".{}", columns_.names[k]))) found = i;
       }
       if (!found && count_ != 2) {
         fail(line,
@@ -133,6 +136,7 @@ private:
         return;
       }
       point[k] = quantity(*value, k);
+      table_.decimals[k] = std::max(table_.decimals[k], decimals_of(field));
       if (!(std::abs(point[k].si) <= kLargestQuantity)) {
         fail(line, fmt::format("{} is too large", *value));
         return;
@@ -162,6 +166,21 @@ private:
 };
 
 }  // namespace
+
+int decimals_of(std::string_view number) {
+  const std::size_t exponent_at = number.find_first_of("eE");
+  const std::string_view digits = number.substr(0, exponent_at);
+  const std::size_t point = digits.find('.');
+  int decimals = point == std::string_view::npos ? 0 : static_cast<int>(digits.size() - point) - 1;
+  if (exponent_at != std::string_view::npos) {
+    std::string_view text = number.substr(exponent_at + 1);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    int exponent = 0;
+    std::from_chars(text.data(), text.data() + text.size(), exponent);
+    decimals -= exponent;
+  }
+  return std::max(decimals, 0);
+}
 
 tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view text,
                                                                const PointColumns& columns,

@@ -180,12 +180,21 @@ private:
       const bool used = std::any_of(
           mechanism_.contacts.begin(), mechanism_.contacts.end(),
           [&](const Contact& contact) { return is_this(contact.first) || is_this(contact.second); });
-      if (!used) {
-        const std::string& name = body.curves[k].name;
+      const std::string& name = body.curves[k].name;
+      if (!used && !has_offset(body, name)) {
         add(find_at(document_, {"bodies", body.name, "curves", name}),
             fmt::format("bodies.{}.curves.{}", body.name, name), "no contact names this curve");
       }
     }
+  }
+
+  // Whether another curve of the body is an offset of this one.
+  [[nodiscard]] bool has_offset(const Body& body, const std::string& name) const {
+    return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& other) {
+      const Value* of = find_at(document_, {"bodies", body.name, "curves", other.name, "of"});
+      const auto* text = of == nullptr ? nullptr : std::get_if<std::string>(&of->content);
+      return text != nullptr && *text == name;
+    });
   }
 
   // Degrees read as radians or turns, and the other way round.

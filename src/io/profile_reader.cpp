@@ -86,6 +86,7 @@ tl::expected<Profile, Diagnostics> ProfileDocument::read() const {
     return tl::unexpected(diagnostics_of(std::move(reading)));
   }
   profile.source = content_->sources.front();
+  profile.files = reading.files;
   profile.notes = io_detail::profile_notes(reading, document, profile);
   use_boundaries(profile.mechanism);
   return profile;

@@ -1,8 +1,12 @@
+#include "higherpair/io/suggestion.hpp"
+#include "read_boundary.hpp"
 #include "reading.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -86,13 +90,13 @@ CurveReading read_point(TableReader& table, Side /*side*/) {
   return {make_point(table.need_vector("at", dimension::kLength)), "at"};
 }
 
-struct CurveType {
+struct ConicType {
   std::string_view name;
   CurveReading (*read)(TableReader& table, Side side);
   bool has_sides;
 };
 
-constexpr std::array<CurveType, 7> kCurveTypes = {{
+constexpr std::array<ConicType, 7> kConicTypes = {{
     {"conic", read_conic, true},
     {"circle", read_circle, true},
     {"ellipse", read_ellipse, true},
@@ -102,16 +106,36 @@ constexpr std::array<CurveType, 7> kCurveTypes = {{
     {"point", read_point, false},
 }};
 
+struct BoundaryType {
+  std::string_view name;
+  std::optional<NamedCurve> (*read)(TableReader& table);
+};
+
+constexpr std::array<BoundaryType, 6> kBoundaryTypes = {{
+    {"arc", read_arc},
+    {"segment", read_segment},
+    {"chain", read_chain},
+    {"spline", read_spline},
+    {"involute", read_involute},
+    {"dxf", read_dxf_curve},
+}};
+
+// Its curve depends on another one.
+constexpr std::string_view kOffset = "offset";
+
 std::vector<std::string> curve_type_names() {
   std::vector<std::string> names;
-  names.reserve(kCurveTypes.size());
-  for (const CurveType& type : kCurveTypes) {
+  for (const ConicType& type : kConicTypes) {
     names.emplace_back(type.name);
   }
+  for (const BoundaryType& type : kBoundaryTypes) {
+    names.emplace_back(type.name);
+  }
+  names.emplace_back(kOffset);
   return names;
 }
 
-Side read_side(TableReader& table, const CurveType& type) {
+Side read_side(TableReader& table, const ConicType& type) {
   if (!type.has_sides) {
     table.refuse("side", "a line or point has no sides to choose from");
     return Side::kInside;
@@ -121,36 +145,126 @@ Side read_side(TableReader& table, const CurveType& type) {
   return choice == 1U ? Side::kOutside : Side::kInside;
 }
 
-std::optional<Curve> read_curve(TableReader& table) {
+std::optional<NamedCurve> read_conic_curve(TableReader& table, const ConicType& type) {
   Reading& reading = table.reading();
-  const auto item = table.need("type", "a kind of curve, such as \"circle\"");
-  const auto choice = item ? as_choice(reading, *item, curve_type_names()) : std::nullopt;
-  if (!choice) {
-    return std::nullopt;  // which keys belong here is unknown
-  }
-  const CurveType& type = kCurveTypes[*choice];
   const std::size_t mistakes_before = reading.mistakes.size();
   const Side side = read_side(table, type);
   const CurveReading curve = type.read(table, side);
-  const bool parts_are_right = reading.mistakes.size() == mistakes_before;
-  table.finish();
-  if (!parts_are_right) {
+  if (reading.mistakes.size() != mistakes_before) {
     return std::nullopt;
   }
   if (!curve.result) {
     report(reading, *table.take(curve.key_of_error), describe(curve.result.error()));
     return std::nullopt;
   }
-  return *curve.result;
+  return NamedCurve{"", *curve.result};
 }
+
+// Curves of one body. An offset waits until the curve that it is of is known.
+class CurvesReader {
+public:
+  CurvesReader(Reading& reading, Body& body) : reading_(reading), body_(body) {}
+
+  void read(const Item& item) {
+    for_each_table(reading_, item, "a curve (a table)", [&](const std::string& name, TableReader& table) {
+      body_.curves.push_back({name, {CurveKind::kCircle}});
+      states_.push_back(State::kKnown);
+      read_one(table, body_.curves.size() - 1);
+    });
+    // As many rounds as there are, at most, make all known that can be.
+    for (std::size_t round = 0; round < offsets_.size(); ++round) {
+      for (Offset& offset : offsets_) {
+        resolve(offset);
+      }
+    }
+    for (const Offset& offset : offsets_) {
+      if (states_[offset.curve] == State::kWaiting) {
+        report(reading_, offset.of, "an offset cannot be of itself, by whatever way round");
+      }
+    }
+  }
+
+private:
+  enum class State { kKnown, kWaiting, kWrong };
+
+  struct Offset {
+    std::size_t curve = 0;
+    Item of;
+    TableReader table;
+  };
+
+  void set(std::size_t index, std::optional<NamedCurve> curve) {
+    states_[index] = curve ? State::kKnown : State::kWrong;
+    if (curve) {
+      curve->name = body_.curves[index].name;
+      body_.curves[index] = *std::move(curve);
+    }
+  }
+
+  void read_one(TableReader& table, std::size_t index) {
+    const auto item = table.need("type", "a kind of curve, such as \"circle\"");
+    const auto choice = item ? as_choice(reading_, *item, curve_type_names()) : std::nullopt;
+    if (!choice) {
+      states_[index] = State::kWrong;
+      return;  // which keys belong here is unknown
+    }
+    if (*choice < kConicTypes.size()) {
+      set(index, read_conic_curve(table, kConicTypes[*choice]));
+      table.finish();
+    } else if (*choice - kConicTypes.size() < kBoundaryTypes.size()) {
+      for (const char* key : {"side", "material"}) {
+        (void)table.take(key);  // known also where it is not looked at for a mistake before
+      }
+      set(index, kBoundaryTypes[*choice - kConicTypes.size()].read(table));
+      table.finish();
+    } else {
+      states_[index] = State::kWrong;
+      if (const auto of = table.need("of", "the name of another curve of this body")) {
+        states_[index] = State::kWaiting;
+        offsets_.push_back({index, *of, table});
+      }
+    }
+  }
+
+  // Once what it is of is known; wrong where that is.
+  void resolve(Offset& offset) {
+    if (states_[offset.curve] != State::kWaiting) {
+      return;
+    }
+    const auto name = as_text(reading_, offset.of);
+    const auto found = std::find_if(body_.curves.begin(), body_.curves.end(),
+                                    [&](const NamedCurve& curve) { return curve.name == name; });
+    const auto source = static_cast<std::size_t>(found - body_.curves.begin());
+    if (name && found == body_.curves.end()) {
+      report(reading_, offset.of,
+             fmt::format("the body has no curve of this name; {}", suggestion(*name, names())));
+    }
+    if (!name || found == body_.curves.end() || states_[source] == State::kWrong) {
+      states_[offset.curve] = State::kWrong;
+    } else if (states_[source] == State::kKnown) {
+      set(offset.curve, read_offset(offset.table, *found));
+      offset.table.finish();
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const NamedCurve& curve : body_.curves) {
+      all.push_back(curve.name);
+    }
+    return all;
+  }
+
+  Reading& reading_;
+  Body& body_;
+  std::vector<State> states_;
+  std::vector<Offset> offsets_;
+};
 
 }  // namespace
 
 void read_curves(Reading& reading, const Item& item, Body& body) {
-  const Curve placeholder = {CurveKind::kCircle};
-  for_each_table(reading, item, "a curve (a table)", [&](const std::string& name, TableReader& table) {
-    body.curves.push_back({name, read_curve(table).value_or(placeholder)});
-  });
+  CurvesReader(reading, body).read(item);
 }
 
 }  // namespace higherpair::io_detail

@@ -182,7 +182,9 @@ private:
     if (!name) {
       return;
     }
-    const auto text = read_text_file(beside(reading_.sources.front(), *name), "table");
+    const std::string path = beside(reading_.sources.front(), *name);
+    reading_.files.push_back(path);
+    const auto text = read_text_file(path, "table");
     if (!text) {
       report(reading_, item, text.error());
       return;

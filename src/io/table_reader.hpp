@@ -23,7 +23,8 @@ struct Reading {
   std::vector<std::string> sources;  ///< the names of the sources that marks are in
   Units units;
   std::vector<Mistake> mistakes;
-  std::vector<Mistake> notes;  ///< what is probably a slip, found while reading
+  std::vector<Mistake> notes;      ///< what is probably a slip, found while reading
+  std::vector<std::string> files;  ///< paths of those that were read besides the profile
 };
 
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);

@@ -54,6 +54,12 @@ struct PieceEnd {
 /// \pre every piece ends where the next begins, but for rounding
 void close_gaps(std::vector<ContourPiece>& pieces, bool closed);
 
+struct Contour {
+  std::vector<ContourPiece> pieces;  ///< each begins where the one before ends
+  std::vector<int> sources;          ///< indices of them as given; of a rounding the piece before it
+  bool closed = false;
+};
+
 /// Why corners cannot be rounded.
 struct FilletFault {
   enum class Kind {
@@ -66,17 +72,11 @@ struct FilletFault {
 };
 
 /// Every corner, convex or not, between lines and arcs as a tangent arc of this radius [m].
-[[nodiscard]] tl::expected<std::vector<ContourPiece>, FilletFault> with_fillets(
-    const std::vector<ContourPiece>& pieces, bool closed, double radius);
+[[nodiscard]] tl::expected<Contour, FilletFault> with_fillets(const std::vector<ContourPiece>& pieces,
+                                                              bool closed, double radius);
 
 /// The largest radius up to `radius` that fits everywhere, to three digits [m]; 0: none.
 [[nodiscard]] double largest_fillet(const std::vector<ContourPiece>& pieces, bool closed, double radius);
-
-struct Contour {
-  std::vector<ContourPiece> pieces;  ///< each begins where the one before ends
-  std::vector<int> sources;          ///< indices of them as given
-  bool closed = false;
-};
 
 /// More than two ends meet, so that the way on is not clear.
 struct JoinFault {

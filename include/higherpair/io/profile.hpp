@@ -43,6 +43,7 @@ struct Profile {
   Units units;
   std::vector<DriverProgram> programs;  ///< one for each of mechanism.drivers, in the same order
   std::string source;                   ///< what diagnostics call it: the file's name
+  std::vector<std::string> files;       ///< paths of what was read besides: points, drawings
   Diagnostics notes;                    ///< what is probably a slip although it may be meant
 };
 

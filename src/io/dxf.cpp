@@ -1,0 +1,187 @@
+#include "dxf.hpp"
+
+#include "dxf_entities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// Holders of curves that are not read.
+constexpr std::array<std::string_view, 6> kStrangers = {"INSERT", "3DFACE", "MLINE",
+                                                        "BODY",   "REGION", "3DSOLID"};
+
+// $INSUNITS and the units that profiles have; the others stand for nothing here.
+constexpr std::array<std::pair<std::string_view, Unit>, 7> kUnits = {{{"1", Unit::kInch},
+                                                                      {"2", Unit::kFoot},
+                                                                      {"4", Unit::kMillimetre},
+                                                                      {"5", Unit::kCentimetre},
+                                                                      {"6", Unit::kMetre},
+                                                                      {"7", Unit::kKilometre},
+                                                                      {"13", Unit::kMicrometre}}};
+
+std::string_view value_of(const DxfGroup& group, int code, std::string_view otherwise) {
+  const auto pair =
+      std::find_if(group.pairs.begin(), group.pairs.end(), [&](const DxfPair& p) { return p.code == code; });
+  return pair == group.pairs.end() ? otherwise : pair->value;
+}
+
+class Reader {
+public:
+  Reader(std::string_view text, std::optional<Unit> unit, Unit otherwise)
+      : pairs_(text), unit_(unit), otherwise_(otherwise) {}
+
+  tl::expected<DxfDrawing, DxfFault> read() {
+    while (step() && pair_ && pair_->code == 999) {
+    }
+    if (!head_) {
+      fail(1, "a drawing begins with the group 0 SECTION: is this an ASCII DXF?");
+    }
+    bool has_entities = false;
+    bool has_end = false;
+    while (head_ && !fault_ && !has_end) {
+      const DxfGroup group = take_group();
+      has_end = group.type == "EOF";
+      const std::string_view name = group.type == "SECTION" ? value_of(group, 2, "") : "";
+      if (name == "HEADER") {
+        header(group);
+      } else if (name == "ENTITIES") {
+        has_entities = true;
+        entities();
+      }
+    }
+    if (!fault_ && !has_end) {
+      fail(pairs_.line(), "the drawing ends without EOF: is it cut off?");
+    }
+    if (!fault_ && !has_entities) {
+      fail(pairs_.line(), "the drawing has no section ENTITIES");
+    }
+    if (fault_) {
+      return tl::unexpected(*fault_);
+    }
+    return std::move(drawing_);
+  }
+
+private:
+  void fail(int line, std::string message) {
+    if (!fault_) fault_ = DxfFault{line, std::move(message)};
+  }
+
+  // The next pair into pair_; head_ says whether it begins something.
+  bool step() {
+    pair_ = pairs_.next();
+    head_ = pair_ && pair_->code == 0;
+    if (!pairs_.mistake().empty()) {
+      fail(pairs_.line(), pairs_.mistake());
+    }
+    return !fault_.has_value();
+  }
+
+  // What begins here, up to the next beginning. Comments (999) are left out.
+  DxfGroup take_group() {
+    DxfGroup group = {pair_->value, pair_->line, {}};
+    while (step() && pair_ && !head_) {
+      if (pair_->code != 999) group.pairs.push_back(*pair_);
+    }
+    return group;
+  }
+
+  // The variables of a header are its own pairs: a 9 with the name, then the value.
+  void header(const DxfGroup& group) {
+    for (std::size_t i = 0; i + 1 < group.pairs.size(); ++i) {
+      if (group.pairs[i].code != 9 || group.pairs[i].value != "$INSUNITS" || unit_) {
+        continue;
+      }
+      const DxfPair& value = group.pairs[i + 1];
+      const auto* known = std::find_if(kUnits.begin(), kUnits.end(),
+                                       [&](const auto& unit) { return unit.first == value.value; });
+      if (known != kUnits.end()) {
+        unit_ = known->second;
+      } else if (value.value != "0") {
+        fail(value.line,
+             fmt::format("$INSUNITS = {} is no unit of profiles: say what its numbers are in with `units`",
+                         value.value));
+      }
+    }
+  }
+
+  void entities() {
+    const Units units = {.length = unit_.value_or(otherwise_)};
+    const Scaling scaling = to_si(dimension::kLength, units);
+    while (head_ && !fault_ && pair_->value != "ENDSEC") {
+      if (pair_->value == "SECTION" || pair_->value == "EOF") {
+        fail(pair_->line, "the section ENTITIES has no ENDSEC: is the drawing damaged?");
+        return;
+      }
+      const DxfGroup entity = take_group();
+      std::vector<DxfGroup> vertices;
+      while (entity.type == "POLYLINE" && head_ && pair_->value == "VERTEX") {
+        vertices.push_back(take_group());
+      }
+      if (!fault_ && value_of(entity, 67, "0") != "1") {  // not of a sheet of paper
+        add(entity, vertices, scaling);
+      }
+    }
+  }
+
+  void add(const DxfGroup& entity, const std::vector<DxfGroup>& vertices, const Scaling& unit) {
+    const bool stranger = std::find(kStrangers.begin(), kStrangers.end(), entity.type) != kStrangers.end();
+    if (!stranger && !is_dxf_curve(entity.type)) {
+      return;
+    }
+    const std::size_t layer = layer_of(entity);
+    if (stranger) {
+      drawing_.strangers.push_back({std::string(entity.type), layer, entity.line});
+      return;
+    }
+    auto shape = dxf_shape(entity, vertices, unit);
+    if (!shape) {
+      fault_ = shape.error();
+      return;
+    }
+    for (ContourPiece& piece : shape->pieces) {
+      drawing_.pieces.push_back({std::move(piece), shape->whole, layer, entity.line});
+    }
+  }
+
+  std::size_t layer_of(const DxfGroup& entity) {
+    const std::string_view name = value_of(entity, 8, "0");
+    auto& layers = drawing_.layers;
+    const auto found = std::find(layers.begin(), layers.end(), name);
+    if (found == layers.end()) {
+      layers.emplace_back(name);
+      return layers.size() - 1;
+    }
+    return static_cast<std::size_t>(found - layers.begin());
+  }
+
+  DxfPairs pairs_;
+  std::optional<Unit> unit_;
+  Unit otherwise_;
+  std::optional<DxfPair> pair_;
+  bool head_ = false;
+  std::optional<DxfFault> fault_;
+  DxfDrawing drawing_;
+};
+
+}  // namespace
+
+tl::expected<DxfDrawing, DxfFault> read_dxf(std::string_view text, std::optional<Unit> unit, Unit otherwise) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) {
+    text.remove_prefix(kMark.size());
+  }
+  if (text.starts_with("AutoCAD Binary DXF")) {
+    return tl::unexpected(DxfFault{1, "this is a binary DXF: save the drawing as ASCII"});
+  }
+  if (text.starts_with("AC10")) {
+    return tl::unexpected(DxfFault{1, "this is a DWG: save the drawing as ASCII DXF"});
+  }
+  return Reader(text, unit, otherwise).read();
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,306 @@
+#include "dxf_entities.hpp"
+
+#include "higherpair/geometry/spline_span.hpp"
+#include "names.hpp"
+#include "numeric/decimal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+using Shape = tl::expected<DxfShape, DxfFault>;
+
+constexpr double kDegree = kPi / 180;
+
+// The numbers of an entity by their group codes. The first mistake is kept and ends the reading; until then
+// wrong numbers count as 0.
+class Numbers {
+public:
+  Numbers(const DxfGroup& entity, const Scaling& unit) : entity_(entity), unit_(unit) {}
+
+  [[nodiscard]] const std::optional<DxfFault>& fault() const { return fault_; }
+  [[nodiscard]] double length(double x) const { return unit_.apply(x); }
+
+  void refuse(int line, std::string message) {
+    if (!fault_) {
+      fault_ = DxfFault{line, std::move(message)};
+    }
+  }
+  void refuse(std::string_view message) { refuse(entity_.line, fmt::format("{} {}", entity_.type, message)); }
+
+  double value(const DxfPair& pair) {
+    double x = 0;
+    std::string_view text = pair.value;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    const auto [end, status] = read_decimal(text.data(), text.data() + text.size(), x);
+    if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(x)) {
+      refuse(pair.line, fmt::format("\"{}\" is not a number (group {} of {})",
+                                    visible(pair.value.substr(0, 20)), pair.code, entity_.type));
+      return 0;
+    }
+    return x;
+  }
+
+  std::optional<double> find(int code) {
+    const auto pair = std::find_if(entity_.pairs.begin(), entity_.pairs.end(),
+                                   [&](const DxfPair& p) { return p.code == code; });
+    return pair == entity_.pairs.end() ? std::nullopt : std::optional(value(*pair));
+  }
+
+  double need(int code, std::string_view what) {
+    const auto x = find(code);
+    if (!x) refuse(fmt::format("has no {} (group {})", what, code));
+    return x.value_or(0);
+  }
+
+  Vector2d need_point(int code, std::string_view what) {
+    const double x = length(need(code, what));
+    return {x, length(need(code + 10, what))};
+  }
+
+  double need_radius() {
+    const double radius = length(need(40, "radius"));
+    if (!fault_ && !(radius > 0)) refuse("has a radius that is not > 0");
+    return radius;
+  }
+
+  unsigned flags() { return static_cast<unsigned>(find(70).value_or(0)); }
+
+  // -1 where the entity is drawn as seen from below.
+  double facing() {
+    constexpr double kPlane = 1e-9;
+    const double z = find(230).value_or(1);
+    if (std::abs(find(210).value_or(0)) > kPlane || std::abs(find(220).value_or(0)) > kPlane || z == 0) {
+      refuse("does not lie in the plane of the drawing: its extrusion is not along z");
+    }
+    return z < 0 ? -1 : 1;
+  }
+
+private:
+  const DxfGroup& entity_;
+  const Scaling& unit_;
+  std::optional<DxfFault> fault_;
+};
+
+Shape result(const Numbers& numbers, DxfShape shape) {
+  if (numbers.fault()) {
+    return tl::unexpected(*numbers.fault());
+  }
+  return shape;
+}
+
+// As seen from below: x counts the other way.
+ContourPiece mirrored(const ContourPiece& piece) {
+  const auto mirror = [](const Vector2d& p) { return Vector2d(-p.x(), p.y()); };
+  if (const auto* line = std::get_if<LinePiece>(&piece)) {
+    return LinePiece{mirror(line->from), mirror(line->to)};
+  }
+  const auto& arc = std::get<ArcPiece>(piece);
+  return ArcPiece{mirror(arc.center), arc.radius, kPi - arc.from, -arc.sweep};
+}
+
+Shape line(Numbers& numbers) {
+  const LinePiece piece = {numbers.need_point(10, "first point"), numbers.need_point(11, "second point")};
+  return result(numbers, piece.from == piece.to ? DxfShape{} : DxfShape{{piece}, std::nullopt});
+}
+
+Shape arc(Numbers& numbers) {
+  ArcPiece piece;
+  piece.center = numbers.need_point(10, "centre");
+  piece.radius = numbers.need_radius();
+  piece.from = numbers.need(50, "start angle") * kDegree;
+  const double sweep = std::fmod(numbers.need(51, "end angle") * kDegree - piece.from, 2 * kPi);
+  piece.sweep = sweep > 0 ? sweep : sweep + 2 * kPi;
+  return result(numbers, {{numbers.facing() < 0 ? mirrored(piece) : piece}, std::nullopt});
+}
+
+Shape circle(Numbers& numbers) {
+  ArcPiece piece = {numbers.need_point(10, "centre"), numbers.need_radius(), 0, 2 * kPi};
+  piece.center.x() *= numbers.facing();
+  if (numbers.fault()) {
+    return tl::unexpected(*numbers.fault());
+  }
+  return DxfShape{{piece}, *make_circle(piece.center, piece.radius)};
+}
+
+// The angle of the normal at the parameter u of an ellipse, which is u itself at whole quarters.
+double normal_at(double a, double b, double u) {
+  return nearest_turn(std::atan2(a * std::sin(u), b * std::cos(u)), u);
+}
+
+Shape ellipse(Numbers& numbers) {
+  const Vector2d center = numbers.need_point(10, "centre");
+  const Vector2d axis = numbers.need_point(11, "major axis");
+  const double ratio = numbers.need(40, "ratio of its axes");
+  double from = numbers.find(41).value_or(0);
+  double to = numbers.find(42).value_or(2 * kPi);
+  if (numbers.facing() < 0) {
+    from = -std::exchange(to, -from);
+  }
+  const double a = axis.norm();
+  const double b = ratio * a;
+  const auto curve = make_ellipse(center, {a, b}, angle_of(axis));
+  if (!numbers.fault() && (!curve || !(ratio > 0))) numbers.refuse("has axes that are not > 0");
+  if (numbers.fault()) {
+    return tl::unexpected(*numbers.fault());
+  }
+  constexpr double kWhole = 1e-9;  // of a turn: parameters are written with some digits
+  double sweep = std::fmod(to - from, 2 * kPi);
+  sweep = sweep > kWhole ? sweep : sweep + 2 * kPi;
+  if (sweep >= 2 * kPi - kWhole) {
+    return DxfShape{{conic_span(*curve, 0, 2 * kPi)}, *curve};
+  }
+  const double turn = angle_of(axis);
+  return DxfShape{{conic_span(*curve, turn + normal_at(a, b, from), turn + normal_at(a, b, from + sweep))},
+                  std::nullopt};
+}
+
+struct Vertex {
+  Vector2d p = Vector2d::Zero();
+  double bulge = 0;  // tangent of a quarter of the angle of the arc to the next one, > 0 counter-clockwise
+};
+
+ContourPiece piece_between(const Vertex& a, const Vertex& b) {
+  if (a.bulge == 0) {
+    return LinePiece{a.p, b.p};
+  }
+  const Vector2d chord = b.p - a.p;
+  const double k = a.bulge;
+  const Vector2d center = (a.p + b.p) / 2 + (1 - k * k) / (4 * k) * perp(chord);
+  return ArcPiece{center, (a.p - center).norm(), angle_of(a.p - center), 4 * std::atan(k)};
+}
+
+Shape polyline(Numbers& numbers, const std::vector<Vertex>& vertices, bool closed) {
+  const bool below = numbers.facing() < 0;
+  DxfShape shape;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < vertices.size(); ++i) {
+    const Vertex& a = vertices[i];
+    const Vertex& b = vertices[(i + 1) % vertices.size()];
+    if (a.p != b.p) {
+      const ContourPiece piece = piece_between(a, b);
+      shape.pieces.push_back(below ? mirrored(piece) : piece);
+    }
+  }
+  return result(numbers, std::move(shape));
+}
+
+Shape light_polyline(const DxfGroup& entity, Numbers& numbers) {
+  std::vector<Vertex> vertices;
+  for (const DxfPair& pair : entity.pairs) {
+    if (pair.code == 10) {
+      vertices.push_back({{numbers.length(numbers.value(pair)), 0}});
+    } else if (pair.code == 20 && !vertices.empty()) {
+      vertices.back().p.y() = numbers.length(numbers.value(pair));
+    } else if (pair.code == 42 && !vertices.empty()) {
+      vertices.back().bulge = numbers.value(pair);
+    }
+  }
+  const auto count = numbers.find(90);
+  if (count && *count != static_cast<double>(vertices.size())) {
+    numbers.refuse(fmt::format("announces {} vertices and has {}: is it damaged?", *count, vertices.size()));
+  }
+  return polyline(numbers, vertices, (numbers.flags() & 1U) != 0);
+}
+
+Shape old_polyline(Numbers& numbers, const std::vector<DxfGroup>& groups, const Scaling& unit) {
+  constexpr unsigned kNotPlane = 8U | 16U | 64U;  // 3D polylines and meshes
+  constexpr unsigned kFrame = 16U;                // a vertex of the frame of a fitted spline
+  if ((numbers.flags() & kNotPlane) != 0) {
+    numbers.refuse("is a polyline or mesh in space: flatten it");
+  }
+  std::vector<Vertex> vertices;
+  for (const DxfGroup& group : groups) {
+    Numbers vertex(group, unit);
+    if ((vertex.flags() & kFrame) == 0) {
+      const Vector2d p = vertex.need_point(10, "place");
+      vertices.push_back({p, vertex.find(42).value_or(0)});
+    }
+    if (vertex.fault()) {
+      return tl::unexpected(*vertex.fault());
+    }
+  }
+  return polyline(numbers, vertices, (numbers.flags() & 1U) != 0);
+}
+
+std::string fault_of(const NurbsCurve& curve, double degree) {
+  const std::size_t count = curve.control.size();
+  if (!(degree >= 1 && degree <= kHighestNurbsDegree && degree == std::floor(degree))) {
+    return fmt::format("has the degree {}: 1 to {} are read", degree, kHighestNurbsDegree);
+  }
+  if (count == 0) {
+    return "has points that it goes through and no control points: save the drawing with them";
+  }
+  if (count <= static_cast<std::size_t>(curve.degree)) {
+    return fmt::format("has {} control points: its degree takes at least {}", count, curve.degree + 1);
+  }
+  if (curve.knots.size() != count + static_cast<std::size_t>(curve.degree) + 1) {
+    return fmt::format("has {} knots where {} control points and degree {} take {}", curve.knots.size(),
+                       count, curve.degree, count + static_cast<std::size_t>(curve.degree) + 1);
+  }
+  if (!std::is_sorted(curve.knots.begin(), curve.knots.end())) {
+    return "has knots that fall";
+  }
+  if (!curve.weights.empty() && curve.weights.size() != count) {
+    return fmt::format("has {} weights for {} control points", curve.weights.size(), count);
+  }
+  const bool positive =
+      std::all_of(curve.weights.begin(), curve.weights.end(), [](double w) { return w > 0; });
+  return positive ? "" : "has a weight that is not > 0";
+}
+
+Shape spline(const DxfGroup& entity, Numbers& numbers) {
+  NurbsCurve curve;
+  for (const DxfPair& pair : entity.pairs) {
+    if (pair.code == 40) curve.knots.push_back(numbers.value(pair));
+    if (pair.code == 41) curve.weights.push_back(numbers.value(pair));
+    if (pair.code == 10) curve.control.emplace_back(numbers.length(numbers.value(pair)), 0);
+    if (pair.code == 20 && !curve.control.empty()) {
+      curve.control.back().y() = numbers.length(numbers.value(pair));
+    }
+  }
+  const double degree = numbers.need(71, "degree");
+  curve.degree = static_cast<int>(std::clamp(degree, 0.0, 100.0));
+  if (const std::string fault = fault_of(curve, degree); !numbers.fault() && !fault.empty()) {
+    numbers.refuse(fault);
+  }
+  if (numbers.fault()) {
+    return tl::unexpected(*numbers.fault());
+  }
+  if (std::all_of(curve.weights.begin(), curve.weights.end(),
+                  [&](double w) { return w == curve.weights.front(); })) {
+    curve.weights.clear();
+  }
+  DxfShape shape;
+  for (SpanPtr& span : nurbs_spans(curve)) {
+    shape.pieces.emplace_back(std::move(span));
+  }
+  return shape;
+}
+
+constexpr std::array<std::string_view, 7> kCurves = {"LINE",       "ARC",      "CIRCLE", "ELLIPSE",
+                                                     "LWPOLYLINE", "POLYLINE", "SPLINE"};
+
+}  // namespace
+
+bool is_dxf_curve(std::string_view type) {
+  return std::find(kCurves.begin(), kCurves.end(), type) != kCurves.end();
+}
+
+tl::expected<DxfShape, DxfFault> dxf_shape(const DxfGroup& entity, const std::vector<DxfGroup>& vertices,
+                                           const Scaling& unit) {
+  Numbers numbers(entity, unit);
+  if (entity.type == "LINE") return line(numbers);
+  if (entity.type == "ARC") return arc(numbers);
+  if (entity.type == "CIRCLE") return circle(numbers);
+  if (entity.type == "ELLIPSE") return ellipse(numbers);
+  if (entity.type == "LWPOLYLINE") return light_polyline(entity, numbers);
+  if (entity.type == "POLYLINE") return old_polyline(numbers, vertices, unit);
+  return spline(entity, numbers);
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "dxf.hpp"
+#include "dxf_pairs.hpp"
+
+namespace higherpair::io_detail {
+
+/// The curves of one entity of a drawing, in its own unit.
+struct DxfShape {
+  std::vector<ContourPiece> pieces;
+  std::optional<Curve> whole;  ///< a circle or ellipse without ends
+};
+
+/// Whether an entity of this type is a curve that dxf_shape() reads.
+[[nodiscard]] bool is_dxf_curve(std::string_view type);
+
+/// \param vertices  of a POLYLINE, the groups that follow it
+/// \param unit      from its numbers to metres
+[[nodiscard]] tl::expected<DxfShape, DxfFault> dxf_shape(const DxfGroup& entity,
+                                                         const std::vector<DxfGroup>& vertices,
+                                                         const Scaling& unit);
+
+}  // namespace higherpair::io_detail

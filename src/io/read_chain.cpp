@@ -1,0 +1,158 @@
+#include "read_boundary.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+struct PieceType {
+  std::string name;
+  std::optional<ContourPiece> (*read)(TableReader& table);
+  bool either_way;  // its own way is not the user's choice: it goes as its neighbours need it
+};
+
+const std::array<PieceType, 4>& piece_types() {
+  static const std::array<PieceType, 4> kTypes = {
+      {{"arc", arc_piece, true},
+       {"segment", segment_piece, false},
+       {"spline", [](TableReader& table) { return spline_piece(table, false); }, false},
+       {"involute", involute_piece, true}}};
+  return kTypes;
+}
+
+struct ChainPiece {
+  ContourPiece piece;
+  bool either_way = false;
+};
+
+std::optional<ChainPiece> read_piece(TableReader& table) {
+  const auto item = table.need("type", "a kind of span, such as \"arc\"");
+  std::vector<std::string> names;
+  for (const PieceType& type : piece_types()) {
+    names.push_back(type.name);
+  }
+  const auto choice = item ? as_choice(table.reading(), *item, names) : std::nullopt;
+  if (!choice) {
+    return std::nullopt;
+  }
+  for (const char* key : {"side", "material"}) {
+    table.refuse(key, "belongs to the chain as a whole, not to one of its spans");
+  }
+  const PieceType& type = piece_types()[*choice];
+  auto piece = type.read(table);
+  table.finish();
+  return piece ? std::optional(ChainPiece{*std::move(piece), type.either_way}) : std::nullopt;
+}
+
+std::optional<std::vector<ChainPiece>> read_pieces(TableReader& table, const Item& item) {
+  Reading& reading = table.reading();
+  const auto* items = std::get_if<Array>(&item.value->content);
+  if (items == nullptr || items->empty()) {
+    report(reading, item, "expected a list of spans, [{ type = \"arc\", … }, …]");
+    return std::nullopt;
+  }
+  std::vector<ChainPiece> pieces;
+  bool complete = true;
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const Item entry = {&(*items)[i], fmt::format("{}.{}", item.path, i)};
+    const Table* keys = as_table(reading, entry, "a span (a table)");
+    std::optional<ChainPiece> piece;
+    if (keys != nullptr) {
+      TableReader reader(reading, *keys, entry.value->mark, entry.path);
+      piece = read_piece(reader);
+    }
+    complete = complete && piece.has_value();
+    if (piece) pieces.push_back(*std::move(piece));
+  }
+  return complete ? std::optional(std::move(pieces)) : std::nullopt;
+}
+
+double gap(const ContourPiece& a, const ContourPiece& b) {
+  return (begin_of(b).p_B - end_of(a).p_B).norm();
+}
+
+// The ways of arcs and involutes, each as it goes on best from the one before; of the first one as the second
+// goes on best from it.
+std::vector<ContourPiece> put_in_line(const std::vector<ChainPiece>& given) {
+  std::vector<ContourPiece> pieces;
+  for (const ChainPiece& one : given) {
+    pieces.push_back(one.piece);
+  }
+  const auto least = [&](const ContourPiece& first) {
+    const double straight = gap(first, pieces[1]);
+    return given[1].either_way ? std::min(straight, gap(first, reversed(pieces[1]))) : straight;
+  };
+  if (pieces.size() > 1 && given[0].either_way && least(reversed(pieces[0])) < least(pieces[0])) {
+    pieces[0] = reversed(pieces[0]);
+  }
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const ContourPiece back = reversed(pieces[i]);
+    if (given[i].either_way && gap(pieces[i - 1], back) < gap(pieces[i - 1], pieces[i])) {
+      pieces[i] = back;
+    }
+  }
+  return pieces;
+}
+
+void report_fillet(TableReader& table, const Outline& outline, const FilletFault& fault, double radius) {
+  const Reading& reading = table.reading();
+  const auto piece = static_cast<std::size_t>(fault.piece);
+  const std::string corner =
+      fmt::format("the corner at {} between {} and {}", point_text(reading, fault.at_B), outline.names[piece],
+                  outline.names[(piece + 1) % outline.names.size()]);
+  std::string rule;
+  if (fault.kind == FilletFault::Kind::kOther) {
+    rule = fmt::format("rounds corners between segments and arcs only: not {}", corner);
+  } else if (fault.kind == FilletFault::Kind::kCusp) {
+    rule = fmt::format("the way turns back, there is no rounding {}", corner);
+  } else {
+    const double largest = largest_fillet(outline.pieces, outline.closed, radius);
+    rule = fmt::format(
+        "is too large for {}; {}", corner,
+        largest > 0
+            ? fmt::format("up to {} fits everywhere",
+                          fmt::format("{:.3g} {}", from_si(dimension::kLength, reading.units).apply(largest),
+                                      name_of(reading.units.length)))
+            : "no smaller one fits either");
+  }
+  report(table.reading(), *table.take("fillet"), rule);
+}
+
+}  // namespace
+
+std::optional<NamedCurve> read_chain(TableReader& table) {
+  const auto item = table.need("spans", "a list of spans, [{ type = \"arc\", … }, …]");
+  const double fillet = table.quantity("fillet", {dimension::kLength, Sign::kNotNegative});
+  Outline outline;
+  outline.closed = table.flag("closed", true);
+  const double tolerance = table.quantity("tolerance", {dimension::kLength, Sign::kNotNegative}, -1);
+  const auto pieces = item ? read_pieces(table, *item) : std::nullopt;
+  if (!pieces) {
+    return std::nullopt;
+  }
+  outline.pieces = put_in_line(*pieces);
+  outline.tolerance = tolerance >= 0 ? tolerance : kDefaultGap * size_of(outline.pieces);
+  for (std::size_t i = 0; i < pieces->size(); ++i) {
+    outline.names.push_back(fmt::format("spans.{}", i));
+  }
+  if (fillet == 0 || report_gaps(table, outline)) {
+    return fillet == 0 ? curve_of(table, std::move(outline)) : std::nullopt;
+  }
+  close_gaps(outline.pieces, outline.closed);
+  auto rounded = with_fillets(outline.pieces, outline.closed, fillet);
+  if (!rounded) {
+    report_fillet(table, outline, rounded.error(), fillet);
+    return std::nullopt;
+  }
+  outline.pieces = std::move(rounded->pieces);
+  std::vector<std::string> names;
+  for (const int source : rounded->sources) {
+    names.push_back(outline.names[static_cast<std::size_t>(source)]);
+  }
+  outline.names = std::move(names);
+  return curve_of(table, std::move(outline));
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,180 @@
+#include "dxf.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "read_boundary.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+struct Drawing {
+  DxfDrawing content;  // of the wanted layer only
+  Item file;
+};
+
+// What is on one layer, or everything.
+std::optional<Drawing> read_drawing(TableReader& table) {
+  Reading& reading = table.reading();
+  const auto item = table.need("file", "the name of a DXF file");
+  const auto unit = read_file_unit(table);
+  const auto layer = table.take("layer");
+  const auto name = layer ? as_text(reading, *layer) : std::nullopt;
+  const auto file = item ? read_named_file(table, *item, "drawing") : std::nullopt;
+  if (!file || (layer && !name)) {
+    return std::nullopt;
+  }
+  auto read = read_dxf(*file, unit, reading.units.length);
+  if (!read) {
+    report_in_file(table, *item, read.error().line, read.error().message);
+    return std::nullopt;
+  }
+  if (!name) {
+    return Drawing{*std::move(read), *item};
+  }
+  const auto& layers = read->layers;
+  const auto found = std::find(layers.begin(), layers.end(), *name);
+  if (found == layers.end()) {
+    report(reading, *layer,
+           layers.empty()
+               ? "the drawing has no lines or curves on any layer"
+               : fmt::format("no line or curve is on this layer; there are {}", fmt::join(layers, ", ")));
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(found - layers.begin());
+  std::erase_if(read->pieces, [&](const DxfPiece& piece) { return piece.layer != index; });
+  std::erase_if(read->strangers, [&](const DxfStranger& stranger) { return stranger.layer != index; });
+  return Drawing{*std::move(read), *item};
+}
+
+double distance(const Contour& contour, const Vector2d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SpanPtr& span : spans_of(contour.pieces)) {
+    const Bounds range = span->range();
+    constexpr int kParts = 16;
+    for (int k = 0; k <= kParts; ++k) {
+      least = std::min(least, (span->at(range.low + range.width() * k / kParts).p_B - p).norm());
+    }
+  }
+  return least;
+}
+
+// The one that is meant; of several the one nearest to `near`.
+std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
+                                  const std::vector<Contour>& contours) {
+  const Reading& reading = table.reading();
+  const auto near = table.take("near");
+  const auto point = near ? as_vector(table.reading(), *near, dimension::kLength) : std::nullopt;
+  if (contours.size() == 1 || point) {
+    std::vector<double> distances;
+    for (const Contour& contour : contours) {
+      distances.push_back(point ? distance(contour, *point) : 0);
+    }
+    return static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
+  }
+  std::set<std::string> layers;
+  std::vector<std::string> places;
+  for (const Contour& contour : contours) {
+    const DxfPiece& first = drawing.content.pieces[static_cast<std::size_t>(contour.sources.front())];
+    layers.insert(drawing.content.layers[first.layer]);
+    constexpr std::size_t kShown = 4;
+    if (places.size() < kShown) {
+      places.push_back(
+          fmt::format("{} (line {})", point_text(reading, begin_of(contour.pieces.front()).p_B), first.line));
+    }
+  }
+  report_whole(
+      table,
+      fmt::format("the drawing has {} contours, from {}{}; say which one with {}`near = [x, y]`",
+                  contours.size(), fmt::join(places, ", "), contours.size() > places.size() ? ", …" : "",
+                  layers.size() > 1 ? fmt::format("`layer` ({}) or ", fmt::join(layers, ", ")) : ""));
+  return std::nullopt;
+}
+
+void report_open(TableReader& table, const Drawing& drawing, const Contour& contour, double tolerance) {
+  const Reading& reading = table.reading();
+  const auto line = [&](int piece) { return drawing.content.pieces[static_cast<std::size_t>(piece)].line; };
+  const Vector2d begin = begin_of(contour.pieces.front()).p_B;
+  const Vector2d end = end_of(contour.pieces.back()).p_B;
+  report_in_file(
+      table, drawing.file, line(contour.sources.back()),
+      fmt::format("the contour does not close: nothing goes on at {} (line {}), and it begins at {} "
+                  "(line {}), {} away; ends within `tolerance` ({}) meet",
+                  point_text(reading, end), line(contour.sources.back()), point_text(reading, begin),
+                  line(contour.sources.front()), length_text(reading, (end - begin).norm()),
+                  length_text(reading, tolerance)));
+}
+
+void report_join(TableReader& table, const Drawing& drawing, const JoinFault& fault) {
+  std::vector<int> lines;
+  for (const int piece : fault.pieces) {
+    lines.push_back(drawing.content.pieces[static_cast<std::size_t>(piece)].line);
+  }
+  std::sort(lines.begin(), lines.end());
+  report_in_file(
+      table, drawing.file, lines.front(),
+      fmt::format("more than two ends meet at {} (lines {}): a contour goes on in one way only; put "
+                  "it on a layer of its own, and draw nothing twice",
+                  point_text(table.reading(), fault.at_B), fmt::join(lines, ", ")));
+}
+
+void report_nothing(TableReader& table, const Drawing& drawing) {
+  const auto& strangers = drawing.content.strangers;
+  report_whole(table,
+               strangers.empty()
+                   ? "the drawing has no lines or curves here"
+                   : fmt::format("the drawing has no lines or curves here, but {} on line {}, which is not "
+                                 "read: take it apart (explode) in the drawing program",
+                                 strangers.front().type, strangers.front().line));
+}
+
+}  // namespace
+
+std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
+  const double given = table.quantity("tolerance", {dimension::kLength, Sign::kNotNegative}, -1);
+  const auto drawing = read_drawing(table);
+  if (!drawing) {
+    (void)table.take("near");
+    return std::nullopt;
+  }
+  std::vector<ContourPiece> pieces;
+  for (const DxfPiece& piece : drawing->content.pieces) {
+    pieces.push_back(piece.piece);
+  }
+  if (pieces.empty()) {
+    report_nothing(table, *drawing);
+    return std::nullopt;
+  }
+  const double tolerance = given >= 0 ? given : kDefaultGap * size_of(pieces);
+  auto contours = join(pieces, tolerance);
+  if (!contours) {
+    report_join(table, *drawing, contours.error());
+    return std::nullopt;
+  }
+  const auto index = choose(table, *drawing, *contours);
+  if (!index) {
+    return std::nullopt;
+  }
+  Contour& contour = (*contours)[*index];
+  if (!contour.closed) {
+    report_open(table, *drawing, contour, tolerance);
+    return std::nullopt;
+  }
+  Outline outline = {std::move(contour.pieces), true, tolerance};
+  const auto piece_at = [&](int source) -> const DxfPiece& {
+    return drawing->content.pieces[static_cast<std::size_t>(source)];
+  };
+  for (const int source : contour.sources) {
+    outline.names.push_back(fmt::format("line {}", piece_at(source).line));
+  }
+  if (contour.pieces.size() == 1 || contour.sources.size() == 1) {
+    outline.whole = piece_at(contour.sources.front()).whole;
+  }
+  return curve_of(table, std::move(outline));
+}
+
+}  // namespace higherpair::io_detail
