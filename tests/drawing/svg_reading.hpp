@@ -54,7 +54,7 @@ inline Model shipped(const std::string& name, const std::vector<std::string>& se
 inline std::vector<std::string> all_shipped() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
-    names.push_back(entry.path().stem());
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
   }
   return names;
 }

@@ -1,0 +1,286 @@
+#include "higherpair/geometry/contour.hpp"
+#include "io/boundary_testing.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Each word on a line of its own.
+std::string in_lines(const std::string& words) {
+  std::istringstream stream(words);
+  std::string text;
+  for (std::string word; stream >> word;) text += word + "\n";
+  return text;
+}
+
+// A drawing of these entities; "0 LINE" is on line 5 where there is no header.
+std::string drawing(const std::string& entities, const std::string& header = "") {
+  return in_lines((header.empty() ? "" : "0 SECTION 2 HEADER " + header + " 0 ENDSEC ") +
+                  "0 SECTION 2 ENTITIES " + entities + " 0 ENDSEC 0 EOF");
+}
+
+std::string line(double x, double y, double to_x, double to_y, const std::string& layer = "0") {
+  return fmt::format("0 LINE 8 {} 10 {} 20 {} 30 0 11 {} 21 {} 31 0 ", layer, x, y, to_x, to_y);
+}
+
+// A triangle, one of its sides the other way round.
+const std::string kTriangle = line(0, 0, 7, 0) + line(7, 3, 7, 0) + line(7, 3, 0, 0);
+
+class Dxf : public testing::ProfileWithFiles {
+protected:
+  [[nodiscard]] NamedCurve of(const std::string& entities, const std::string& keys = "",
+                              const std::string& header = "") const {
+    write("d.dxf", drawing(entities, header));
+    return curve("{ type = \"dxf\", file = \"d.dxf\"" + keys + " }");
+  }
+
+  [[nodiscard]] std::vector<std::string> messages_about(const std::string& text,
+                                                        const std::string& keys = "") const {
+    write("d.dxf", text);
+    return messages_of("{ type = \"dxf\", file = \"d.dxf\"" + keys + " }");
+  }
+};
+
+double left_area(const NamedCurve& curve) {
+  std::vector<ContourPiece> pieces;
+  for (const SpanPtr& span : curve.boundary->spans()) {
+    if (!span->is_corner()) pieces.emplace_back(span);
+  }
+  return enclosed_area(pieces) / 2;
+}
+
+TEST_F(Dxf, LinesInAnyOrderAndSenseAreAContour) {
+  const NamedCurve triangle = of(kTriangle);
+  EXPECT_TRUE(triangle.boundary->is_closed());
+  EXPECT_TRUE(triangle.boundary->is_convex());
+  EXPECT_NEAR(left_area(triangle), 10.5e-6, 1e-18);
+  EXPECT_NEAR(left_area(of(kTriangle, ", side = \"outside\"")), -10.5e-6, 1e-18);
+}
+
+TEST_F(Dxf, UnitsAreThoseOfTheHeaderUnlessStated) {
+  EXPECT_NEAR(left_area(of(kTriangle, "", "9 $ACADVER 1 AC1015 9 $INSUNITS 70 1")), 10.5 * 0.0254 * 0.0254,
+              1e-15);
+  EXPECT_NEAR(left_area(of(kTriangle, "", "9 $INSUNITS 70 5")), 10.5e-4, 1e-16);
+  EXPECT_NEAR(left_area(of(kTriangle, "", "9 $INSUNITS 70 0")), 10.5e-6, 1e-18);
+  EXPECT_NEAR(left_area(of(kTriangle, ", units = \"m\"", "9 $INSUNITS 70 4")), 10.5, 1e-12);
+}
+
+TEST_F(Dxf, ACircleKeepsItsClosedForms) {
+  const NamedCurve disc = of("0 CIRCLE 8 a 10 3 20 -4 30 0 40 11");
+  EXPECT_EQ(disc.boundary, nullptr);
+  EXPECT_EQ(disc.curve.kind, CurveKind::kCircle);
+  EXPECT_EQ(disc.curve.semi_latus, 0.011);
+  EXPECT_TRUE(center(disc.curve).isApprox(Vector2d(0.003, -0.004), 1e-15));
+  EXPECT_EQ(of("0 CIRCLE 8 a 10 3 20 -4 40 11", ", side = \"outside\"").curve.side, Side::kOutside);
+  const NamedCurve oval = of("0 ELLIPSE 8 a 10 3 20 -4 11 5 21 0 40 0.6 41 0 42 6.283185307179586");
+  EXPECT_EQ(oval.curve.kind, CurveKind::kEllipse);
+  EXPECT_NEAR(semi_axes(oval.curve)[1], 0.003, 1e-17);
+}
+
+TEST_F(Dxf, ArcsGoCounterClockwiseAndSeenFromBelowClockwise) {
+  // Half a disc of radius 5 about (2, 1), above or below its diameter.
+  const std::string diameter = line(-3, 1, 7, 1);
+  const NamedCurve above = of(diameter + "0 ARC 8 0 10 2 20 1 40 5 50 0 51 180");
+  EXPECT_NEAR(left_area(above), kPi * 12.5e-6, 1e-7);
+  EXPECT_EQ(above.boundary->spans().size(), 4U);
+  const NamedCurve below = of(diameter + "0 ARC 8 0 10 2 20 1 40 5 50 180 51 360");
+  const NamedCurve mirrored = of(diameter + "0 ARC 8 0 10 -2 20 1 40 5 50 180 51 0 210 0 220 0 230 -1");
+  for (const NamedCurve& half : {below, mirrored}) {
+    double least = 0;
+    for (const auto& sample : half.boundary->samples()) least = std::min(least, sample.point.p_B.y());
+    EXPECT_NEAR(least, -0.004, 1e-5);
+  }
+}
+
+TEST_F(Dxf, EllipsesHaveEnds) {
+  // A quarter of x²/25 + y²/9 = 1 about (1, 2), turned by 90 degrees, and the two legs.
+  const NamedCurve quarter =
+      of(line(1, 2, 1, 7) + line(-2, 2, 1, 2) +
+         "0 ELLIPSE 8 0 10 1 20 2 11 0 21 5 40 0.6 41 0 42 1.5707963267948966 210 0 220 0 230 1");
+  EXPECT_TRUE(quarter.boundary->is_closed());
+  EXPECT_NEAR(left_area(quarter), kPi / 4 * 15e-6, 1e-7);
+  const NamedCurve below =
+      of(line(1, 2, 1, 7) + line(4, 2, 1, 2) +
+         "0 ELLIPSE 8 0 10 1 20 2 11 0 21 5 40 0.6 41 0 42 1.5707963267948966 210 0 220 0 230 -1");
+  EXPECT_NEAR(left_area(below), kPi / 4 * 15e-6, 1e-7);
+}
+
+TEST_F(Dxf, PolylinesHaveBulges) {
+  // A slot 20 long and 10 wide with round ends; a bulge of 1 is half a circle.
+  const std::string old_slot =
+      "0 POLYLINE 8 0 66 1 70 1 0 VERTEX 8 0 10 0 20 -5 0 VERTEX 8 0 10 20 20 -5 42 1 "
+      "0 VERTEX 8 0 10 20 20 5 0 VERTEX 8 0 10 0 20 5 42 1 0 SEQEND 8 0";
+  const std::string slot =
+      "0 LWPOLYLINE 8 0 90 4 70 1 43 0 10 0 20 -5 10 20 20 -5 42 1 10 20 20 5 10 0 20 5 42 1";
+  for (const std::string& entity : {slot, old_slot}) {
+    const NamedCurve curve = of(entity);
+    EXPECT_EQ(curve.boundary->spans().size(), 4U);
+    EXPECT_TRUE(curve.boundary->is_convex());
+    EXPECT_NEAR(left_area(curve), (200 + kPi * 25) * 1e-6, 4e-7);
+    EXPECT_NEAR(curve.boundary->spans()[1]->at(curve.boundary->spans()[1]->range().low).kappa, 200, 1e-9);
+  }
+  const NamedCurve lens = of("0 LWPOLYLINE 8 0 90 2 70 1 10 0 20 0 42 -0.3 10 20 20 0 42 -0.3");
+  EXPECT_TRUE(lens.boundary->is_convex());
+}
+
+TEST_F(Dxf, SplinesMayBeRational) {
+  const NamedCurve disc =
+      of("0 SPLINE 8 0 70 4 71 2 72 8 73 5 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 2 "
+         "10 4 20 0 41 1 10 4 20 4 41 0.7071067811865476 10 0 20 4 41 1 10 -4 20 4 41 0.7071067811865476 "
+         "10 -4 20 0 41 1 " +
+         line(-4, 0, 4, 0));
+  EXPECT_NEAR(left_area(disc), kPi * 8e-6, 1e-7);
+  for (const auto& sample : disc.boundary->samples()) {
+    if (sample.point.kappa != 0) {
+      EXPECT_NEAR(sample.point.kappa, 250, 1e-9);
+    }
+  }
+  const NamedCurve cubic = of(
+      "0 SPLINE 8 0 71 3 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 10 1 20 3 10 4 20 3 10 5 20 0 " +
+      line(5, 0, 0, 0));
+  EXPECT_NEAR(left_area(cubic), 8.1e-6, 1e-7);
+}
+
+TEST_F(Dxf, TheLayerOrTheNearestContourIsTaken) {
+  const std::string two = kTriangle + "0 CIRCLE 8 bore 10 50 20 0 40 2 ";
+  EXPECT_EQ(of(two, ", layer = \"bore\"").curve.kind, CurveKind::kCircle);
+  EXPECT_NEAR(left_area(of(two, ", layer = \"0\"")), 10.5e-6, 1e-18);
+  EXPECT_EQ(of(two, ", near = [45, 1]").curve.kind, CurveKind::kCircle);
+  EXPECT_NEAR(left_area(of(two, ", near = [20, 0]")), 10.5e-6, 1e-18);
+  EXPECT_THAT(
+      messages_about(drawing(two)),
+      ElementsAre("test.toml:13:5: bodies.crank.curves.c: the drawing has 2 contours, from (0, 0) (line 6), "
+                  "(52, 0) (line 48); say which one with `layer` (0, bore) or `near = [x, y]`"));
+  EXPECT_THAT(
+      messages_about(drawing(two), ", layer = \"cam\""),
+      ElementsAre(HasSubstr("c.layer = \"cam\": no line or curve is on this layer; there are 0, bore")));
+}
+
+TEST_F(Dxf, WhatIsNoCurveIsLeftOut) {
+  const NamedCurve triangle =
+      of("999 comment 0 TEXT 8 0 10 0 20 0 40 2 1 words 0 POINT 8 0 10 1 20 1 " + line(3, 3, 3, 3) +
+         kTriangle + "0 LINE 67 1 8 0 10 99 20 99 11 98 21 98 0 HATCH 8 0 10 0 20 0 ");
+  EXPECT_NEAR(left_area(triangle), 10.5e-6, 1e-18);
+}
+
+TEST_F(Dxf, ReadsLinesEndedByCarriageReturnsToo) {
+  std::string text = drawing(kTriangle);
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "\r\n");
+  write("d.dxf", "999\r\nby hand\r\n" + text);
+  EXPECT_NEAR(left_area(curve("{ type = \"dxf\", file = \"d.dxf\" }")), 10.5e-6, 1e-18);
+}
+
+TEST_F(Dxf, ContoursThatDoNotCloseAreRefusedWithTheirEnds) {
+  EXPECT_THAT(
+      messages_about(drawing(line(0, 0, 7, 0) + line(7, 0, 7, 3) + line(7, 3, 0, 0.01))),
+      ElementsAre(
+          "d.dxf:34:1: bodies.crank.curves.c.file: the contour does not close: nothing goes on at (0, "
+          "0.01) (line 34), and it begins at (0, 0) (line 6), 0.01 mm away; ends within `tolerance` "
+          "(3.80789e-05 mm) meet"));
+  EXPECT_THAT(messages_about(drawing(line(0, 0, 7, 0) + line(7, 0, 7, 3) + line(7, 3, 0, 0.01)),
+                             ", tolerance = 0.02"),
+              IsEmpty());
+  EXPECT_THAT(
+      messages_about(drawing(kTriangle + line(7, 0, 9, 9))),
+      ElementsAre(AllOf(HasSubstr("d.dxf:6:1: "), HasSubstr("more than two ends meet at (7, 0) (lines 6, 20, "
+                                                            "48): a contour goes on in one way only"))));
+}
+
+TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {
+  const auto first = [&](const std::string& text) {
+    const auto messages = messages_about(text);
+    return messages.empty() ? std::string("read") : messages.front();
+  };
+  const std::string where = ": bodies.crank.curves.c.file: ";
+  EXPECT_EQ(first(""),
+            "d.dxf:1:1" + where + "a drawing begins with the group 0 SECTION: is this an ASCII DXF?");
+  EXPECT_THAT(first("hello\nworld\n"), HasSubstr("d.dxf:1:1" + where +
+                                                 "a group code is a whole number up to 1071, "
+                                                 "found \"hello\""));
+  EXPECT_THAT(first("AutoCAD Binary DXF\r\n"), HasSubstr("this is a binary DXF: save the drawing as ASCII"));
+  EXPECT_THAT(first("AC1015......"), HasSubstr("this is a DWG: save the drawing as ASCII DXF"));
+  EXPECT_THAT(first(in_lines("0 SECTION 2 HEADER 0 ENDSEC 0 EOF")),
+              HasSubstr("the drawing has no section ENTITIES"));
+  EXPECT_THAT(first(in_lines("0 SECTION 2 ENTITIES " + kTriangle)),
+              HasSubstr("d.dxf:46:1" + where + "the drawing ends without EOF: is it cut off?"));
+  EXPECT_THAT(first(in_lines("0 SECTION 2 ENTITIES 0 LINE 8")), HasSubstr("d.dxf:7:1" + where +
+                                                                          "the file ends behind a "
+                                                                          "group code"));
+  EXPECT_THAT(first(in_lines("0 SECTION 2 ENTITIES " + kTriangle + "0 EOF")), HasSubstr("has no ENDSEC"));
+  EXPECT_THAT(first(drawing("0 LINE 8 0 10 zero 20 0 11 1 21 1")),
+              HasSubstr("d.dxf:10:1" + where + "\"zero\" is not a number (group 10 of LINE)"));
+  EXPECT_THAT(first(drawing("0 LINE 8 0 10 0 20 0 11 1")), HasSubstr("d.dxf:6:1" + where +
+                                                                     "LINE has no second point "
+                                                                     "(group 21)"));
+  EXPECT_THAT(first(drawing("0 CIRCLE 8 0 10 0 20 0 40 -1")),
+              HasSubstr("CIRCLE has a radius that is not > 0"));
+  EXPECT_THAT(first(drawing("0 ARC 8 0 10 0 20 0 40 1 50 0")), HasSubstr("ARC has no end angle (group 51)"));
+  EXPECT_THAT(first(drawing("0 ARC 8 0 10 0 20 0 40 1 50 0 51 9 220 1 230 0")),
+              HasSubstr("ARC does not lie in the plane of the drawing"));
+  EXPECT_THAT(first(drawing("0 ELLIPSE 8 0 10 0 20 0 11 1 21 0 40 0")),
+              HasSubstr("ELLIPSE has axes that are not > 0"));
+  EXPECT_THAT(first(drawing("0 LWPOLYLINE 8 0 90 3 70 1 10 0 20 0 10 1 20 1")),
+              HasSubstr("LWPOLYLINE announces 3 vertices and has 2: is it damaged?"));
+  EXPECT_THAT(first(drawing("0 POLYLINE 8 0 70 8 0 SEQEND")),
+              HasSubstr("POLYLINE is a polyline or mesh in space"));
+  EXPECT_THAT(first(drawing("0 POLYLINE 8 0 70 1 0 VERTEX 8 0 20 1 0 SEQEND")),
+              HasSubstr("d.dxf:12:1" + where + "VERTEX has no place (group 10)"));
+  const auto spline = [&](const std::string& rest) { return first(drawing("0 SPLINE 8 0 " + rest)); };
+  EXPECT_THAT(spline("10 0 20 0"), HasSubstr("SPLINE has no degree (group 71)"));
+  EXPECT_THAT(spline("71 9 10 0 20 0"), HasSubstr("SPLINE has the degree 9: 1 to 7 are read"));
+  EXPECT_THAT(spline("71 3 11 0 21 0 11 5 21 5"),
+              HasSubstr("has points that it goes through and no control points"));
+  EXPECT_THAT(spline("71 3 10 0 20 0"), HasSubstr("has 1 control points: its degree takes at least 4"));
+  EXPECT_THAT(spline("71 1 10 0 20 0 10 1 20 0 40 0 40 1"),
+              HasSubstr("has 2 knots where 2 control points and degree 1 "
+                        "take 4"));
+  EXPECT_THAT(spline("71 1 10 0 20 0 10 1 20 0 40 0 40 2 40 1 40 3"), HasSubstr("has knots that fall"));
+  EXPECT_THAT(spline("71 1 10 0 20 0 10 1 20 0 41 1 40 0 40 0 40 1 40 1"),
+              HasSubstr("has 1 weights for 2 control "
+                        "points"));
+  EXPECT_THAT(spline("71 1 10 0 20 0 10 1 20 0 41 1 41 0 40 0 40 0 40 1 40 1"),
+              HasSubstr("has a weight that is not > 0"));
+  EXPECT_THAT(first(drawing(kTriangle, "9 $INSUNITS 70 17")),
+              HasSubstr("$INSUNITS = 17 is no unit of profiles: say what its numbers are in with `units`"));
+  EXPECT_THAT(
+      first(drawing("0 INSERT 8 0 2 cam 10 0 20 0")),
+      HasSubstr("no lines or curves here, but INSERT on line 6, which is not read: take it apart (explode)"));
+  EXPECT_THAT(first(drawing("0 TEXT 8 0")), HasSubstr("the drawing has no lines or curves here"));
+  EXPECT_THAT(messages_of("{ type = \"dxf\" }"),
+              ElementsAre(HasSubstr("c.file is missing: expected the name of a DXF "
+                                    "file")));
+  EXPECT_THAT(messages_of("{ type = \"dxf\", file = \"no.dxf\" }"),
+              ElementsAre(HasSubstr("no.dxf cannot be opened")));
+}
+
+TEST_F(Dxf, TenThousandEntitiesAreOneContour) {
+  std::string entities;
+  const int count = 10000;
+  const auto at = [&](int i) {
+    const double u = 2 * kPi * i / count;
+    const double r = 50 + 3 * std::cos(3 * u);
+    return Vector2d(r * std::cos(u), r * std::sin(u));
+  };
+  for (int i = 0; i < count; ++i) {
+    const Vector2d a = at(i);
+    const Vector2d b = at((i + 1) % count);
+    entities += line(a.x(), a.y(), b.x(), b.y());
+  }
+  const NamedCurve curve = of(entities);
+  EXPECT_TRUE(curve.boundary->is_closed());
+  EXPECT_NEAR(left_area(curve) / (kPi * (2500 + 4.5) * 1e-6), 1, 1e-5);
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,505 @@
+#include "higherpair/geometry/contour.hpp"
+#include "io/boundary_testing.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class ProfileBoundaries : public testing::ProfileWithFiles {};
+
+SpanPoint first(const NamedCurve& curve) {
+  const SpanPtr& span = curve.boundary->spans().front();
+  return span->at(span->range().low);
+}
+
+SpanPoint last(const NamedCurve& curve) {
+  const SpanPtr& span = curve.boundary->spans().back();
+  return span->at(span->range().high);
+}
+
+TEST_F(ProfileBoundaries, AnArcRunsCounterClockwiseWithItsMaterialInside) {
+  const NamedCurve arc = curve("{ type = \"arc\", center = [3, -4], radius = 11, from = 350, to = 20 }");
+  ASSERT_NE(arc.boundary, nullptr);
+  EXPECT_EQ(arc.curve.kind, CurveKind::kChain);
+  EXPECT_FALSE(arc.boundary->is_closed());
+  const Vector2d center(0.003, -0.004);
+  EXPECT_LE((first(arc).p_B - center - 0.011 * unit_vector(-kPi / 18)).norm(), 1e-16);
+  EXPECT_LE((last(arc).p_B - center - 0.011 * unit_vector(kPi / 9)).norm(), 1e-16);
+  EXPECT_NEAR(first(arc).kappa, 1 / 0.011, 1e-11);
+  const NamedCurve hollow =
+      curve("{ type = \"arc\", center = [3, -4], radius = 11, from = -10, to = 20, side = \"outside\" }");
+  EXPECT_NEAR(first(hollow).kappa, -1 / 0.011, 1e-11);
+  EXPECT_LE((first(hollow).p_B - last(arc).p_B).norm(), 1e-16);
+}
+
+TEST_F(ProfileBoundaries, AnArcOfAWholeTurnIsACircle) {
+  const NamedCurve disc = curve("{ type = \"arc\", center = [3, -4], radius = 11, from = 90, to = 450 }");
+  EXPECT_EQ(disc.boundary, nullptr);
+  EXPECT_EQ(disc.curve.kind, CurveKind::kCircle);
+  EXPECT_EQ(disc.curve.side, Side::kInside);
+  const NamedCurve ring = curve(
+      "{ type = \"arc\", center = [3, -4], radius = 11, from = 0, to = \"1 rev\", side = \"outside\" }");
+  EXPECT_EQ(ring.curve.side, Side::kOutside);
+  EXPECT_EQ(ring.curve.semi_latus, 0.011);
+}
+
+TEST_F(ProfileBoundaries, ASegmentHasItsMaterialOnTheLeft) {
+  const NamedCurve face = curve("{ type = \"segment\", from = [1, 2], to = [1, 9] }");
+  EXPECT_EQ(first(face).n_B, Vector2d(1, 0));
+  EXPECT_EQ(first(face).p_B, Vector2d(0.001, 0.002));
+  EXPECT_EQ(last(face).p_B, Vector2d(0.001, 0.009));
+  EXPECT_EQ(first(curve("{ type = \"segment\", from = [1, 2], to = [1, 9], material = \"right\" }")).n_B,
+            Vector2d(-1, 0));
+}
+
+TEST_F(ProfileBoundaries, AChainGoesThroughItsArcsAsItsSegmentsNeed) {
+  // A slot's end: the arc is hollow where the material is around it.
+  const std::string spans =
+      "spans = [{ type = \"segment\", from = [-20, -5], to = [0, -5] }, "
+      "{ type = \"arc\", center = [0, 0], radius = 5, from = -90, to = 90 }, "
+      "{ type = \"segment\", from = [0, 5], to = [-20, 5] }]";
+  const NamedCurve rod = curve("{ type = \"chain\", closed = false, " + spans + " }");
+  ASSERT_EQ(rod.boundary->spans().size(), 3U);
+  EXPECT_TRUE(rod.boundary->is_convex());
+  EXPECT_EQ(rod.boundary->joint_after(0), SpanJoint::kCurvatureJump);
+  EXPECT_EQ(rod.boundary->joint_after(2), SpanJoint::kEnd);
+  const NamedCurve slot = curve("{ type = \"chain\", closed = false, material = \"right\", " + spans + " }");
+  EXPECT_FALSE(slot.boundary->is_convex());
+  EXPECT_EQ(first(slot).p_B, Vector2d(-0.02, 0.005));
+  EXPECT_EQ(first(slot).n_B, Vector2d(0, -1));
+}
+
+TEST_F(ProfileBoundaries, AClosedChainMayRunEitherWay) {
+  const std::string type = "{ type = \"chain\", ";
+  const std::string left =
+      "spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, { type = \"segment\", from = [7, 0], to "
+      "= "
+      "[7, 3] }, { type = \"segment\", from = [7, 3], to = [0, 0] }]";
+  const std::string right =
+      "spans = [{ type = \"segment\", from = [0, 0], to = [7, 3] }, { type = \"segment\", from = [7, 3], to "
+      "= "
+      "[7, 0] }, { type = \"segment\", from = [7, 0], to = [0, 0] }]";
+  for (const std::string& spans : {left, right}) {
+    const NamedCurve plate = curve(type + spans + " }");
+    EXPECT_TRUE(plate.boundary->is_closed());
+    EXPECT_TRUE(plate.boundary->is_convex());
+    EXPECT_EQ(plate.boundary->spans().size(), 6U);  // three corners
+    const NamedCurve hole = curve(type + "side = \"outside\", " + spans + " }");
+    EXPECT_FALSE(hole.boundary->is_convex());
+    EXPECT_EQ(hole.boundary->joint_after(0), SpanJoint::kNotch);
+  }
+}
+
+TEST_F(ProfileBoundaries, AFilletRoundsTheCornersOfAChain) {
+  const NamedCurve plate = curve(
+      "{ type = \"chain\", fillet = 0.5, spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, "
+      "{ type = \"segment\", from = [7, 0], to = [7, 3] }, { type = \"segment\", from = [7, 3], to = [0, 0] "
+      "}] }");
+  EXPECT_EQ(plate.boundary->spans().size(), 6U);
+  double most = 0;
+  for (const auto& sample : plate.boundary->samples()) most = std::max(most, sample.point.kappa);
+  EXPECT_NEAR(most, 2000, 1e-8);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(plate.boundary->joint_after(i), SpanJoint::kCurvatureJump);
+}
+
+std::string circle_points(int count, double radius, int decimals) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double u = 2 * kPi * i / count;
+    text +=
+        fmt::format("[{:.{}f}, {:.{}f}], ", radius * std::cos(u), decimals, radius * std::sin(u), decimals);
+  }
+  return "[" + text + "]";
+}
+
+TEST_F(ProfileBoundaries, ASplineGoesThroughItsPoints) {
+  const NamedCurve disc = curve("{ type = \"spline\", points = " + circle_points(36, 20, 12) + " }");
+  EXPECT_TRUE(disc.boundary->is_closed());
+  EXPECT_TRUE(disc.boundary->is_convex());
+  EXPECT_EQ(disc.boundary->spans().size(), 1U);
+  EXPECT_EQ(disc.boundary->joint_after(0), SpanJoint::kSmooth);
+  EXPECT_NEAR(first(disc).kappa, 50, 1e-4);
+  const NamedCurve hole =
+      curve("{ type = \"spline\", side = \"outside\", points = " + circle_points(36, 20, 12) + " }");
+  EXPECT_NEAR(first(hole).kappa, -50, 1e-4);
+  const NamedCurve open = curve(
+      "{ type = \"spline\", closed = false, first_tangent = 0, degree = 3, parameter = \"centripetal\", "
+      "points = "
+      "[[0, 0], [5, 1], [9, 4], [11, 9]] }");
+  EXPECT_FALSE(open.boundary->is_closed());
+  EXPECT_LE((first(open).n_B - Vector2d(0, -1)).norm(), 1e-12);
+}
+
+TEST_F(ProfileBoundaries, ASplineMayComeFromAFileInItsOwnUnits) {
+  std::string rows = "# a disc\r\nn; y[in]; x\r\n";
+  for (int i = 0; i < 40; ++i) {
+    const double u = 2 * kPi * i / 40;
+    rows += fmt::format("{}; {:.15g}; {:.15g}\r\n", i, 2 * std::sin(u), 5.08 * std::cos(u));
+  }
+  write("points.csv", "\xEF\xBB\xBF" + rows);
+  const NamedCurve disc = curve("{ type = \"spline\", file = \"points.csv\", units = \"cm\" }");
+  EXPECT_NEAR(first(disc).kappa, 1 / 0.0508, 1e-4);
+  write("plain.txt", "0 0\n1\t0.5\n 2 2 # here\n\n3 4\n4 +7\n5 1e1\n");
+  const auto profile = read_curve("{ type = \"spline\", closed = false, file = \"plain.txt\" }");
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(last(profile->mechanism.bodies[1].curves[0]).p_B, Vector2d(0.005, 0.01));
+  EXPECT_THAT(profile->files, ElementsAre((folder_ / "plain.txt").string()));
+}
+
+TEST_F(ProfileBoundaries, AnInvoluteIsGivenByItsBaseCircleOrItsTooth) {
+  const NamedCurve flank = curve(
+      "{ type = \"involute\", center = [1, 2], base_radius = 30, start = 10, hand = \"right\", roll = [10, "
+      "40] }");
+  EXPECT_NEAR(first(flank).kappa, 1 / (0.03 * kPi / 18), 1e-9);
+  const NamedCurve tooth = curve(
+      "{ type = \"involute\", center = [0, 0], module = 2, teeth = 20, pressure_angle = 20, tooth = 90 }");
+  const double r_tip = 0.002 * 11;
+  EXPECT_NEAR(first(tooth).p_B.norm(), r_tip, 1e-16);  // a left flank runs inwards
+  EXPECT_LT(first(tooth).n_B.x(), 0);
+  EXPECT_LT(
+      first(curve("{ type = \"involute\", center = [0, 0], base_radius = 30, roll = [10, 40], material = "
+                  "\"right\" }"))
+          .kappa,
+      0);
+}
+
+TEST_F(ProfileBoundaries, AnOffsetIsOfAnyOtherCurveOfTheBody) {
+  const auto profile = read_curve(
+      "{ type = \"offset\", of = \"d\", by = 2 }\n"
+      "d = { type = \"offset\", of = \"plate\", by = 1 }\n"
+      "plate = { type = \"chain\", spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, "
+      "{ type = \"segment\", from = [7, 0], to = [7, 3] }, { type = \"segment\", from = [7, 3], to = [0, 0] "
+      "}] }\n"
+      "disc = { type = \"circle\", center = [1, 2], radius = 5 }\n"
+      "larger = { type = \"offset\", of = \"disc\", by = 1.5 }\n"
+      "ring = { type = \"circle\", center = [1, 2], radius = 5, side = \"outside\" }\n"
+      "narrower = { type = \"offset\", of = \"ring\", by = 1.5 }\n"
+      "face = { type = \"line\", point = [1, 2], normal = [0, 1] }\n"
+      "higher = { type = \"offset\", of = \"face\", by = 1.5 }\n"
+      "edge = { type = \"point\", at = [1, 2] }\n"
+      "round = { type = \"offset\", of = \"edge\", by = 1.5 }\n"
+      "oval = { type = \"ellipse\", center = [1, 2], semi_axes = [5, 3] }\n"
+      "around = { type = \"offset\", of = \"oval\", by = 1.5 }\n");
+  ASSERT_TRUE(profile) << to_string(profile.error().front());
+  const auto& curves = profile->mechanism.bodies[1].curves;
+  double least = 1e9;
+  double most = 0;
+  for (const auto& sample : curves[0].boundary->samples()) {
+    least = std::min(least, sample.point.p_B.y());
+    most = std::max(most, sample.point.kappa);
+  }
+  EXPECT_NEAR(least, -0.003, 1e-16);
+  EXPECT_NEAR(most, 1 / 0.003, 1e-9);
+  EXPECT_NEAR(curves[4].curve.semi_latus, 0.0065, 1e-17);
+  EXPECT_NEAR(curves[6].curve.semi_latus, 0.0035, 1e-17);
+  EXPECT_EQ(curves[6].curve.side, Side::kOutside);
+  EXPECT_LE((curves[8].curve.vertex_B - Vector2d(0.001, 0.0035)).norm(), 1e-17);
+  EXPECT_EQ(curves[8].curve.axis_B, Vector2d(0, -1));
+  EXPECT_EQ(curves[10].curve.kind, CurveKind::kCircle);
+  EXPECT_EQ(curves[12].name, "around");
+  EXPECT_NEAR((first(curves[12]).p_B - Vector2d(0.001, 0.002)).norm(), 0.0065, 1e-16);
+}
+
+TEST_F(ProfileBoundaries, TheShippedCamsAreWhatTheirCommentsSay) {
+  const auto boundary = [](const std::string& name) {
+    const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml");
+    EXPECT_TRUE(profile);
+    return profile->mechanism.bodies[1].curves[0].boundary;
+  };
+  const auto four_arc = boundary("four_arc_cam");
+  EXPECT_EQ(four_arc->spans().size(), 4U);  // no corner
+  EXPECT_TRUE(four_arc->is_convex());
+  const auto tangent = boundary("tangent_cam");
+  EXPECT_EQ(tangent->spans().size(), 4U);
+  EXPECT_TRUE(tangent->is_convex());
+  const auto table = boundary("spline_cam");
+  EXPECT_TRUE(table->is_convex());
+  for (const auto& sample : table->samples()) {
+    const double u = angle_of(sample.point.p_B);
+    EXPECT_NEAR(sample.point.p_B.norm(), 1e-3 * (24 + 4 * std::cos(u) + 1.5 * std::cos(2 * u)), 1e-12);
+  }
+}
+
+// --- Messages
+
+TEST_F(ProfileBoundaries, WrongNumbersOfArcsAndSegmentsAreRefused) {
+  EXPECT_THAT(messages_of("{ type = \"arc\", center = [0, 0], radius = -5, from = 0, to = 90 }"),
+              ElementsAre("test.toml:13:50: bodies.crank.curves.c.radius = -5 mm: must be > 0"));
+  EXPECT_THAT(
+      messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 30, to = 30 }"),
+      ElementsAre("test.toml:13:69: bodies.crank.curves.c.to = 30: an arc goes counter-clockwise from "
+                  "`from` to `to`: 0 deg from here to there"));
+  EXPECT_THAT(messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 0, to = 361 }"),
+              ElementsAre(HasSubstr("more than a turn from here to there")));
+  EXPECT_THAT(
+      messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 0, to = 90, material = \"left\" }"),
+      ElementsAre(HasSubstr("c.material = \"left\": this curve has its material inside or outside: `side`")));
+  EXPECT_THAT(
+      messages_of("{ type = \"segment\", from = [1, 2], to = [1, 2] }"),
+      ElementsAre("test.toml:13:46: bodies.crank.curves.c.to = [1, 2]: is where it begins: a segment has "
+                  "two different ends"));
+  EXPECT_THAT(
+      messages_of("{ type = \"segment\", from = [1, 2], to = [1, 3], side = \"inside\", lenght = 2 }"),
+      ElementsAre(HasSubstr("c.side = \"inside\": an open curve has its material on the left or right of its "
+                            "way: `material`"),
+                  HasSubstr("c.lenght: unknown key")));
+}
+
+TEST_F(ProfileBoundaries, GapsOfChainsAreRefusedWithBothEnds) {
+  EXPECT_THAT(
+      messages_of(
+          "{ type = \"chain\", closed = false, spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, "
+          "{ type = \"segment\", from = [7, 0.2], to = [7, 3] }] }"),
+      ElementsAre(
+          "test.toml:13:5: bodies.crank.curves.c: spans.0 ends at (7, 0) and spans.1 begins at (7, 0.2), "
+          "0.2 mm away; ends within `tolerance` (3.80789e-05 mm) meet"));
+  EXPECT_THAT(messages_of("{ type = \"chain\", spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, "
+                          "{ type = \"segment\", from = [7, 0], to = [7, 3] }] }"),
+              ElementsAre(HasSubstr(
+                  "spans.1 ends at (7, 3) and spans.0 begins at (0, 0), 7.61577 mm away: it does not "
+                  "close (closed = false is open)")));
+  EXPECT_THAT(
+      messages_of(
+          "{ type = \"chain\", closed = false, tolerance = 0.3, spans = [{ type = \"segment\", from = [0, "
+          "0], to = [7, 0] }, { type = \"segment\", from = [7, 0.2], to = [7, 3] }] }"),
+      IsEmpty());
+}
+
+TEST_F(ProfileBoundaries, MistakesInChainsNameTheSpan) {
+  EXPECT_THAT(
+      messages_of("{ type = \"chain\", spans = [] }"),
+      ElementsAre("test.toml:13:32: bodies.crank.curves.c.spans = []: expected a list of spans, [{ type = "
+                  "\"arc\", … }, …]"));
+  EXPECT_THAT(messages_of("{ type = \"chain\" }"),
+              ElementsAre(HasSubstr("c.spans is missing: expected a list of spans")));
+  EXPECT_THAT(messages_of("{ type = \"chain\", spans = [3] }"),
+              ElementsAre(HasSubstr("c.spans.0: expected a span (a table), found an integer")));
+  EXPECT_THAT(
+      messages_of("{ type = \"chain\", spans = [{ type = \"circle\" }] }"),
+      ElementsAre(HasSubstr("c.spans.0.type = \"circle\": expected one of arc, segment, spline, involute")));
+  EXPECT_THAT(
+      messages_of(
+          "{ type = \"chain\", closed = false, spans = [{ type = \"segment\", from = [0, 0], to = [1, "
+          "0], side = \"inside\" }] }"),
+      ElementsAre(HasSubstr("belongs to the chain as a whole, not to one of its spans")));
+}
+
+TEST_F(ProfileBoundaries, FilletsThatDoNotFitAreRefusedWithTheLargestThatDoes) {
+  const std::string sides =
+      "{ type = \"segment\", from = [0, 0], to = [7, 0] }, { type = \"segment\", from = [7, 0], to = [7, 3] "
+      "}, "
+      "{ type = \"segment\", from = [7, 3], to = [0, 3] }, { type = \"segment\", from = [0, 3], to = [0, 0] "
+      "}] }";
+  EXPECT_THAT(
+      messages_of("{ type = \"chain\", fillet = 1.6, spans = [" + sides),
+      ElementsAre(
+          "test.toml:13:33: bodies.crank.curves.c.fillet = 1.6: is too large for the corner at (7, 3) "
+          "between spans.1 and spans.2; up to 1.5 mm fits everywhere"));
+  EXPECT_THAT(messages_of("{ type = \"chain\", fillet = -1, spans = [" + sides),
+              ElementsAre(HasSubstr("c.fillet = -1 mm: must be >= 0")));
+  EXPECT_THAT(
+      messages_of(
+          "{ type = \"chain\", closed = false, fillet = 1, spans = [{ type = \"segment\", from = [0, 0], "
+          "to = [7, 0] }, { type = \"segment\", from = [7, 0], to = [2, 0] }] }"),
+      ElementsAre(HasSubstr("the way turns back, there is no rounding the corner at (7, 0)")));
+  EXPECT_THAT(
+      messages_of(
+          "{ type = \"chain\", closed = false, fillet = 1, spans = [{ type = \"segment\", from = [0, 0], "
+          "to = [7, 0] }, { type = \"spline\", degree = 3, points = [[7, 0], [7, 2], [6, 3], [3, 4]] }] }"),
+      ElementsAre(HasSubstr("rounds corners between segments and arcs only: not the corner at (7, 0)")));
+}
+
+TEST_F(ProfileBoundaries, SlightCornersAreNoted) {
+  EXPECT_THAT(
+      notes_of(
+          "{ type = \"chain\", closed = false, spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, "
+          "{ type = \"segment\", from = [7, 0], to = [14, 0.01] }] }"),
+      ElementsAre(
+          "test.toml:13:5: bodies.crank.curves.c: spans.0 and spans.1 meet in a corner of 0.082 deg at (7, "
+          "0): if the joint is to be smooth, give more digits, or leave it to `fillet`"));
+}
+
+TEST_F(ProfileBoundaries, ACurveThatCrossesItselfIsRefusedWithThePlace) {
+  EXPECT_THAT(
+      messages_of(
+          "{ type = \"chain\", spans = [{ type = \"segment\", from = [0, 0], to = [2, 2] }, { type = "
+          "\"segment\", from = [2, 2], to = [2, 0] }, { type = \"segment\", from = [2, 0], to = [0, 2] }, "
+          "{ type = \"segment\", from = [0, 2], to = [0, 0] }] }"),
+      ElementsAre(
+          "test.toml:13:5: bodies.crank.curves.c: crosses itself at (1, 1), where spans.0 and spans.2 "
+          "meet: a boundary does not"));
+  std::string points;
+  for (int i = 0; i < 24; ++i) {
+    const double u = 2 * kPi * (i + 0.5) / 24;
+    points += fmt::format("[{}, {}], ", 30 * std::sin(u), 10 * std::sin(2 * u));
+  }
+  EXPECT_THAT(messages_of("{ type = \"spline\", points = [" + points + "] }"),
+              ElementsAre(AllOf(HasSubstr("crosses itself at ("), HasSubstr("behind points.11"),
+                                HasSubstr("behind points.23"), HasSubstr("are the points in their order?"))));
+}
+
+TEST_F(ProfileBoundaries, SplinesSayWhichPointIsWrong) {
+  const auto spline = [&](const std::string& rest) {
+    return messages_of("{ type = \"spline\", " + rest + " }");
+  };
+  EXPECT_THAT(spline("closed = false"),
+              ElementsAre(HasSubstr("c.points is missing: expected [[x, y], …] (or a `file` with them)")));
+  EXPECT_THAT(
+      spline("points = [[0, 0], [1, 0], [1, 1]]"),
+      ElementsAre("test.toml:13:5: bodies.crank.curves.c: 3 points are too few: degree 5 takes at least 6"));
+  EXPECT_THAT(
+      spline("points = [[0, 0], [1, 0], [1, 0], [2, 1], [1, 2], [0, 1]]"),
+      ElementsAre("test.toml:13:50: bodies.crank.curves.c: points.1 and points.2 are the same point (1, 0): "
+                  "leave one out (of a corner make a chain of several splines)"));
+  EXPECT_THAT(
+      spline("points = [[0, 0], [2, 0], [1, 0.1], [3, 0], [4, 1], [2, 3]]"),
+      ElementsAre("test.toml:13:50: bodies.crank.curves.c: the way turns back at points.1, (2, 0): are the "
+                  "points in their order along the curve?"));
+  EXPECT_THAT(
+      spline("points = [[0, 0], [1, 0], [2, 0.2], [3, 0.6], [4, 1.2], [5, 2], [6, 3]]"),
+      ElementsAre(AllOf(HasSubstr("does not close: from points.6, (6, 3), back to points.0, (0, 0), it is "
+                                  "6.7082 mm, 4.74 times the largest step; points are missing, or closed = "
+                                  "false"))));
+  EXPECT_THAT(spline("points = [[0, 0], [1, \"2 kg\"]]"), ElementsAre(HasSubstr("c.points.1.1 = \"2 kg\"")));
+  EXPECT_THAT(spline("points = 3"),
+              ElementsAre(HasSubstr("c.points = 3: expected a list of points, [[x, y], …]")));
+  const std::string square = "points = [[0, 0], [2, 0], [4, 1], [5, 3], [4, 5], [1, 4]]";
+  EXPECT_THAT(spline(square), IsEmpty());
+  EXPECT_THAT(spline("degree = 4, " + square),
+              ElementsAre(HasSubstr("c.degree = 4: expected 3 or 5: with 5 the curvature is smooth")));
+  EXPECT_THAT(spline("smoothing = -1, " + square),
+              ElementsAre(HasSubstr("c.smoothing = -1 mm: must be >= 0")));
+  EXPECT_THAT(spline("parameter = \"chord\", " + square),
+              ElementsAre(HasSubstr("expected one of arc, centripetal")));
+  EXPECT_THAT(spline("first_tangent = 3, " + square), ElementsAre(HasSubstr("a closed spline has no ends")));
+  EXPECT_THAT(spline("closed = false, smoothing = 1, last_tangent = 3, " + square),
+              ElementsAre(HasSubstr("holds for a spline through its points: without `smoothing`")));
+  EXPECT_THAT(spline("units = \"mm\", " + square), ElementsAre(HasSubstr("is that of a file")));
+  EXPECT_THAT(spline("file = \"p.csv\", " + square),
+              ElementsAre(HasSubstr("the points are given already by `points`")));
+}
+
+TEST_F(ProfileBoundaries, FilesOfPointsSayTheirLine) {
+  const auto file = [&](const std::string& text, const std::string& rest = "") {
+    write("p.csv", text);
+    return messages_of("{ type = \"spline\", file = \"p.csv\"" + rest + " }");
+  };
+  EXPECT_THAT(
+      messages_of("{ type = \"spline\", file = \"no.csv\" }"),
+      ElementsAre(
+          "test.toml:13:32: bodies.crank.curves.c.file = \"no.csv\": no.csv cannot be opened: No such "
+          "file or directory"));
+  EXPECT_THAT(file("0, 0\n1, 0\n2, x\n"),
+              ElementsAre("p.csv:3:4: bodies.crank.curves.c.file: \"x\" is not a number"));
+  EXPECT_THAT(file("0,5; 0\n"), ElementsAre("p.csv:1:1: bodies.crank.curves.c.file: \"0,5\" is not a number: "
+                                            "decimals are written with a point, not a comma"));
+  EXPECT_THAT(file("0,5,1,5\n"),
+              ElementsAre(HasSubstr("p.csv:1:1: bodies.crank.curves.c.file: expected two numbers, x "
+                                    "and y, found 4: decimals are written with a point")));
+  EXPECT_THAT(file("1 2 3\n"), ElementsAre(HasSubstr("found 3: name the columns in a first row")));
+  EXPECT_THAT(file("1\n"), ElementsAre(HasSubstr("expected two numbers, x and y, found 1")));
+  EXPECT_THAT(file("a, b\n1, 2\n"),
+              ElementsAre("p.csv:1:1: bodies.crank.curves.c.file: no column is called x"));
+  EXPECT_THAT(file("x[kg], y\n1, 2\n"),
+              ElementsAre("p.csv:1:1: bodies.crank.curves.c.file: [kg] is no unit of length"));
+  EXPECT_THAT(file("1e60 2\n"), ElementsAre(HasSubstr("must be at most 1e50 m")));
+  EXPECT_THAT(file("1 nan\n"), ElementsAre(HasSubstr("\"nan\" is not a number")));
+  EXPECT_THAT(file(""), ElementsAre(HasSubstr("0 points are too few")));
+  EXPECT_THAT(
+      file("1 2\n", ", units = \"kg\""),
+      ElementsAre(HasSubstr("c.units = \"kg\": expected a unit of length: m, cm, mm, um, km, in, ft")));
+  EXPECT_THAT(
+      file("0 0\n1 0\n2 1\n2 1\n1 2\n0 1\n"),
+      ElementsAre(HasSubstr("p.csv:3:1: bodies.crank.curves.c: line 3 of the file and line 4 of the file are "
+                            "the same point (2, 1)")));
+}
+
+TEST_F(ProfileBoundaries, TheNoiseOfARoundedTableIsNoted) {
+  const auto text = [&](int decimals, const std::string& rest) {
+    return notes_of("{ type = \"spline\", points = " + circle_points(720, 20, decimals) + rest + " }");
+  };
+  EXPECT_THAT(text(9, ""), IsEmpty());
+  EXPECT_THAT(
+      text(3, ""),
+      ElementsAre("test.toml:13:5: bodies.crank.curves.c: points rounded to 0.001 mm, 0.175 mm apart, put "
+                  "noise of up to 0.11 1/mm into a curvature of 0.05 1/mm, and as large a part into "
+                  "accelerations; `smoothing = 0.001` takes most of it away (`rounding` says how exact they "
+                  "are)"));
+  EXPECT_THAT(text(3, ", smoothing = 0.001"), IsEmpty());
+  EXPECT_THAT(text(3, ", rounding = 1e-9"), IsEmpty());
+  EXPECT_THAT(text(9, ", rounding = \"1 um\""), ElementsAre(HasSubstr("points rounded to 0.001 mm")));
+}
+
+TEST_F(ProfileBoundaries, InvolutesAreHeldToTheirBaseCircle) {
+  const auto involute = [&](const std::string& rest) {
+    return messages_of("{ type = \"involute\", center = [0, 0], " + rest + " }");
+  };
+  EXPECT_THAT(
+      involute("roll = [10, 40]"),
+      ElementsAre(HasSubstr("c.base_radius is missing: expected the radius of the base circle (or module and "
+                            "teeth)")));
+  EXPECT_THAT(involute("base_radius = 3"), ElementsAre(HasSubstr("c.roll is missing: expected [from, to]")));
+  EXPECT_THAT(
+      involute("base_radius = 3, roll = [0, 40]"),
+      ElementsAre(HasSubstr("c.roll = [0, 40]: must begin above 0: on the base circle the involute has a "
+                            "cusp")));
+  EXPECT_THAT(involute("base_radius = 3, roll = [50, 40]"),
+              ElementsAre(HasSubstr("must end above where it begins")));
+  EXPECT_THAT(involute("base_radius = 3, roll = [5, 40], teeth = 20"),
+              ElementsAre(HasSubstr("c.teeth = 20: goes with `module`, in place of `base_radius`")));
+  EXPECT_THAT(involute("module = 2"), ElementsAre(HasSubstr("c.teeth is missing")));
+  EXPECT_THAT(involute("module = 2, teeth = 2"), ElementsAre(HasSubstr("must be at least 3")));
+  EXPECT_THAT(involute("module = 2, teeth = 20, pressure_angle = 70"),
+              ElementsAre(HasSubstr("must be above 0 and below 60 deg")));
+  EXPECT_THAT(involute("module = 2, teeth = 20, base_radius = 3"), ElementsAre(HasSubstr("leave it out")));
+  EXPECT_THAT(involute("module = 2, teeth = 20, start = 3"), ElementsAre(HasSubstr("follows from `tooth`")));
+  EXPECT_THAT(involute("module = 2, teeth = 12"), ElementsAre(HasSubstr("(undercut)")));
+  EXPECT_THAT(involute("module = 2, teeth = 12, roll = [5, 30]"), IsEmpty());
+}
+
+TEST_F(ProfileBoundaries, OffsetsThatThereAreNotAreRefused) {
+  const std::string plate =
+      "plate = { type = \"chain\", spans = [{ type = \"segment\", from = [0, 0], to = [7, 0] }, "
+      "{ type = \"segment\", from = [7, 0], to = [7, 3] }, { type = \"segment\", from = [7, 3], to = [0, 0] "
+      "}] }\n";
+  const auto offset = [&](const std::string& rest, const std::string& more = "") {
+    return messages_of("{ type = \"offset\", " + rest + " }\n" + more);
+  };
+  EXPECT_THAT(offset("by = 3"),
+              ElementsAre(HasSubstr("c.of is missing: expected the name of another curve")));
+  EXPECT_THAT(
+      offset("of = \"plat\", by = 3", plate),
+      ElementsAre(HasSubstr("c.of = \"plat\": the body has no curve of this name; did you mean `plate`?")));
+  EXPECT_THAT(offset("of = \"plate\"", plate),
+              ElementsAre(HasSubstr("c.by is missing: expected a distance")));
+  EXPECT_THAT(offset("of = \"plate\", by = -1", plate),
+              ElementsAre(HasSubstr(
+                  "c.by = -1: the corner at (7, 0) would be cut off: round it first, with a `fillet` "
+                  "larger than this")));
+  EXPECT_THAT(offset("of = \"plate\", by = 1, side = \"inside\"", plate),
+              ElementsAre(HasSubstr("an offset has its material where the other curve has it")));
+  EXPECT_THAT(offset("of = \"c\", by = 1"), ElementsAre(HasSubstr("an offset cannot be of itself")));
+  EXPECT_THAT(offset("of = \"d\", by = 1", "d = { type = \"offset\", of = \"c\", by = 1 }\n"),
+              ElementsAre(HasSubstr("cannot be of itself"), HasSubstr("cannot be of itself")));
+  EXPECT_THAT(offset("of = \"d\", by = -6", "d = { type = \"circle\", center = [0, 0], radius = 5 }\n"),
+              ElementsAre(HasSubstr("c.by = -6: leaves nothing of this curve")));
+  EXPECT_THAT(
+      offset("of = \"d\", by = 1", "d = { type = \"parabola\", vertex = [0, 0], focal_length = 5 }\n"),
+      ElementsAre(HasSubstr("a parabola or hyperbola has no ends")));
+  EXPECT_THAT(
+      offset("of = \"d\", by = -2", "d = { type = \"ellipse\", center = [0, 0], semi_axes = [5, 3] }\n"),
+      ElementsAre(HasSubstr("the curve bends too sharply at ")));
+  EXPECT_THAT(offset("of = \"d\", by = 1", "d = { type = \"circle\", center = [0, 0], radius = -5 }\n"),
+              ElementsAre(HasSubstr("d.radius")));
+}
+
+}  // namespace
+}  // namespace higherpair
