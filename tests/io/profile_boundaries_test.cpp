@@ -147,7 +147,7 @@ TEST_F(ProfileBoundaries, ASplineMayComeFromAFileInItsOwnUnits) {
   write("points.csv", "\xEF\xBB\xBF" + rows);
   const NamedCurve disc = curve("{ type = \"spline\", file = \"points.csv\", units = \"cm\" }");
   EXPECT_NEAR(first(disc).kappa, 1 / 0.0508, 1e-4);
-  write("plain.txt", "0 0\n1\t0.5\n 2 2 # here\n\n3 4\n4 +7\n5 1e1\n");
+  write("plain.txt", "0 0\n1\t0.5\n 2 2\n\n3 4\n4 +7\n5 1e1\n");
   const auto profile = read_curve("{ type = \"spline\", closed = false, file = \"plain.txt\" }");
   ASSERT_TRUE(profile);
   EXPECT_EQ(last(profile->mechanism.bodies[1].curves[0]).p_B, Vector2d(0.005, 0.01));
@@ -392,34 +392,29 @@ TEST_F(ProfileBoundaries, FilesOfPointsSayTheirLine) {
     write("p.csv", text);
     return messages_of("{ type = \"spline\", file = \"p.csv\"" + rest + " }");
   };
+  const std::string where = "test.toml:13:31: bodies.crank.curves.c.file = \"p.csv\": ";
   EXPECT_THAT(
       messages_of("{ type = \"spline\", file = \"no.csv\" }"),
       ElementsAre(
-          "test.toml:13:32: bodies.crank.curves.c.file = \"no.csv\": no.csv cannot be opened: No such "
-          "file or directory"));
-  EXPECT_THAT(file("0, 0\n1, 0\n2, x\n"),
-              ElementsAre("p.csv:3:4: bodies.crank.curves.c.file: \"x\" is not a number"));
-  EXPECT_THAT(file("0,5; 0\n"), ElementsAre("p.csv:1:1: bodies.crank.curves.c.file: \"0,5\" is not a number: "
-                                            "decimals are written with a point, not a comma"));
-  EXPECT_THAT(file("0,5,1,5\n"),
-              ElementsAre(HasSubstr("p.csv:1:1: bodies.crank.curves.c.file: expected two numbers, x "
-                                    "and y, found 4: decimals are written with a point")));
-  EXPECT_THAT(file("1 2 3\n"), ElementsAre(HasSubstr("found 3: name the columns in a first row")));
-  EXPECT_THAT(file("1\n"), ElementsAre(HasSubstr("expected two numbers, x and y, found 1")));
-  EXPECT_THAT(file("a, b\n1, 2\n"),
-              ElementsAre("p.csv:1:1: bodies.crank.curves.c.file: no column is called x"));
+          "test.toml:13:31: bodies.crank.curves.c.file = \"no.csv\": cannot be opened: No such file or "
+          "directory"));
+  EXPECT_THAT(file("0, 0\n1, 0\n2, x\n3\n"),
+              ElementsAre(where + "line 3: `x` is no number", where + "line 4: expected 2 columns, found 1"));
+  EXPECT_THAT(file("0,5; 0\n"),
+              ElementsAre(where + "line 1: `0,5` is no number: decimals are written with a point, not "
+                                  "a comma"));
+  EXPECT_THAT(file("0,5,1,5\n"), ElementsAre(HasSubstr("decimals are written with a point")));
+  EXPECT_THAT(file("n, a, b\n1, 2, 3\n"), ElementsAre(HasSubstr("line 1: expected two columns, x and y")));
   EXPECT_THAT(file("x[kg], y\n1, 2\n"),
-              ElementsAre("p.csv:1:1: bodies.crank.curves.c.file: [kg] is no unit of length"));
-  EXPECT_THAT(file("1e60 2\n"), ElementsAre(HasSubstr("must be at most 1e50 m")));
-  EXPECT_THAT(file("1 nan\n"), ElementsAre(HasSubstr("\"nan\" is not a number")));
-  EXPECT_THAT(file(""), ElementsAre(HasSubstr("0 points are too few")));
+              ElementsAre(HasSubstr("line 1: x[kg]: kg is a mass, expected a length")));
+  EXPECT_THAT(file("1e60 2\n"), ElementsAre(HasSubstr("line 1: 1e+60 is too large")));
+  EXPECT_THAT(file("1 nan\n"), ElementsAre(HasSubstr("`nan` is no number")));
+  EXPECT_THAT(file(""), ElementsAre(where + "has no points"));
   EXPECT_THAT(
       file("1 2\n", ", units = \"kg\""),
       ElementsAre(HasSubstr("c.units = \"kg\": expected a unit of length: m, cm, mm, um, km, in, ft")));
-  EXPECT_THAT(
-      file("0 0\n1 0\n2 1\n2 1\n1 2\n0 1\n"),
-      ElementsAre(HasSubstr("p.csv:3:1: bodies.crank.curves.c: line 3 of the file and line 4 of the file are "
-                            "the same point (2, 1)")));
+  EXPECT_THAT(file("0 0\n1 0\n2 1\n2 1\n1 2\n0 1\n"),
+              ElementsAre(HasSubstr("c: line 3 and line 4 are the same point (2, 1)")));
 }
 
 TEST_F(ProfileBoundaries, TheNoiseOfARoundedTableIsNoted) {
