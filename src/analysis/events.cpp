@@ -77,6 +77,17 @@ private:
     return v;
   }
 
+  std::optional<double> position_at(const OutputJoint& output, double x) {
+    const State kept = run_.trial;
+    std::optional<double> position;
+    if (solve_at(run_, path_, s_, x)) {
+      const Joint& joint = run_.mechanism.joints[static_cast<std::size_t>(output.joint)];
+      position = joint_motion(run_.mechanism, joint, run_.trial.bodies).position;
+    }
+    run_.trial = kept;
+    return position;
+  }
+
   // Between two places x0 and x1 of the step.
   void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
     const double fast = std::max({std::abs(before), std::abs(after), output.fastest});
@@ -109,6 +120,7 @@ private:
       RunEvent event =
           event_at(EventType::kStrokeEnd, path_, s_ + x0 + *x, "the motion of this joint reverses");
       event.joint = output.joint;
+      event.value = position_at(output, x0 + *x);
       run_.events.push_back(std::move(event));
     }
   }

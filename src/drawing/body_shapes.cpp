@@ -15,6 +15,11 @@ constexpr double kRoom = 4;    // beyond the touching points of a face
 constexpr double kWedge = 5;   // length of a knife edge
 constexpr double kWedgeSlope = 0.35;
 
+// A touching point of a curve, seen from its body: the point, and the outward normal.
+struct Touch {
+  Vector2d p_B, n_B;
+};
+
 template <class F>
 void for_each_touch(const Sketch& sketch, int body, std::size_t curve, const F& found) {
   const auto is_it = [&](const CurveRef& ref) {
@@ -37,6 +42,16 @@ void for_each_touch(const Sketch& sketch, int body, std::size_t curve, const F& 
   }
 }
 
+// From a knife edge into its body: against the mean of the normals.
+Vector2d edge_direction(const Sketch& sketch, int body, std::size_t curve) {
+  Vector2d sum = Vector2d::Zero();
+  for_each_touch(sketch, body, curve, [&](const Touch& touch) {
+    sum -= touch.n_B;
+    return true;
+  });
+  return sum.norm() > 0 ? Vector2d(sum.normalized()) : Vector2d(-Vector2d::UnitY());
+}
+
 void add_curve(Sketch& sketch, int body, std::size_t index) {
   const NamedCurve& named = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index];
   const Curve& curve = named.curve;
@@ -46,8 +61,7 @@ void add_curve(Sketch& sketch, int body, std::size_t index) {
     return;
   }
   if (is_point(curve)) {
-    const auto touch = first_touch(sketch, body, index);
-    const Vector2d in = touch ? Vector2d(-touch->n_B) : Vector2d(-Vector2d::UnitY());
+    const Vector2d in = edge_direction(sketch, body, index);
     const Vector2d back = curve.vertex_B + kWedge * unit * in;
     const Vector2d side = kWedgeSlope * kWedge * unit * perp(in);
     const Vector2d a = back + side, b = back - side;
@@ -63,6 +77,30 @@ void add_curve(Sketch& sketch, int body, std::size_t index) {
              true);
 }
 
+// Within the material of a face or an open conic.
+Vector2d middle_of_strip(const Sketch& sketch, int body, std::size_t index) {
+  const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
+  const std::vector<double> path = material(curve, kFace * sketch.unit, touched_range(sketch, body, index));
+  const std::size_t front = path.size() / 2 - 2;  // points; the other two are behind
+  const auto at = [&](std::size_t i) { return Vector2d(path[2 * i], path[2 * i + 1]); };
+  return (at((front - 1) / 2) + at(front / 2) + at(front) + at(front + 1)) / 4;
+}
+
+// Where bars from points outside of a ring end in it.
+std::vector<Vector2d> rim_towards(const Body& body, const Curve& ring, const Vector2d& middle,
+                                  double thickness) {
+  const auto [a, b] = semi_axes(ring);
+  std::vector<Vector2d> rim;
+  for (const NamedPoint& point : body.points) {
+    const Vector2d way = point.p_B - middle;
+    if (!(way.norm() > a + thickness)) continue;
+    const Vector2d d = way.normalized();
+    const double radius = 1 / std::hypot(d.dot(ring.axis_B) / a, d.dot(perp(ring.axis_B)) / b);
+    rim.emplace_back(middle + (radius + thickness / 2) * d);
+  }
+  return rim;
+}
+
 // The points that a bar or plate holds together: named points, and where the curves are.
 std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
   const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
@@ -76,13 +114,12 @@ std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
     if (middle && curve.side == Side::kInside) {
       anchors.push_back(*middle);
     } else if (is_line(curve) || (is_conic(curve) && curve.q <= 0)) {
-      const auto [low, high] = touched_range(sketch, index, i);
-      anchors.emplace_back(curve.vertex_B + (low + high) / 2 * perp(curve.axis_B) +
-                           kFace / 2 * sketch.unit * curve.axis_B);
+      anchors.push_back(middle_of_strip(sketch, index, i));
     } else if (is_point(curve)) {
-      const auto touch = first_touch(sketch, index, i);
-      anchors.emplace_back(curve.vertex_B -
-                           (touch ? kWedge * sketch.unit : 0) * (touch ? touch->n_B : Vector2d::UnitX()));
+      anchors.emplace_back(curve.vertex_B + kWedge * sketch.unit * edge_direction(sketch, index, i));
+    } else if (middle) {
+      const std::vector<Vector2d> rim = rim_towards(body, curve, *middle, kFace * sketch.unit);
+      anchors.insert(anchors.end(), rim.begin(), rim.end());
     }
   }
   return anchors;
@@ -120,6 +157,10 @@ bool is_pivot(const Mechanism& mechanism, int point) {
   });
 }
 
+const std::string& shown(const Look& look, const std::string& name) {
+  return look.name.empty() ? name : look.name;
+}
+
 void add_names(Sketch& sketch, int index) {
   const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
   std::vector<Vector2d> anchors = anchors_of(sketch, index);
@@ -132,25 +173,18 @@ void add_names(Sketch& sketch, int index) {
   }
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     const NamedPoint& point = body.points[i];
-    if (index > 0 || is_pivot(sketch.mechanism, static_cast<int>(i))) {
-      sketch.add_text(body.name + "." + point.name, point.name, index, point.p_B, point.p_B - middle);
+    const Look look = sketch.point_look(index, i);
+    if (!look.hide && (index > 0 || is_pivot(sketch.mechanism, static_cast<int>(i)))) {
+      sketch.add_text(body.name + "." + point.name, shown(look, point.name), index, point.p_B,
+                      point.p_B - middle);
     }
   }
-  if (index > 0) {
-    sketch.add_text(body.name, body.name, index, middle, Vector2d::Zero());
+  if (index > 0 && !sketch.look(index).hide) {
+    sketch.add_text(body.name, shown(sketch.look(index), body.name), index, middle, Vector2d::Zero());
   }
 }
 
 }  // namespace
-
-std::optional<Touch> first_touch(const Sketch& sketch, int body, std::size_t curve) {
-  std::optional<Touch> touch;
-  for_each_touch(sketch, body, curve, [&](const Touch& found) {
-    touch = found;
-    return false;
-  });
-  return touch;
-}
 
 std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t index) {
   const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
@@ -172,12 +206,19 @@ std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t 
 void add_bodies(Sketch& sketch) {
   const auto count = static_cast<int>(sketch.mechanism.bodies.size());
   for (int body = 1; body < count; ++body) {
+    if (sketch.look(body).hide) continue;
+    const std::size_t first = sketch.shapes.size();
     add_link(sketch, body);
+    sketch.dress(first, sketch.look(body));
   }
   for (int body = 0; body < count; ++body) {
     const auto curves = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves.size();
     for (std::size_t i = 0; i < curves; ++i) {
+      const Look look = sketch.curve_look(body, i);
+      if (look.hide) continue;
+      const std::size_t first = sketch.shapes.size();
       add_curve(sketch, body, i);
+      sketch.dress(first, look);
     }
   }
   for (int body = 0; body < count; ++body) {

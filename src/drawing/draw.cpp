@@ -78,6 +78,18 @@ std::vector<double> on_screen(const Scene& scene, const Shape& shape, const Scre
   return px;
 }
 
+// Lines of what is filled stay black.
+std::string colour_of(const Shape& shape, bool ghost) {
+  const bool filled = shape.closed && !shape.outline;
+  std::string style = shape.outline ? "fill:none" : "";
+  if (!shape.colour.empty() && !ghost) {
+    if (!style.empty()) style += ';';
+    style += filled ? "fill:" : "stroke:";
+    style += shape.colour;
+  }
+  return style;
+}
+
 class Picture {
 public:
   Picture(SvgWriter& svg, const Screen& screen, const std::vector<Role>& layers)
@@ -117,13 +129,15 @@ private:
   void draw(const Scene& scene, const Shape& shape, bool ghost) {
     const std::vector<double> px = on_screen(scene, shape, screen_);
     const std::string role(name_of(shape.role));
-    const std::string style = role + (shape.closed ? " filled" : "");
+    const std::string style = role + (shape.closed && !shape.outline ? " filled" : "");
     switch (shape.kind) {
       case Kind::kText:
-        labels_.push_back({shape.text, shape.name == shape.text, {px[0], px[1]}, {px[2], px[3]}, {0, 0}});
+        labels_.push_back(
+            {shape.text, shape.name.find('.') == std::string::npos, {px[0], px[1]}, {px[2], px[3]}, {0, 0}});
         return;
       case Kind::kCircle:
         svg_.element("circle", {{"class", style},
+                                {"style", colour_of(shape, ghost)},
                                 {"data-role", role},
                                 {"data-name", shape.name},
                                 {"cx", px[0]},
@@ -132,6 +146,7 @@ private:
         break;
       case Kind::kPath:
         svg_.element("path", {{"class", style},
+                              {"style", colour_of(shape, ghost)},
                               {"data-role", role},
                               {"data-name", shape.name},
                               {"d", SvgPath().polyline(px, shape.closed)}});

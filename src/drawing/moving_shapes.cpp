@@ -36,7 +36,7 @@ void append(Shape& shape, const Vector2d& p) {
 // The shapes of every row are the same ones; only their numbers change.
 Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool closed) {
   if (next_ == scene_.moving.size()) {
-    scene_.moving.push_back({role, kind, name, 0, closed, "", {}});
+    scene_.moving.push_back({role, kind, name, 0, closed, "", {}, "", false});
   }
   Shape& shape = scene_.moving[next_++];
   shape.numbers.clear();

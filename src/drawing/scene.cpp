@@ -100,6 +100,7 @@ void add_trace(Sketch& sketch, const PointRef& ref) {
     path.insert(path.end(), {p.x(), p.y()});
   }
   sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::move(path));
+  sketch.shapes.back().colour = sketch.point_look(ref.body, static_cast<std::size_t>(ref.point)).colour;
 }
 
 void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
@@ -109,6 +110,7 @@ void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
       const bool asked = std::any_of(wanted.begin(), wanted.end(), [&](const PointRef& other) {
         return other.body == ref.body && other.point == ref.point;
       });
+      if (!asked && sketch.point_look(ref.body, p).hide) continue;
       if (asked || !is_joined(sketch.mechanism, ref.body, ref.point)) {
         add_trace(sketch, ref);
       }
@@ -171,7 +173,7 @@ bool has_place(const MotionRow& row) {
 
 Shape& Sketch::add(Role role, const std::string& name, int body, std::vector<double> numbers, bool closed,
                    Shape::Kind kind) {
-  shapes.push_back({role, kind, name, body, closed, "", std::move(numbers)});
+  shapes.push_back({role, kind, name, body, closed, "", std::move(numbers), "", false});
   return shapes.back();
 }
 
@@ -184,10 +186,39 @@ void Sketch::add_text(const std::string& name, const std::string& text, int body
   add(Role::kLabel, name, body, {at.x(), at.y(), away.x(), away.y()}, false, Shape::Kind::kText).text = text;
 }
 
+Look Sketch::look(int body) const {
+  return looks.empty() ? Look() : looks[static_cast<std::size_t>(body)].body;
+}
+
+Look Sketch::point_look(int body, std::size_t point) const {
+  return looks.empty() ? Look() : looks[static_cast<std::size_t>(body)].points[point];
+}
+
+// What is said of the body holds for its curves as well.
+Look Sketch::curve_look(int body, std::size_t curve) const {
+  if (looks.empty()) {
+    return {};
+  }
+  const Look whole = look(body);
+  Look own = looks[static_cast<std::size_t>(body)].curves[curve];
+  if (own.colour.empty()) own.colour = whole.colour;
+  own.hide = own.hide || whole.hide;
+  own.outline = own.outline || whole.outline;
+  return own;
+}
+
+void Sketch::dress(std::size_t first, const Look& look) {
+  for (std::size_t i = first; i < shapes.size(); ++i) {
+    shapes[i].colour = look.colour;
+    shapes[i].outline = look.outline;
+  }
+}
+
 SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
-                       const std::vector<PointRef>& traces, const std::vector<Reactions>& reactions)
+                       const std::vector<PointRef>& traces, const std::vector<Reactions>& reactions,
+                       const Looks& looks)
     : mechanism_(&mechanism), forces_(!reactions.empty()) {
-  Sketch sketch{mechanism, {}, 1, {}};
+  Sketch sketch{mechanism, {}, 1, {}, looks};
   for (const MotionRow& row : rows) {
     if (has_place(row)) {
       sketch.rows.push_back(&row);

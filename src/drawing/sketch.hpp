@@ -13,6 +13,14 @@ struct Sketch {
   std::vector<const MotionRow*> rows;  ///< with a position
   double unit = 1;                     ///< of symbols [m]
   std::vector<Shape> shapes;           ///< so far, in metres
+  const Looks& looks;
+
+  /// Of a body, and of a point or curve of it.
+  [[nodiscard]] Look look(int body) const;
+  [[nodiscard]] Look point_look(int body, std::size_t point) const;
+  [[nodiscard]] Look curve_look(int body, std::size_t curve) const;
+  /// Gives all shapes from this one on this look.
+  void dress(std::size_t first, const Look& look);
 
   Shape& add(Role role, const std::string& name, int body, std::vector<double> numbers, bool closed = false,
              Shape::Kind kind = Shape::Kind::kPath);
@@ -24,12 +32,6 @@ struct Sketch {
 [[nodiscard]] inline const BodyMotion& body_in(const MotionRow& row, int body) {
   return row.bodies[static_cast<std::size_t>(body)];
 }
-
-/// The first touching point of a curve, seen from its body: the point, and the outward normal.
-struct Touch {
-  Vector2d p_B, n_B;
-};
-[[nodiscard]] std::optional<Touch> first_touch(const Sketch& sketch, int body, std::size_t curve);
 
 /// How far the touching points of a curve go along its vertex's tangent, with some room [m].
 [[nodiscard]] std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t curve);

@@ -113,6 +113,7 @@ SvgWriter::SvgWriter(const Header& header, Attributes more) {
 void SvgWriter::begin_tag(std::string_view name, Attributes attributes) {
   (out_ += '<') += name;
   for (const SvgAttribute& attribute : attributes) {
+    if (attribute.value.empty()) continue;
     (((out_ += ' ') += attribute.name) += "=\"") += attribute.value;
     out_ += '"';
   }

@@ -36,7 +36,7 @@ private:
   std::string text_;
 };
 
-/// An attribute of an element; the value is formatted and escaped here.
+/// An attribute of an element; the value is formatted and escaped here. One without a value is left out.
 struct SvgAttribute {
   SvgAttribute(std::string_view name_of_it, double number) : name(name_of_it), value(svg_number(number)) {}
   SvgAttribute(std::string_view name_of_it, std::string_view text)

@@ -45,6 +45,11 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
     event.item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
   }
   event.cause = what.cause;
+  if (what.joint && what.value) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(*what.joint)];
+    const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+    event.value = from_si(of, units).apply(*what.value);
+  }
   const bool at_end = (next == schedule.size() - 1 && share >= 1 - kAtEnd) || next == 0;
   const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
   good = good && !limit && event.type != EventType::kOverlap;

@@ -154,7 +154,7 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
   if (!run) {
     return tl::unexpected(run.error());
   }
-  SceneMaker maker(model.mechanism(), run->rows, traces, run->reactions);
+  SceneMaker maker(model.mechanism(), run->rows, traces, run->reactions, model.profile().looks);
   if (settings.every) {
     return scenes_every(model, alone, *settings.every, *run, maker);
   }

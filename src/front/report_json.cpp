@@ -103,12 +103,17 @@ void write_facts(JsonWriter& json, const Mechanism& mechanism, const ReportData&
   json.close(']');
 }
 
-void write_events(JsonWriter& json, const ReportData& data) {
+void write_events(JsonWriter& json, const Model& model, const ReportData& data) {
   json.key("events").open('[');
   for (const Event& event : data.events) {
     json.open('{').key("type").string(name_of(event.type)).key("driver").number(event.driver, kValueDigits);
     if (event.time) json.key("time").number(*event.time, kValueDigits);
     json.key("row").integer(static_cast<long long>(page_row(data, event.row)));
+    if (event.value && event.joint) {
+      const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
+      const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+      json.key("value").number(*event.value, kValueDigits).key("unit").string(unit_text(of, model.units()));
+    }
     json.key("item").string(event.item).key("cause").string(event.cause).close('}');
   }
   json.close(']');
@@ -138,7 +143,7 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   write_driver(json, model);
   write_joints(json, mechanism);
   write_facts(json, mechanism, data);
-  write_events(json, data);
+  write_events(json, model, data);
   write_columns(json, data);
   write_scene(json, model, data);
   write_polygons(json, model, data);

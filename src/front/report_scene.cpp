@@ -52,6 +52,8 @@ void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shap
     if (shape.body != 0) json.key("body").integer(shape.body);
     if (shape.closed) json.key("closed").boolean(true);
     if (!shape.text.empty()) json.key("text").string(shape.text);
+    if (!shape.colour.empty()) json.key("colour").string(shape.colour);
+    if (shape.outline) json.key("outline").boolean(true);
     if (numbers) {
       json.key("numbers");
       write(json, shape.numbers);
@@ -135,7 +137,7 @@ void write_scales(JsonWriter& json, const Scene& scene, const DrawSettings& unit
 
 void write_scene(JsonWriter& json, const Model& model, const ReportData& data) {
   const Mechanism& mechanism = model.mechanism();
-  SceneMaker maker(mechanism, data.motions, {}, data.reactions);
+  SceneMaker maker(mechanism, data.motions, {}, data.reactions, model.profile().looks);
   std::vector<RowScene> rows;
   std::vector<Shape> shapes;
   for (std::size_t k = 0; k < data.motions.size(); ++k) {

@@ -59,6 +59,7 @@ Profile read_root(TableReader& root) {
   read_loads(root, mechanism);
   read_springs(root, mechanism, joint_type_known);
   laws.finish();
+  read_drawing(root, profile);
   (void)root.take("extra");
   root.finish();
   return profile;

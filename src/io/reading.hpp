@@ -72,6 +72,9 @@ void read_contacts(TableReader& root, Mechanism& mechanism);
 void read_loads(TableReader& root, Mechanism& mechanism);
 void read_springs(TableReader& root, Mechanism& mechanism, const std::vector<bool>& joint_type_known);
 
+/// How bodies, points and curves are drawn.
+void read_drawing(TableReader& root, Profile& profile);
+
 /// Drivers and what they are to do; needs at least one.
 void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known,
                   LawBook& laws);

@@ -161,7 +161,11 @@ TEST_F(Program, WritesEventsAsATableOfTheirOwn) {
   const std::string table = (folder_ / "table.csv").string(), events = (folder_ / "events.csv").string();
   const std::string command =
       "analyze " + profile("eccentric_disc_oscillating_roller.toml") + " --csv " + table;
-  EXPECT_EQ(run(command + " --events " + events).code, 0);
+  const Outcome told = run(command + " --events " + events);
+  EXPECT_EQ(told.code, 0);
+  EXPECT_THAT(told.err,
+              ::testing::ContainsRegex(
+                  "stroke_end at driver = 47.9222[0-9]* deg: follower_pivot = -?[0-9.]* deg: the motion"));
   std::ifstream file(events);
   std::string header, first, second, end;
   std::getline(file, header);

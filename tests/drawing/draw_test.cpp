@@ -236,6 +236,35 @@ TEST(Drawing, HasTheScalesOfItsArrows) {
               1e-3);
 }
 
+// Bodies, points and curves as the table [drawing] has them.
+TEST(Drawing, FollowsTheLooksOfTheProfile) {
+  const Model model =
+      shipped("ellipse_cam_roller", {"drawing.cam.name=Nocken", "drawing.cam.colour=\"#f6d8a8\"",
+                                     "drawing.cam.outline=true", "drawing.follower.points.O.hide=true"});
+  const auto scenes = scenes_of(model).value();
+  std::set<std::string> names;
+  std::size_t cams = 0;
+  for (const Element& element : read_back(draw_svg(scenes.scenes, {}))) {
+    if (element.role == "label") names.insert(element.text);
+    if (element.role != "body" || element.name != "cam") continue;
+    ++cams;
+    EXPECT_EQ(element.attributes.at("style"), "fill:none;stroke:#f6d8a8");
+    EXPECT_EQ(element.attributes.at("class"), "body");
+  }
+  EXPECT_EQ(cams, 1U);
+  EXPECT_TRUE(names.contains("Nocken"));
+  EXPECT_FALSE(names.contains("cam"));
+}
+
+TEST(Drawing, HidesBodiesAndCurves) {
+  for (const char* key : {"drawing.cam.hide=true", "drawing.cam.curves.disc.hide=true"}) {
+    const auto scenes = scenes_of(shipped("eccentric_disc_oscillating_roller", {key})).value();
+    for (const Shape& shape : scenes.scenes.front().fixed) {
+      EXPECT_FALSE(shape.role == Role::kBody && shape.name == "cam") << key;
+    }
+  }
+}
+
 TEST(Drawing, EscapesWhatAProfileSays) {
   const Model model = shipped("four_bar", {"title=\"<script>alert('&')</script>\""});
   const auto scenes = scenes_of(model).value();

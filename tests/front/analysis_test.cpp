@@ -2,6 +2,7 @@
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -20,6 +21,18 @@ using testing::model_of;
 using testing::shipped_model;
 using ::testing::SizeIs;
 using testing::text_of;
+
+// Where crank 2 and rod 5 are in one line the pin is 7 or 3 from the pivot, 0.75 beside it on the slide.
+TEST(Analysis, SaysTheCoordinateAtWhichAJointReverses) {
+  const Motion motion = shipped_model("slider_crank").run().value();
+  std::vector<double> values;
+  for (const Event& event : motion.events()) {
+    if (event.type == EventType::kStrokeEnd) values.push_back(event.value.value());
+  }
+  ASSERT_THAT(values, SizeIs(2));
+  EXPECT_NEAR(std::max(values[0], values[1]), std::sqrt(49 - 0.5625), 1e-9);
+  EXPECT_NEAR(std::min(values[0], values[1]), std::sqrt(9 - 0.5625), 1e-9);
+}
 
 TEST(Analysis, GivesTheRowsOfTheMotionOneByOne) {
   RunSettings settings;

@@ -578,5 +578,31 @@ TEST(ProfileMessages, SpringsActBetweenPointsOrOnAJoint) {
           "test.toml:19:5: springs.g.stiffness is missing: expected an angular stiffness (or a damping)"));
 }
 
+TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
+  EXPECT_THAT(about("[drawing]\ncrnk = { hide = true }\n"),
+              ElementsAre("test.toml:13:8: drawing.crnk: there is no body `crnk`; did you mean `crank`?"));
+  EXPECT_THAT(
+      about("[drawing.crank]\npoints.Q = { hide = true }\ncurves.disc = {}\n"),
+      ElementsAre(
+          "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A`?",
+          "test.toml:14:15: drawing.crank.curves.disc: there is no curve of `crank` `disc`; there is none"));
+  EXPECT_THAT(
+      about("[drawing.crank]\ncolour = \"red\"\ncolor = \"#fff\"\noutline = 1\n"),
+      ElementsAre(
+          "test.toml:13:10: drawing.crank.colour = \"red\": expected a colour as \"#rrggbb\", such as "
+          "\"#0072b2\"",
+          "test.toml:14:1: drawing.crank.color: unknown key; did you mean `colour`?",
+          "test.toml:15:11: drawing.crank.outline = 1: expected true or false, found an integer"));
+  EXPECT_THAT(about("[drawing.crank]\npoints.A = { outline = true }\n"),
+              ElementsAre("test.toml:13:14: drawing.crank.points.A.outline = true: a point has none"));
+  EXPECT_THAT(
+      about("[drawing]\ncrank = 3\n"),
+      ElementsAre(
+          "test.toml:13:9: drawing.crank = 3: expected what a body looks like (a table), found an integer"));
+  EXPECT_THAT(about("[drawing.crank]\nname = \"Kurbel\"\ncolour = \"#FFf\"\npoints.A = { name = \"a\", hide "
+                    "= true }\n"),
+              IsEmpty());
+}
+
 }  // namespace
 }  // namespace higherpair

@@ -145,13 +145,23 @@ void listen_to_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
+// Of what reverses: " = -45.88 deg".
+std::string value_text(const Event& event, const Model& model) {
+  if (!event.value || !event.joint) {
+    return "";
+  }
+  const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
+  const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+  return fmt::format(" = {:.10g} {}", *event.value, unit_text(of, model.units()));
+}
+
 void print_events(const std::vector<Event>& events, const Model& model) {
   const std::string unit = driver_unit(model);
   for (const Event& event : events) {
     const std::string item = event.item.empty() ? "" : ": " + event.item;
     const std::string time = event.time ? fmt::format(", time = {:.15g}", *event.time) : "";
-    fmt::print(stderr, "{} at driver = {:.15g} {}{}{}: {}\n", name_of(event.type), event.driver, unit, time,
-               item, event.cause);
+    fmt::print(stderr, "{} at driver = {:.15g} {}{}{}{}: {}\n", name_of(event.type), event.driver, unit, time,
+               item, value_text(event, model), event.cause);
   }
 }
 

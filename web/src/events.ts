@@ -13,7 +13,7 @@ export function addEvents(report: Report, driverUnit: string, timeUnit: string, 
       player.go(event.row);
     });
     const title = event.item === "" ? words(event.type) : `${words(event.type)}: ${event.item}`;
-    return element("li", { class: event.type }, element("b", {}, title), " ", go, element("p", {}, event.cause));
+    return element("li", { class: event.type }, element("b", {}, title), " ", go, element("p", {}, event.cause + (event.value === undefined ? "" : `, at ${quantity(event.value, event.unit ?? "")}`)));
   });
   byId("events").append(...items);
   player.onRow((row) => {

@@ -81,8 +81,8 @@ export class Labels {
     if (free === undefined || chosen === undefined) return;
     label.last = free;
     taken.push(chosen);
-    label.element.setAttribute("x", ((chosen.x + chosen.width / 2) * scale).toFixed(3));
-    label.element.setAttribute("y", ((chosen.y + chosen.height / 2) * scale).toFixed(3));
+    const [x, y] = [(chosen.x + chosen.width / 2) * scale, (chosen.y + chosen.height / 2) * scale];
+    label.element.setAttribute("transform", `translate(${x.toFixed(3)} ${y.toFixed(3)})`); // x and y would lay the text out anew
   }
 }
 

@@ -19,6 +19,9 @@ export interface Shape {
   readonly body?: number;
   readonly closed?: boolean;
   readonly text?: string;
+  readonly colour?: string;
+  /** Not filled although closed. */
+  readonly outline?: boolean;
 }
 
 /** The coordinates of a shape; null between the pieces of a path; empty where it is not defined. */
@@ -85,6 +88,9 @@ export interface MotionEvent {
   readonly row: number;
   readonly item: string;
   readonly cause: string;
+  /** Of what reverses. */
+  readonly value?: number;
+  readonly unit?: string;
 }
 
 export interface Report {

@@ -18,6 +18,7 @@ const SHORTEST = 0.6; // arrow that is drawn
 const NAMED = 26; // shortest arrow that bears its name
 const APART = 9; // arrows that would lie on each other
 const BAR = 90;
+const REFRESH = 45; // ms between two rows, while it plays
 
 /** A figure that shows a row; while the motion plays, only if somebody sees it. */
 export interface Figure {
@@ -43,7 +44,10 @@ export function addFigures(report: Report, rows: Rows, player: Player): void {
     observer.observe(figure.root);
   }
   const showAll = (): void => figures.forEach((figure) => figure.show(player.row));
+  let last = 0;
   player.onRow((row) => {
+    if (player.playing && performance.now() - last < REFRESH) return;
+    last = performance.now();
     for (const figure of figures) if (!player.playing || seen.has(figure.root)) figure.show(row);
   });
   player.onPlaying(showAll);

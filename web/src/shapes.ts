@@ -53,6 +53,8 @@ export function shapeElement(shape: Shape): SVGElement {
   const made = svg(tag, { "data-role": shape.role, "data-name": shape.name, class: shape.kind });
   if (shape.body !== undefined) made.setAttribute("data-body", String(shape.body));
   if (shape.closed === true) made.classList.add("closed");
+  if (shape.outline === true) made.classList.add("outline");
+  if (shape.colour !== undefined) made.style.setProperty(shape.role === "trace" ? "stroke" : "--body", shape.colour);
   if (shape.kind === "text") made.textContent = shape.text ?? shape.name;
   return made;
 }

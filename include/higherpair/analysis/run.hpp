@@ -52,7 +52,8 @@ struct RunEvent {
   double share = 0;          ///< of the drivers' way from the row before to this one
   std::optional<int> joint;  ///< what it happens at, if one can be named
   std::optional<int> contact;
-  std::string cause;  ///< a sentence
+  std::string cause;            ///< a sentence
+  std::optional<double> value;  ///< of what reverses: the joint's coordinate there [rad or m]
 };
 
 /// Where and how fast a pair that ought to roll would have to slip.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/drawing/looks.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/description.hpp"
 
@@ -53,6 +54,8 @@ struct Shape {
   bool closed = false;          ///< of a path
   std::string text;             ///< of kText
   std::vector<double> numbers;  ///< [mm]; empty where it is not defined in this row
+  std::string colour;           ///< "#rrggbb" that fills it, or of its line; empty: that of its role
+  bool outline = false;         ///< not filled although closed
 };
 
 /// An upright rectangle [mm].
@@ -92,7 +95,8 @@ public:
   /// \param traces  points whose paths are drawn, besides those that are joined to nothing
   /// \param reactions  in the same rows; empty: no forces are drawn
   SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
-             const std::vector<PointRef>& traces = {}, const std::vector<Reactions>& reactions = {});
+             const std::vector<PointRef>& traces = {}, const std::vector<Reactions>& reactions = {},
+             const Looks& looks = {});
 
   /// The scene of the row given last; at first of the first one that has a place.
   [[nodiscard]] const Scene& scene() const { return scene_; }

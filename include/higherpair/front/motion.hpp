@@ -55,6 +55,8 @@ struct Event {
   double driver_si = 0;        ///< the position in [rad or m]
   std::optional<int> joint;    ///< of Mechanism::joints
   std::optional<int> contact;  ///< of Mechanism::contacts
+  /// Of a stroke end: the joint's coordinate there, in the units of the run.
+  std::optional<double> value;
 };
 
 /// The word in a column of words; empty where undefined.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/cam/motion_law.hpp"
+#include "higherpair/drawing/looks.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/description.hpp"
@@ -42,6 +43,7 @@ struct Profile {
   Mechanism mechanism;
   Units units;
   std::vector<DriverProgram> programs;  ///< one for each of mechanism.drivers, in the same order
+  Looks looks;                          ///< how it is drawn
   std::string source;                   ///< what diagnostics call it: the file's name
   std::vector<std::string> files;       ///< paths of what was read besides: points, drawings
   Diagnostics notes;                    ///< what is probably a slip although it may be meant
