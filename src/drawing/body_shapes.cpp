@@ -96,7 +96,7 @@ std::vector<Vector2d> rim_towards(const Body& body, const Curve& ring, const Vec
     if (!(way.norm() > a + thickness)) continue;
     const Vector2d d = way.normalized();
     const double radius = 1 / std::hypot(d.dot(ring.axis_B) / a, d.dot(perp(ring.axis_B)) / b);
-    rim.emplace_back(middle + (radius + thickness / 2) * d);
+    rim.emplace_back(middle + (radius + 0.75 * thickness) * d);
   }
   return rim;
 }

@@ -281,7 +281,7 @@ TEST(Drawing, HasTheLayersThatAreAskedFor) {
   settings.layers = {Role::kLink, Role::kVelocity};
   std::set<std::string> roles;
   for (const Element& element : read_back(draw_svg(scenes.scenes, settings))) roles.insert(element.role);
-  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale"}));
+  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale", "scale-head"}));
   for (int role = 0; role < kRoleCount; ++role) {
     EXPECT_EQ(role_of(name_of(static_cast<Role>(role))), static_cast<Role>(role));
   }
