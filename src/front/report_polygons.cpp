@@ -12,8 +12,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSteps = 1e5;  // of the longest vector: rounding of what is drawn and listed
-constexpr double kOften = 8;    // of the middle row: what is larger runs out of the picture
+constexpr double kSteps = 1e5;   // of the longest vector: rounding of what is drawn and listed
+constexpr double kUsual = 0.95;  // share of the rows that a picture has room for
+constexpr double kRoom = 1.2;    // and some more
 constexpr int kDigits = 6;
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -132,12 +133,12 @@ private:
   std::vector<const Track*> tracks_;
 };
 
-// Sizes beyond it run out of the picture.
+// Sizes beyond it run out of the picture: near a limit position rates are out of all proportion.
 double largest_shown(std::vector<double> sizes) {
-  const double largest = *std::max_element(sizes.begin(), sizes.end());
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle > 0 ? std::min(largest, kOften * *middle) : largest;
+  std::sort(sizes.begin(), sizes.end());
+  const double usual =
+      kRoom * sizes[static_cast<std::size_t>(kUsual * static_cast<double>(sizes.size() - 1))];
+  return usual > 0 ? std::min(sizes.back(), usual) : sizes.back();
 }
 
 void write_view(JsonWriter& json, const MovingPolygon& polygon, double limit) {
