@@ -52,9 +52,11 @@ Profile read_root(TableReader& root) {
         io_detail::as_vector(root.reading(), *gravity, dimension::kAcceleration).value_or(Vector2d::Zero());
   }
   io_detail::LawBook laws(root);
-  read_bodies(root, mechanism);
+  io_detail::LateCurves late;
+  read_bodies(root, mechanism, late);
   const std::vector<bool> joint_type_known = read_joints(root, mechanism);
   read_contacts(root, mechanism);
+  make_late_curves(root.reading(), late, laws, mechanism);
   read_drivers(root, profile, joint_type_known, laws);
   read_loads(root, mechanism);
   read_springs(root, mechanism, joint_type_known);

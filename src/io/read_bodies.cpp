@@ -47,9 +47,9 @@ void refuse_what_moves(TableReader& table) {
   }
 }
 
-void read_body(TableReader& table, Body& body) {
+void read_body(TableReader& table, Body& body, LateCurves& late) {
   if (const auto points = table.take("points")) read_points(table.reading(), *points, body);
-  if (const auto curves = table.take("curves")) read_curves(table.reading(), *curves, body);
+  if (const auto curves = table.take("curves")) read_curves(table.reading(), *curves, body, late);
   if (body.name == "ground") {
     refuse_what_moves(table);
   } else {
@@ -61,7 +61,7 @@ void read_body(TableReader& table, Body& body) {
 
 }  // namespace
 
-void read_bodies(TableReader& root, Mechanism& mechanism) {
+void read_bodies(TableReader& root, Mechanism& mechanism, LateCurves& late) {
   mechanism.bodies.emplace_back();
   mechanism.bodies.front().name = "ground";
   const auto bodies = root.take("bodies");
@@ -71,12 +71,12 @@ void read_bodies(TableReader& root, Mechanism& mechanism) {
   for_each_table(root.reading(), *bodies, "a body (a table)",
                  [&](const std::string& name, TableReader& table) {
                    if (name == "ground") {
-                     read_body(table, mechanism.bodies.front());
+                     read_body(table, mechanism.bodies.front(), late);
                      return;
                    }
                    mechanism.bodies.emplace_back();
                    mechanism.bodies.back().name = name;
-                   read_body(table, mechanism.bodies.back());
+                   read_body(table, mechanism.bodies.back(), late);
                  });
 }
 

@@ -120,7 +120,8 @@ constexpr std::array<BoundaryType, 6> kBoundaryTypes = {{
     {"dxf", read_dxf_curve},
 }};
 
-// Its curve depends on another one.
+// Its curve depends on a contact and a law, or on another curve.
+constexpr std::string_view kCam = "cam";
 constexpr std::string_view kOffset = "offset";
 
 std::vector<std::string> curve_type_names() {
@@ -131,6 +132,7 @@ std::vector<std::string> curve_type_names() {
   for (const BoundaryType& type : kBoundaryTypes) {
     names.emplace_back(type.name);
   }
+  names.emplace_back(kCam);
   names.emplace_back(kOffset);
   return names;
 }
@@ -163,7 +165,8 @@ std::optional<NamedCurve> read_conic_curve(TableReader& table, const ConicType& 
 // Curves of one body. An offset waits until the curve that it is of is known.
 class CurvesReader {
 public:
-  CurvesReader(Reading& reading, Body& body) : reading_(reading), body_(body) {}
+  CurvesReader(Reading& reading, Body& body, LateCurves& late)
+      : reading_(reading), body_(body), late_(late) {}
 
   void read(const Item& item) {
     for_each_table(reading_, item, "a curve (a table)", [&](const std::string& name, TableReader& table) {
@@ -185,7 +188,7 @@ public:
   }
 
 private:
-  enum class State { kKnown, kWaiting, kWrong };
+  enum class State { kKnown, kWaiting, kLate, kWrong };
 
   struct Offset {
     std::size_t curve = 0;
@@ -217,12 +220,27 @@ private:
       }
       set(index, kBoundaryTypes[*choice - kConicTypes.size()].read(table));
       table.finish();
+    } else if (*choice == kConicTypes.size() + kBoundaryTypes.size()) {
+      read_cam(table, index);
     } else {
       states_[index] = State::kWrong;
       if (const auto of = table.need("of", "the name of another curve of this body")) {
         states_[index] = State::kWaiting;
         offsets_.push_back({index, *of, table});
       }
+    }
+  }
+
+  void read_cam(TableReader& table, std::size_t index) {
+    states_[index] = State::kWrong;
+    const auto law = table.need("law", "the name of one of [laws], which the follower is to move by");
+    const auto contact = table.need("contact", "the name of the contact with the follower");
+    if (law && contact) {
+      states_[index] = State::kLate;
+      Curve& curve = body_.curves[index].curve;
+      curve = Curve{CurveKind::kChain};
+      curve.q = 0;
+      late_.flanks.push_back({body_.name, index, *law, *contact, table});
     }
   }
 
@@ -241,6 +259,10 @@ private:
     }
     if (!name || found == body_.curves.end() || states_[source] == State::kWrong) {
       states_[offset.curve] = State::kWrong;
+    } else if (states_[source] == State::kLate) {
+      states_[offset.curve] = State::kLate;
+      body_.curves[offset.curve].curve = found->curve;
+      late_.offsets.push_back({body_.name, offset.curve, source, offset.table});
     } else if (states_[source] == State::kKnown) {
       set(offset.curve, read_offset(offset.table, *found));
       offset.table.finish();
@@ -257,14 +279,15 @@ private:
 
   Reading& reading_;
   Body& body_;
+  LateCurves& late_;
   std::vector<State> states_;
   std::vector<Offset> offsets_;
 };
 
 }  // namespace
 
-void read_curves(Reading& reading, const Item& item, Body& body) {
-  CurvesReader(reading, body).read(item);
+void read_curves(Reading& reading, const Item& item, Body& body, LateCurves& late) {
+  CurvesReader(reading, body, late).read(item);
 }
 
 }  // namespace higherpair::io_detail

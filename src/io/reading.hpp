@@ -44,11 +44,33 @@ struct CurvePair {
 /// The base units; kept at their defaults where they are wrong.
 void read_units(TableReader& root);
 
+/// Curves that cannot be made before joints, contacts and laws are known.
+struct LateCurves {
+  struct Flank {
+    std::string body;
+    std::size_t curve = 0;  ///< index in the body
+    Item law;
+    Item contact;
+    TableReader table;
+  };
+  struct Offset {
+    std::string body;
+    std::size_t curve = 0;
+    std::size_t source = 0;  ///< the curve of the same body that it is an offset of
+    TableReader table;
+  };
+  std::vector<Flank> flanks;
+  std::vector<Offset> offsets;  ///< each after its source
+};
+
 /// Bodies with their points, curves, poses and masses; adds ground as bodies[0].
-void read_bodies(TableReader& root, Mechanism& mechanism);
+void read_bodies(TableReader& root, Mechanism& mechanism, LateCurves& late);
 
 /// `curves.NAME` of a body. One with a mistake becomes a circle of radius 0, which fits everywhere.
-void read_curves(Reading& reading, const Item& item, Body& body);
+void read_curves(Reading& reading, const Item& item, Body& body, LateCurves& late);
+
+/// Makes the flanks of cams, and their offsets.
+void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechanism& mechanism);
 
 /// \return for each joint of the mechanism whether its type is known: units of what refers to it hang on it.
 [[nodiscard]] std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism);

@@ -1,0 +1,194 @@
+#include "higherpair/cam/flank.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+#include "read_boundary.hpp"
+#include "reading.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr double kMeets = 1e-9;  // of the size of a flank: where it closes to within rounding
+
+Body& body_named(Mechanism& mechanism, const std::string& name) {
+  return *std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
+                       [&](const Body& body) { return body.name == name; });
+}
+
+int index_of(const Mechanism& mechanism, const Body& body) {
+  return static_cast<int>(&body - mechanism.bodies.data());
+}
+
+// The only joint of a body to ground that can be driven.
+std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
+  std::optional<int> found;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const bool between = (joint.first.body == body && joint.second.body == 0) ||
+                         (joint.second.body == body && joint.first.body == 0);
+    if (between && can_be_driven(joint.type)) {
+      if (found) {
+        return std::nullopt;
+      }
+      found = static_cast<int>(i);
+    }
+  }
+  return found;
+}
+
+Dimension dimension_of(const Joint& joint) {
+  return has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+}
+
+class FlankMaker {
+public:
+  FlankMaker(Reading& reading, LawBook& laws, Mechanism& mechanism)
+      : reading_(reading), laws_(laws), mechanism_(mechanism) {}
+
+  void make(LateCurves::Flank& late) {
+    Body& cam = body_named(mechanism_, late.body);
+    const auto side = late.table.take("side");
+    const auto choice = side ? as_choice(reading_, *side, {"inside", "outside"}) : std::nullopt;
+    late.table.finish();
+    const CurveRef own{index_of(mechanism_, cam), static_cast<int>(late.curve)};
+    const auto follower = follower_of(late, own);
+    const auto cam_joint = follower ? joint_of_body(late, own.body) : std::nullopt;
+    const auto follower_joint = cam_joint ? joint_of_body(late, follower->body) : std::nullopt;
+    if (!follower_joint) {
+      return;
+    }
+    const Joint& turning = mechanism_.joints[static_cast<std::size_t>(*cam_joint)];
+    const Joint& moved = mechanism_.joints[static_cast<std::size_t>(*follower_joint)];
+    const auto law = laws_.find(late.law, {dimension_of(turning), dimension_of(moved)}, mechanism_);
+    if (!law) {
+      return;
+    }
+    const CarriedBody carried_cam = carried_body(mechanism_, turning, own.body);
+    const CarriedBody carried = carried_body(mechanism_, moved, follower->body);
+    const CamMotion motion{carried_cam.freedom,
+                           carried_cam.sign,
+                           carried.freedom,
+                           carried.sign,
+                           joint_motion(mechanism_, moved, posed_bodies(mechanism_)).position,
+                           *MotionLaw::make(mechanism_.laws[static_cast<std::size_t>(*law)].law)};
+    shape(late, motion, *follower, choice == 1U, cam.curves[late.curve]);
+  }
+
+private:
+  // The curve that the contact has on the other body.
+  std::optional<CurveRef> follower_of(const LateCurves::Flank& late, const CurveRef& own) {
+    const auto name = as_text(reading_, late.contact);
+    if (!name) {
+      return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const Contact& contact : mechanism_.contacts) {
+      names.push_back(contact.name);
+    }
+    const auto found = std::find(names.begin(), names.end(), *name);
+    if (found == names.end()) {
+      report(reading_, late.contact,
+             fmt::format("there is no contact of this name; {}", suggestion(*name, names)));
+      return std::nullopt;
+    }
+    const Contact& contact = mechanism_.contacts[static_cast<std::size_t>(found - names.begin())];
+    const auto is_own = [&](const CurveRef& ref) { return ref.body == own.body && ref.curve == own.curve; };
+    if (!is_own(contact.first) && !is_own(contact.second)) {
+      report(reading_, late.contact,
+             "is a contact in which this curve does not take part; name it in its `between`");
+      return std::nullopt;
+    }
+    const CurveRef other = is_own(contact.first) ? contact.second : contact.first;
+    const NamedCurve& curve =
+        mechanism_.bodies[static_cast<std::size_t>(other.body)].curves[static_cast<std::size_t>(other.curve)];
+    if (curve.boundary || curve.curve.kind == CurveKind::kChain) {
+      report(reading_, late.contact,
+             "the follower of a cam has a circle, an ellipse or other conic, a line or a point as its curve");
+      return std::nullopt;
+    }
+    return other;
+  }
+
+  std::optional<int> joint_of_body(const LateCurves::Flank& late, int body) {
+    const auto joint = ground_joint(mechanism_, body);
+    if (!joint) {
+      report(
+          reading_, late.contact,
+          fmt::format("{} needs one revolute or prismatic joint to ground: a flank is shaped for a cam and a "
+                      "follower that both hang on ground",
+                      mechanism_.bodies[static_cast<std::size_t>(body)].name));
+    }
+    return joint;
+  }
+
+  void shape(LateCurves::Flank& late, const CamMotion& motion, const CurveRef& follower, bool outer,
+             NamedCurve& named) {
+    const Curve& curve = curve_of(mechanism_, follower);
+    auto spans = cam_flank(motion, curve, outer);
+    if (!spans) {
+      report(reading_, late.law, explain(spans.error(), motion));
+      return;
+    }
+    auto boundary = Boundary::make(*std::move(spans), closes(motion), kMeets);
+    if (!boundary) {
+      report(reading_, late.law,
+             "the flank does not close: the law ends at another value than it begins with, or with another "
+             "velocity");
+      return;
+    }
+    named.boundary = std::make_shared<const Boundary>(*std::move(boundary));
+    named.curve.vertex_B = named.boundary->middle_B();
+  }
+
+  [[nodiscard]] std::string explain(const FlankFault& fault, const CamMotion& motion) const {
+    const Dimension& of = motion.cam.turns ? dimension::kAngle : dimension::kLength;
+    const std::string at = fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(fault.coordinate),
+                                       unit_text(of, reading_.units));
+    switch (fault.kind) {
+      case FlankFault::Kind::kStandstill:
+        return "at " + at + " of the cam the follower does not move against the cam: no flank shapes that";
+      case FlankFault::Kind::kNoNormal:
+        return "at " + at +
+               " of the cam no point of the follower's curve could touch a flank; use a curve that goes "
+               "farther "
+               "round, or another pose";
+      case FlankFault::Kind::kUndercut:
+        break;
+    }
+    return "at " + at +
+           " of the cam the flank would be undercut: put the follower's pose farther from the cam's pivot (a "
+           "larger "
+           "base circle), take a smaller roller, or a longer segment of the law";
+  }
+
+  Reading& reading_;
+  LawBook& laws_;
+  Mechanism& mechanism_;
+};
+
+}  // namespace
+
+void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechanism& mechanism) {
+  FlankMaker maker(reading, laws, mechanism);
+  for (LateCurves::Flank& flank : late.flanks) {
+    maker.make(flank);
+  }
+  for (LateCurves::Offset& offset : late.offsets) {
+    Body& body = body_named(mechanism, offset.body);
+    if (!body.curves[offset.source].boundary) {
+      continue;  // its mistake has been reported
+    }
+    if (auto curve = read_offset(offset.table, body.curves[offset.source])) {
+      curve->name = body.curves[offset.curve].name;
+      body.curves[offset.curve] = *std::move(curve);
+    }
+    offset.table.finish();
+  }
+}
+
+}  // namespace higherpair::io_detail
