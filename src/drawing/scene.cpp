@@ -12,13 +12,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;        // of a metre
-constexpr double kUnitsAcross = 110;        // along the picture's diagonal
-constexpr double kMargin = 3;               // [units]
-constexpr std::size_t kRowsLookedAt = 72;   // for the room that shapes need
-constexpr double kLongestArrow = 14;        // [units]
-constexpr double kLongestTurn = 1.5 * kPi;  // of the arc of a torque
-constexpr double kOutOfProportion = 1e-4;   // of the largest: at rest but for these rows
+constexpr double kMillimetre = 1000;       // of a metre
+constexpr double kUnitsAcross = 110;       // along the picture's diagonal
+constexpr double kMargin = 3;              // [units]
+constexpr std::size_t kRowsLookedAt = 72;  // for the room that shapes need
 
 struct Extent {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
@@ -116,53 +113,6 @@ void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
       }
     }
   }
-}
-
-// By which the longest arrow of all rows has the length `longest`, or where some are out of proportion, as
-// near a limit position, four times the middle one of the rows: those go beyond.
-double scale_for(std::vector<double> of_rows, double longest) {
-  std::erase_if(of_rows, [](double size) { return !(size > 0); });
-  if (of_rows.empty()) {
-    return 0;
-  }
-  const auto middle = of_rows.begin() + static_cast<std::ptrdiff_t>(of_rows.size() / 2);
-  std::nth_element(of_rows.begin(), middle, of_rows.end());
-  const double typical = *middle;
-  const double largest = *std::max_element(of_rows.begin(), of_rows.end());
-  return longest / (typical > kOutOfProportion * largest ? std::min(largest, 4 * typical) : largest);
-}
-
-void set_arrow_scales(const Sketch& sketch, Scene& scene) {
-  std::vector<double> velocities, accelerations;
-  for (const MotionRow* row : sketch.rows) {
-    double fastest = 0, hardest = 0;
-    for (std::size_t i = 1; i < row->bodies.size(); ++i) {
-      if (!row->all_rates && !row->has_rates[i]) {
-        continue;
-      }
-      for (const NamedPoint& point : sketch.mechanism.bodies[i].points) {
-        const PointMotion motion = point_motion(row->bodies[i], point.p_B);
-        fastest = std::max(fastest, motion.v_W.norm());
-        hardest = std::max(hardest, motion.a_W.norm());
-      }
-    }
-    velocities.push_back(fastest);
-    accelerations.push_back(hardest);
-  }
-  const double longest = kLongestArrow * scene.unit / kMillimetre;
-  scene.velocity_scale = scale_for(std::move(velocities), longest);
-  scene.acceleration_scale = scale_for(std::move(accelerations), longest);
-}
-
-void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene) {
-  std::vector<double> forces, torques;
-  for (const Reactions& row : reactions) {
-    const LargestForces largest = largest_forces(mechanism, row);
-    forces.push_back(largest.force);
-    torques.push_back(largest.torque);
-  }
-  scene.force_scale = scale_for(std::move(forces), kLongestArrow * scene.unit);
-  scene.torque_scale = scale_for(std::move(torques), kLongestTurn);
 }
 
 }  // namespace

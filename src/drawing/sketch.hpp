@@ -51,6 +51,10 @@ struct LargestForces {
 };
 [[nodiscard]] LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reactions);
 
+/// Sets the scales of arrows, so that the longest one of all rows fits.
+void set_arrow_scales(const Sketch& sketch, Scene& scene);
+void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene);
+
 /// Pitch radii of the two wheels of gears or a belt at their distance [m].
 [[nodiscard]] std::array<double, 2> wheel_radii(const Joint& joint, double distance);
 
