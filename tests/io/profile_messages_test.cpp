@@ -584,7 +584,7 @@ TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
   EXPECT_THAT(
       about("[drawing.crank]\npoints.Q = { hide = true }\ncurves.disc = {}\n"),
       ElementsAre(
-          "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A`?",
+          "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A` or `P`?",
           "test.toml:14:15: drawing.crank.curves.disc: there is no curve of `crank` `disc`; there is none"));
   EXPECT_THAT(
       about("[drawing.crank]\ncolour = \"red\"\ncolor = \"#fff\"\noutline = 1\n"),
@@ -594,7 +594,7 @@ TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
           "test.toml:14:1: drawing.crank.color: unknown key; did you mean `colour`?",
           "test.toml:15:11: drawing.crank.outline = 1: expected true or false, found an integer"));
   EXPECT_THAT(about("[drawing.crank]\npoints.A = { outline = true }\n"),
-              ElementsAre("test.toml:13:14: drawing.crank.points.A.outline = true: a point has none"));
+              ElementsAre("test.toml:13:24: drawing.crank.points.A.outline = true: a point has none"));
   EXPECT_THAT(
       about("[drawing]\ncrank = 3\n"),
       ElementsAre(
