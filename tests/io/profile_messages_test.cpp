@@ -584,7 +584,8 @@ TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
   EXPECT_THAT(
       about("[drawing.crank]\npoints.Q = { hide = true }\ncurves.disc = {}\n"),
       ElementsAre(
-          "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A` or `P`?",
+          "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A` or "
+          "`P`?",
           "test.toml:14:15: drawing.crank.curves.disc: there is no curve of `crank` `disc`; there is none"));
   EXPECT_THAT(
       about("[drawing.crank]\ncolour = \"red\"\ncolor = \"#fff\"\noutline = 1\n"),
