@@ -23,7 +23,10 @@ struct Touch {
 template <class F>
 void for_each_touch(const Sketch& sketch, int body, std::size_t curve, const F& found) {
   const auto is_it = [&](const CurveRef& ref) {
-    return ref.body == body && ref.curve == static_cast<int>(curve);
+    const NamedCurve& named = sketch.mechanism.bodies[static_cast<std::size_t>(ref.body)]
+                                  .curves[static_cast<std::size_t>(ref.curve)];
+    const auto index = static_cast<int>(curve);
+    return ref.body == body && (ref.curve == index || named.copy_of == index);
   };
   for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
     const Contact& contact = sketch.mechanism.contacts[i];
@@ -52,12 +55,66 @@ Vector2d edge_direction(const Sketch& sketch, int body, std::size_t curve) {
   return sum.norm() > 0 ? Vector2d(sum.normalized()) : Vector2d(-Vector2d::UnitY());
 }
 
+std::vector<Vector2d> outline(const Boundary& boundary) {
+  std::vector<Vector2d> points;
+  for (const Boundary::Sample& sample : boundary.samples()) {
+    points.push_back(sample.point.p_B);
+  }
+  return points;
+}
+
+// A closed chain with its material inside.
+bool is_plate(const NamedCurve& named) {
+  if (named.curve.kind != CurveKind::kChain || !named.boundary || !named.boundary->is_closed()) {
+    return false;
+  }
+  const std::vector<Vector2d> polygon = outline(*named.boundary);
+  double twice_area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    twice_area += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  return twice_area > 0;
+}
+
+bool is_within(const Vector2d& p, const std::vector<Vector2d>& polygon) {
+  bool within = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vector2d& a = polygon[i];
+    const Vector2d& b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+      within = !within;
+    }
+  }
+  return within;
+}
+
+// What is no plate has a rim of material behind it.
+void add_chain(Sketch& sketch, int body, const NamedCurve& named) {
+  std::vector<double> path;
+  for (const Vector2d& p : outline(*named.boundary)) {
+    path.insert(path.end(), {p.x(), p.y()});
+  }
+  if (!is_plate(named)) {
+    const auto& samples = named.boundary->samples();
+    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
+      const Vector2d behind = sample->point.p_B - kFace * sketch.unit * sample->point.n_B;
+      path.insert(path.end(), {behind.x(), behind.y()});
+    }
+  }
+  sketch.add(Role::kBody, sketch.mechanism.bodies[static_cast<std::size_t>(body)].name, body, path, true);
+}
+
 void add_curve(Sketch& sketch, int body, std::size_t index) {
   const NamedCurve& named = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index];
   const Curve& curve = named.curve;
   const double unit = sketch.unit;
   const std::string& name = sketch.mechanism.bodies[static_cast<std::size_t>(body)].name;
   if (curve.kind == CurveKind::kSupport) {
+    return;
+  }
+  if (curve.kind == CurveKind::kChain) {
+    add_chain(sketch, body, named);
     return;
   }
   if (is_point(curve)) {
@@ -110,6 +167,8 @@ std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
   }
   for (std::size_t i = 0; i < body.curves.size(); ++i) {
     const Curve& curve = body.curves[i].curve;
+    if (body.curves[i].copy_of >= 0) continue;
+    if (is_plate(body.curves[i])) anchors.push_back(body.curves[i].boundary->middle_B());
     const auto middle = middle_of(curve);
     if (middle && curve.side == Side::kInside) {
       anchors.push_back(*middle);
@@ -128,6 +187,11 @@ std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
 // Whether a closed curve of the body holds all of its points: then it needs no bar.
 bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>& anchors) {
   return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& named) {
+    if (is_plate(named)) {
+      const std::vector<Vector2d> polygon = outline(*named.boundary);
+      return std::all_of(anchors.begin(), anchors.end(),
+                         [&](const Vector2d& p) { return is_within(p, polygon); });
+    }
     const auto middle = middle_of(named.curve);
     if (!middle || !is_conic(named.curve) || named.curve.side == Side::kOutside) {
       return false;
@@ -214,6 +278,7 @@ void add_bodies(Sketch& sketch) {
   for (int body = 0; body < count; ++body) {
     const auto curves = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves.size();
     for (std::size_t i = 0; i < curves; ++i) {
+      if (sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[i].copy_of >= 0) continue;
       const Look look = sketch.curve_look(body, i);
       if (look.hide) continue;
       const std::size_t first = sketch.shapes.size();

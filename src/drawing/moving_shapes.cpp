@@ -106,7 +106,7 @@ void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
   };
   const auto end_of = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
     End end;
-    end.flat = is_line(curve_of(*mechanism_, ref));
+    end.flat = is_line(curve_of(*mechanism_, ref)) || std::isinf(rho);
     end.guide = perp(n_W);
     if (!end.flat && kMillimetre * std::abs(rho) <= largest_) end.center = kMillimetre * (p_W - rho * n_W);
     if (const auto freedom = grounded_freedom(*mechanism_, ref.body)) {

@@ -3,6 +3,9 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace higherpair {
 namespace {
 
@@ -26,6 +29,7 @@ double size_with_boundaries(const Mechanism& mechanism) {
 void make_own(Mechanism& mechanism, CurveRef& ref, double reach) {
   NamedCurve own = named(mechanism, ref);
   own.name.clear();
+  own.copy_of = ref.curve;
   if (!own.boundary) {
     own.boundary = std::make_shared<const Boundary>(boundary_of(own.curve, reach));
   }

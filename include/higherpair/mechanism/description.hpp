@@ -26,6 +26,7 @@ struct NamedCurve {
   /// Of a curve with ends, or of several spans; `curve` is of kind kChain then. None of a whole conic, line
   /// or point.
   std::shared_ptr<const Boundary> boundary = nullptr;
+  int copy_of = -1;  ///< of a contact's own copy (see use_boundaries): index of the curve itself
 };
 
 struct MassProperties {
