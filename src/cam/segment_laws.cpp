@@ -108,7 +108,7 @@ void add_halves(const std::vector<HalfPart>& parts, double begin, double end, do
 void add_by_acceleration(const LawSegment& segment, double begin, double end, double value,
                          LawPieces& pieces) {
   const std::span<const Stretch> stretches = first_half(segment.type);
-  const double over = end - begin;
+  const double over = segment.over;
   const double scale = segment.rise / 2 / (value_at_half(integrated(stretches, 1, 1)) * over * over);
   add_halves(integrated(stretches, over, scale), begin, end, value, value + segment.rise, pieces);
 }
@@ -177,7 +177,7 @@ std::vector<double> taylor(const std::vector<double>& derivatives, double over) 
 }
 
 void add_polynomial(const LawSegment& segment, double begin, double end, LawPieces& pieces) {
-  const double over = end - begin;
+  const double over = segment.over;
   const double rise = segment.end.front() - segment.start.front();
   std::vector<double> first = taylor(segment.start, over);
   std::vector<double> last = taylor(segment.end, over);
@@ -202,7 +202,7 @@ void add_polynomial(const LawSegment& segment, double begin, double end, LawPiec
 }
 
 void add_harmonics(const LawSegment& segment, double begin, double end, double value, LawPieces& pieces) {
-  const double over = end - begin;
+  const double over = segment.over;
   std::vector<LawWave> waves;
   double cosines = 0;
   for (std::size_t k = 0; k < std::max(segment.cosines.size(), segment.sines.size()); ++k) {
@@ -228,7 +228,7 @@ double add_segment(const LawSegment& segment, double begin, double end, double v
   static constexpr std::array kStraight = {0.0, 1.0};
   const double last = value + segment.rise;
   const auto add_half = [&](std::span<const double> c) {
-    add_halves({half_of_polynomial(c, end - begin, segment.rise)}, begin, end, value, last, pieces);
+    add_halves({half_of_polynomial(c, segment.over, segment.rise)}, begin, end, value, last, pieces);
     pieces.pieces.back().start = PieceStart::kSmooth;
   };
   switch (segment.type) {

@@ -123,6 +123,9 @@ std::optional<double> first_time(const MotionLaw& law, double value) {
   if (law(0.0) == reached) {
     return 0;
   }
+  if (reached == range.least || reached == range.greatest) {  // touched only: exact as an extreme
+    return reached == range.least ? range.least_at : range.greatest_at;
+  }
   const auto times = law.places(reached, 0, std::max(law.end(), 0.0));
   return times.empty() ? std::nullopt : std::optional(times.front());
 }

@@ -128,8 +128,8 @@ TEST(LawDriver, ReportsJumpsOfVelocityAndAcceleration) {
   const ColumnValues acceleration = motion.column("driver.acceleration");
   EXPECT_EQ(acceleration[1], 360);
   EXPECT_EQ(acceleration[2], -360);
-  EXPECT_EQ(motion.column("driver.velocity")[6], 50);
-  EXPECT_EQ(motion.column("driver.velocity")[motion.size() - 1], 50);
+  EXPECT_NEAR(motion.column("driver.velocity")[6], 50, 1e-12);
+  EXPECT_NEAR(motion.column("driver.velocity")[motion.size() - 1], 50, 1e-12);
 }
 
 // With two rows the same happens on the way as with many: the driver turns back twice between them.

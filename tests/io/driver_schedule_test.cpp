@@ -182,13 +182,13 @@ TEST(StepSchedule, TellsTheTimeOfAPassageOnTheRightSideOfTheTurningPoint) {
   // At the turning point itself, and beyond it by rounding.
   EXPECT_NEAR(schedule.passing_time(2, 39.2, 0.4), 1, 1e-7);
   EXPECT_NEAR(schedule.passing_time(2, 39.2000000000001, 0.4), 1, 1e-7);
-  const auto turning = schedule.turning_point(2);
-  ASSERT_TRUE(turning);
-  EXPECT_NEAR(turning->si.position, 39.2 * kPi / 180, 1e-15);
-  EXPECT_EQ(turning->si.velocity, 0);
-  EXPECT_NEAR(turning->si.acceleration, -20 * kPi / 180, 1e-15);
-  EXPECT_NEAR(turning->share, 3.0 / 7, 1e-15);
-  EXPECT_FALSE(schedule.turning_point(0) || schedule.turning_point(1) || schedule.turning_point(3));
+  const auto turning = schedule.turning_points(2);
+  ASSERT_EQ(turning.size(), 1U);
+  EXPECT_NEAR(turning[0].si.position, 39.2 * kPi / 180, 1e-15);
+  EXPECT_EQ(turning[0].si.velocity, 0);
+  EXPECT_NEAR(turning[0].si.acceleration, -20 * kPi / 180, 1e-15);
+  EXPECT_NEAR(turning[0].share, 3.0 / 7, 1e-15);
+  for (const std::int64_t row : {0, 1, 3}) EXPECT_THAT(schedule.turning_points(row), ::testing::IsEmpty());
   const DriverSchedule uniform = step(crank_profile("velocity = -5\nduration = 4\ntime_step = 1\n"));
   EXPECT_NEAR(uniform.passing_time(3, -12, 0.4), 2.4, 1e-15);
 }

@@ -220,7 +220,7 @@ TEST(Laws, ThatNothingUsesAreReadAllTheSame) {
   EXPECT_THAT(messages(crank_profile(unused)), IsEmpty());
   EXPECT_THAT(
       notes(crank_profile(unused)),
-      ElementsAre("test.toml:10:1: laws.spare: nothing uses this law; a driver does by its key `law`"));
+      ElementsAre("test.toml:12:1: laws.spare: nothing uses this law; a driver does by its key `law`"));
   EXPECT_THAT(
       messages(crank_profile("[laws.spare]\nsegments = [{ over = -1, law = \"cycloidal\", rise = 2 }]\n")),
       ElementsAre(HasSubstr("laws.spare.segments.0.over = -1 deg: must be > 0")));

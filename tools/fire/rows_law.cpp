@@ -76,10 +76,11 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
 }
 
 void Recorder::move(Run& run, std::int64_t k) {
-  const auto turning = schedule_.turning_point(k);
-  if (turning) {
-    move_to(run, {{turning->si.position, turning->si.velocity, turning->si.acceleration}});
-    note(run, k, 0, turning->share);
+  double from = 0;
+  for (const DriverSchedule::TurningPoint& turning : schedule_.turning_points(k)) {
+    move_to(run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+    note(run, k, from, turning.share);
+    from = turning.share;
   }
   std::vector<DriverMotion> motions;
   for (std::size_t i = 0; i < schedule_.driver_count(); ++i) {
@@ -87,7 +88,7 @@ void Recorder::move(Run& run, std::int64_t k) {
     motions.push_back({si.position, si.velocity, si.acceleration});
   }
   move_to(run, motions);
-  note(run, k, turning ? turning->share : 0, 1);
+  note(run, k, from, 1);
 }
 
 RunRecord Recorder::record() {
