@@ -16,14 +16,25 @@ struct Chord {
   Vector2d to = Vector2d::Zero();
 };
 
+// Neighbouring samples between which a span hardly turns share a chord.
 std::vector<Chord> chords_of(const Boundary& boundary) {
+  const double straight = std::cos(0.15);
   std::vector<Chord> chords;
+  Vector2d n_B = Vector2d::Zero();  // normal at the begin of the last chord
   const auto& samples = boundary.samples();
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const auto& a = samples[i];
     const auto& b = samples[i + 1];
-    if (a.place.span == b.place.span && !boundary.is_corner(a.place)) {
+    if (a.place.span != b.place.span || boundary.is_corner(a.place)) {
+      continue;
+    }
+    const bool goes_on = !chords.empty() && chords.back().span == a.place.span;
+    if (goes_on && n_B.dot(b.point.n_B) > straight) {
+      chords.back().t.high = b.place.t;
+      chords.back().to = b.point.p_B;
+    } else {
       chords.push_back({a.place.span, {a.place.t, b.place.t}, a.point.p_B, b.point.p_B});
+      n_B = a.point.n_B;
     }
   }
   return chords;
