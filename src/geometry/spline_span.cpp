@@ -72,12 +72,14 @@ std::vector<double> parameters(const Points& points, const SplineOptions& option
   return t;
 }
 
-// Derivative by the parameter in a given direction: so fast that the first step is as long as it is.
-Eigen::RowVectorXd slope(const std::optional<Vector2d>& tangent, const Vector2d& step, double dt) {
+// Derivative by the parameter in a given direction. By arc length it is a unit vector.
+Eigen::RowVectorXd slope(const std::optional<Vector2d>& tangent, SplineParameter parameter,
+                         const Vector2d& step, double dt) {
   if (!tangent) {
     return {};
   }
-  return tangent->normalized().transpose() * (step.norm() / dt);
+  const double speed = parameter == SplineParameter::kArc ? 1 : step.norm() / dt;
+  return tangent->normalized().transpose() * speed;
 }
 
 Eigen::MatrixXd powers_of(const Points& points, const SplineOptions& options, const std::vector<double>& t,
@@ -91,10 +93,12 @@ Eigen::MatrixXd powers_of(const Points& points, const SplineOptions& options, co
   task.degree = options.degree;
   task.period = options.closed ? t.back() : 0;
   task.smoothing = smoothing;
+  task.no_end_knots = true;
   if (!options.closed) {
     const std::size_t last = points.size() - 2;
-    task.first_slope = slope(options.first_tangent, step(points, 0), t[1] - t[0]);
-    task.last_slope = slope(options.last_tangent, step(points, last), t[last + 1] - t[last]);
+    task.first_slope = slope(options.first_tangent, options.parameter, step(points, 0), t[1] - t[0]);
+    task.last_slope =
+        slope(options.last_tangent, options.parameter, step(points, last), t[last + 1] - t[last]);
   }
   return spline_powers(task);
 }

@@ -139,6 +139,17 @@ Sparse values_at_points(const Basis& basis) {
   return matrix(basis.points(), basis.size(), triplets);
 }
 
+// Row `row`: the jump of the last derivative at a point within.
+void add_jump(const Basis& basis, Index row, Index point, Triplets& triplets) {
+  const auto before = basis.on(point - 1);
+  const auto after = basis.on(point);
+  const auto last = static_cast<std::size_t>(basis.degree());
+  for (int j = 0; j <= basis.degree(); ++j) {
+    triplets.emplace_back(row, basis.index(point - 1, j), -before[static_cast<std::size_t>(j)][last]);
+    triplets.emplace_back(row, basis.index(point, j), after[static_cast<std::size_t>(j)][last]);
+  }
+}
+
 MatrixXd interpolation(const Basis& basis, const SplineTask& task) {
   const MatrixXd& values = task.values;
   Triplets triplets;
@@ -151,9 +162,13 @@ MatrixXd interpolation(const Basis& basis, const SplineTask& task) {
   }
   const auto end_condition = [&](Index row, Index point, Index k, const Eigen::RowVectorXd& slope) {
     const bool is_slope = k + 1 == before && slope.size() > 0;
-    add_row(basis, row, point, is_slope ? 1 : (basis.degree() + 1) / 2 + static_cast<int>(k), triplets);
     if (is_slope) {
+      add_row(basis, row, point, 1, triplets);
       right.row(row) = basis.unit() * slope;
+    } else if (task.no_end_knots) {
+      add_jump(basis, row, point == 0 ? k + 1 : point - k - 1, triplets);
+    } else {
+      add_row(basis, row, point, (basis.degree() + 1) / 2 + static_cast<int>(k), triplets);
     }
   };
   for (Index k = 0; k < before; ++k) {

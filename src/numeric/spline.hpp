@@ -15,8 +15,10 @@ struct SplineTask {
   double period = 0;       ///< > x.back() - x.front(): periodic; 0: natural, which is that of all splines
                            ///< derivatives from the (degree+1)/2-th to the last but one vanish at both ends
   double smoothing = 0;    ///< no point is left by more than this; 0: interpolation
-  /// Derivatives at the ends of an interpolating spline that is not periodic; empty: free. Each takes the
-  /// place of the condition on the last derivative but one there.
+  /// Of an interpolating spline that is not periodic: no knots at the (degree - 1)/2 points next to each end,
+  /// in place of the natural conditions, which hold back its error there.
+  bool no_end_knots = false;
+  /// Derivatives at its ends, each in place of one of those conditions, the innermost; empty: free.
   Eigen::RowVectorXd first_slope = {};
   Eigen::RowVectorXd last_slope = {};
 };
