@@ -116,8 +116,11 @@ std::string length_text(const Reading& reading, double metres) {
 
 std::string point_text(const Reading& reading, const Vector2d& p) {
   const Scaling scaling = from_si(dimension::kLength, reading.units);
-  // No "-0".
-  return fmt::format("({:.6g}, {:.6g})", scaling.apply(p.x()) + 0.0, scaling.apply(p.y()) + 0.0);
+  // Neither "-0" nor what is left of one by rounding.
+  const auto text = [&](double x) {
+    return fmt::format("{:.6g}", std::abs(x) > 1e-12 * p.norm() ? scaling.apply(x) : 0.0);
+  };
+  return fmt::format("({}, {})", text(p.x()), text(p.y()));
 }
 
 void report_whole(TableReader& table, const std::string& message) {
