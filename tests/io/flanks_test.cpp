@@ -1,0 +1,126 @@
+#include "higherpair/io/profile_reader.hpp"
+
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The profile of a cam with these parts in it.
+struct Parts {
+  std::string flank = R"({ type = "cam", law = "lift", contact = "touch" })";
+  std::string more_curves;
+  std::string follower = R"({ type = "circle", center = [0, 0], radius = 10 })";
+  std::string height = "50";
+  std::string rise = "20";
+  std::string joint = R"(type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1])";
+  std::string between = R"(["cam.flank", "follower.roller"])";
+};
+
+std::string profile_with(const Parts& parts) {
+  return fmt::format(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = {}
+{}
+[bodies.follower]
+pose = {{ x = 0, y = {} }}
+points.P = [0, 0]
+curves.roller = {}
+[laws.lift]
+segments = [ {{ over = 120, law = "cycloidal", rise = {} }}, {{ over = 40, law = "dwell" }},
+             {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = 80, law = "dwell" }} ]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.slide]
+{}
+[contacts.touch]
+between = {}
+[driver]
+joint = "pivot"
+)",
+                     parts.flank, parts.more_curves, parts.height, parts.follower, parts.rise, parts.joint,
+                     parts.between);
+}
+
+std::string mistakes_in(const Parts& parts) {
+  const auto profile = read_profile_text(profile_with(parts), "cam.toml");
+  std::string text;
+  if (!profile) {
+    for (const Diagnostic& diagnostic : profile.error()) {
+      text += to_string(diagnostic) + "\n";
+    }
+  }
+  return text;
+}
+
+TEST(Flanks, AreBoundariesOfAsManySpansAsTheLawHasSegments) {
+  const auto profile = read_profile_text(profile_with({}), "cam.toml");
+  ASSERT_TRUE(profile);
+  const NamedCurve& flank = profile->mechanism.bodies[1].curves[0];
+  ASSERT_TRUE(flank.boundary);
+  EXPECT_TRUE(flank.boundary->is_closed());
+  EXPECT_EQ(flank.boundary->spans().size(), 4U);
+  EXPECT_TRUE(profile->mechanism.contacts[0].by_boundary);
+}
+
+TEST(Flanks, HaveOffsets) {
+  Parts parts;
+  parts.more_curves = R"(curves.inner = { type = "offset", of = "flank", by = -5 }
+curves.further = { type = "offset", of = "inner", by = -2 })";
+  const auto profile = read_profile_text(profile_with(parts), "cam.toml");
+  ASSERT_TRUE(profile) << mistakes_in(parts);
+  const auto& curves = profile->mechanism.bodies[1].curves;
+  const SpanPoint flank = curves[0].boundary->spans()[0]->at(curves[0].boundary->spans()[0]->range().low);
+  const SpanPoint further = curves[2].boundary->spans()[0]->at(curves[2].boundary->spans()[0]->range().low);
+  EXPECT_NEAR((flank.p_B - further.p_B).norm(), 7e-3, 1e-15);
+}
+
+TEST(Flanks, SayWhatIsWrong) {
+  Parts parts;
+  parts.flank = R"({ type = "cam", law = "lfit", contact = "touch" })";
+  EXPECT_THAT(mistakes_in(parts), HasSubstr("lift"));
+  parts.flank = R"({ type = "cam", law = "lift", contact = "tuch" })";
+  EXPECT_THAT(mistakes_in(parts), HasSubstr("there is no contact of this name"));
+  parts.flank = R"({ type = "cam", law = "lift" })";
+  EXPECT_THAT(mistakes_in(parts), HasSubstr("the name of the contact with the follower"));
+  parts.flank = R"({ type = "cam", contact = "touch" })";
+  EXPECT_THAT(mistakes_in(parts), HasSubstr("the name of one of [laws]"));
+  parts.flank = R"({ type = "cam", law = "lift", contact = "touch", radius = 3 })";
+  EXPECT_THAT(mistakes_in(parts), HasSubstr("radius"));
+
+  Parts undercut;
+  undercut.height = "12";
+  EXPECT_THAT(mistakes_in(undercut), HasSubstr("the flank would be undercut"));
+  Parts flat;
+  flat.height = "12";
+  flat.follower = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
+  EXPECT_THAT(mistakes_in(flat), HasSubstr("the flank would be undercut"));
+  Parts open;
+  open.rise = "19";
+  EXPECT_THAT(mistakes_in(open), HasSubstr("lift"));
+  Parts loose;
+  loose.joint = R"(type = "slot"
+between = ["ground.O", "follower.P"]
+direction = [0, 1])";
+  EXPECT_THAT(mistakes_in(loose), HasSubstr("follower needs one revolute or prismatic joint to ground"));
+  Parts other;
+  other.more_curves = R"(curves.disc = { type = "circle", center = [0, 0], radius = 30 })";
+  other.between = R"(["cam.disc", "follower.roller"])";
+  EXPECT_THAT(mistakes_in(other), HasSubstr("is a contact in which this curve does not take part"));
+  Parts chain;
+  chain.follower = R"({ type = "segment", from = [10, 0], to = [-10, 0] })";
+  EXPECT_THAT(mistakes_in(chain), HasSubstr("the follower of a cam has a circle"));
+}
+
+}  // namespace
+}  // namespace higherpair
