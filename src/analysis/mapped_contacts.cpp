@@ -48,6 +48,9 @@ public:
     const auto follower = follower_of(index);
     if (contact.rolling) {
       mapped.refusal = "it rolls: its arcs, not only its tangency, tie the two bodies";
+    } else if (contact.by_boundary) {
+      mapped.refusal =
+          "a curve of it has ends or several parts, and maps are of whole conics, lines and points";
     } else if (!follower) {
       mapped.refusal = "no body is placed by this contact alone: it is solved together with other conditions";
     } else {

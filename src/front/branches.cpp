@@ -1,10 +1,12 @@
 #include "higherpair/front/branches.hpp"
 
 #include "higherpair/analysis/branches.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -16,6 +18,8 @@
 
 namespace higherpair {
 namespace {
+
+constexpr double kTouch = 1e-7;  // of the sizes of two boundaries: a depth that is none
 
 double plus_zero(double value) {
   return value == 0 ? 0.0 : value;
@@ -146,8 +150,45 @@ void add_certificate(const Certificate& certificate, const CurveContacts& found,
   }
 }
 
+// The positions on curves with ends or of several parts, by samples of these.
+CurveContacts boundary_contacts(const Mechanism& mechanism, const ContactPlace& place) {
+  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(place.contact)];
+  const CurveRef& known = place.known_is_first ? contact.first : contact.second;
+  const CurveRef& own = place.known_is_first ? contact.second : contact.first;
+  const BoundaryPair pair{&boundary_of(mechanism, known), place.pair.motion1, &boundary_of(mechanism, own),
+                          place.pair.motion2};
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const double tolerance = kTouch * (pair.boundary1->size() + pair.boundary2->size());
+  CurveContacts found;
+  found.status = ContactsStatus::kComplete;
+  for (const BoundaryContact& at : find_boundary_contacts(pair, place.u, {-kFar, kFar})) {
+    CurveContact entry;
+    entry.u = place.u;
+    entry.q = at.q;
+    entry.p_W = at.at.p_W();
+    entry.n_W = at.at.n_W;
+    entry.opposed = true;
+    entry.free = deepest_penetration(*pair.boundary1, pose_at(pair.motion1, place.u), *pair.boundary2,
+                                     pose_at(pair.motion2, at.q), tolerance)
+                     .depth == 0;
+    found.contacts.push_back(entry);
+  }
+  return found;
+}
+
+ContactReport list_boundary_contact(const Profile& profile, const ContactPlace& place, bool certify) {
+  ContactReport report = report_on(profile, place, boundary_contacts(profile.mechanism, place));
+  if (certify) {
+    report.certificate = "not decided exactly: the algebra knows whole conics, lines and points only";
+  }
+  return report;
+}
+
 // The positions of one follower.
 Result<ContactReport> list_contact(const Model::Data& model, const ContactPlace& place, bool certify) {
+  if (model.profile.mechanism.contacts[static_cast<std::size_t>(place.contact)].by_boundary) {
+    return list_boundary_contact(model.profile, place, certify);
+  }
   const CurveContacts found = find_curve_contacts(place.pair, place.u);
   ContactReport report = report_on(model.profile, place, found);
   const std::string name = "contacts." + report.contact + ": ";

@@ -44,6 +44,11 @@ const Curve& curve_at(const Mechanism& mechanism, const CurveRef& ref) {
       .curve;
 }
 
+bool is_in_parts(const Mechanism& mechanism, const Contact& contact) {
+  return curve_at(mechanism, contact.first).kind == CurveKind::kChain ||
+         curve_at(mechanism, contact.second).kind == CurveKind::kChain;
+}
+
 void read_ends(TableReader& table, const Mechanism& mechanism, Contact& contact) {
   const auto item = table.need("between", "two curves, [\"body.curve\", \"body.curve\"]");
   const auto pair = item ? as_curve_pair(table.reading(), *item, mechanism) : std::nullopt;
@@ -72,17 +77,21 @@ void read_contacts(TableReader& root, Mechanism& mechanism) {
   if (!contacts) {
     return;
   }
-  for_each_table(root.reading(), *contacts, "a contact (a table)",
-                 [&](const std::string& name, TableReader& table) {
-                   Contact contact;
-                   contact.name = name;
-                   read_ends(table, mechanism, contact);
-                   contact.rolling = table.flag("rolling", false);
-                   read_approach(table, contact);
-                   contact.jump = table.flag("jump", true);
-                   table.finish();
-                   mechanism.contacts.push_back(contact);
-                 });
+  for_each_table(
+      root.reading(), *contacts, "a contact (a table)", [&](const std::string& name, TableReader& table) {
+        Contact contact;
+        contact.name = name;
+        read_ends(table, mechanism, contact);
+        contact.rolling = table.flag("rolling", false);
+        if (contact.rolling && is_in_parts(mechanism, contact)) {
+          report(table.reading(), *table.take("rolling"),
+                 "curves with ends or of several parts slip; roll whole conics, or join wheels by gears");
+        }
+        read_approach(table, contact);
+        contact.jump = table.flag("jump", true);
+        table.finish();
+        mechanism.contacts.push_back(contact);
+      });
 }
 
 }  // namespace higherpair::io_detail

@@ -120,6 +120,10 @@ direction = [0, 1])";
   Parts chain;
   chain.follower = R"({ type = "segment", from = [10, 0], to = [-10, 0] })";
   EXPECT_THAT(mistakes_in(chain), HasSubstr("the follower of a cam has a circle"));
+  Parts rolling;
+  rolling.between += "\nrolling = true";
+  EXPECT_THAT(mistakes_in(rolling),
+              HasSubstr("contacts.touch.rolling = true: curves with ends or of several parts slip"));
 }
 
 }  // namespace

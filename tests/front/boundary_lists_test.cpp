@@ -1,0 +1,41 @@
+#include "higherpair/front/branches.hpp"
+#include "higherpair/front/map.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+
+Model tangent_cam() {
+  return *Model::open(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/tangent_cam.toml");
+}
+
+// The roller rests on the base circle, from above or from below.
+TEST(BoundaryLists, HaveTheContactsOfCurvesInParts) {
+  const auto branches = branches_of(tangent_cam(), {.certify = true});
+  ASSERT_TRUE(branches);
+  const ContactReport& touch = branches->contacts.at(0);
+  ASSERT_EQ(touch.entries.size(), 2U);
+  EXPECT_NEAR(touch.entries[0].position, -30, 1e-12);
+  EXPECT_NEAR(touch.entries[1].position, 30, 1e-12);
+  for (const ContactEntry& entry : touch.entries) {
+    EXPECT_TRUE(entry.opposed);
+    EXPECT_TRUE(entry.free);
+    EXPECT_FALSE(entry.certified);
+  }
+  EXPECT_THAT(touch.certificate, HasSubstr("not decided exactly"));
+}
+
+TEST(BoundaryLists, AMapIsRefusedWithItsReason) {
+  const auto map = map_of(tangent_cam());
+  ASSERT_FALSE(map);
+  EXPECT_THAT(to_string(map.error()), HasSubstr("has ends or several parts"));
+}
+
+}  // namespace
+}  // namespace higherpair
