@@ -24,6 +24,7 @@ CurveResult curve_of(const Shape& s) {
       return make_line({s.x, s.y}, unit_vector(s.angle));
     case CurveKind::kPoint:
     case CurveKind::kSupport:
+    case CurveKind::kChain:
       break;
   }
   return make_point({s.x, s.y});
@@ -114,7 +115,8 @@ std::string curve_text(const Shape& s) {
     case CurveKind::kLine:
       return fmt::format(R"({{ type = "line", point = [{}, {}], normal = {} }})", s.x, s.y, s.angle);
     case CurveKind::kPoint:
-    case CurveKind::kSupport:  // no profile has one
+    case CurveKind::kSupport:
+    case CurveKind::kChain:  // not among the random shapes
       break;
   }
   return fmt::format(R"({{ type = "point", at = [{}, {}] }})", s.x, s.y);

@@ -185,7 +185,8 @@ Vector2d support_point(const Shape& s, double normal) {
     }
     case CurveKind::kLine:
     case CurveKind::kPoint:
-    case CurveKind::kSupport:  // no profile has one
+    case CurveKind::kSupport:
+    case CurveKind::kChain:  // not among the random shapes
       break;
   }
   return Vector2d::Zero();
