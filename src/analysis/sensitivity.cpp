@@ -253,6 +253,11 @@ double derivative_of_samples(F at, double h) {
 
 std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism& derivative,
                                                  const std::vector<double>& drivers) {
+  // The numbers that a boundary was made from are not among those of the mechanism.
+  if (std::any_of(run.mechanism.contacts.begin(), run.mechanism.contacts.end(),
+                  [](const Contact& contact) { return contact.by_boundary; })) {
+    return std::nullopt;
+  }
   Start start = start_of(run, derivative, drivers);
   const auto solved = [&] { return solve_series(start.plan, start.values, start.dimensions, start.at); };
   // Their contact point has to be where both joints let it have one velocity; discs about their centres, for

@@ -18,7 +18,7 @@ using Vector = Vector2<Series>;
 constexpr int kPartsOfSpan = 48;
 constexpr int kProbes = 64;  // places of a span at which a cusp is looked for
 constexpr int kMaxNewton = 50;
-constexpr double kSettled = 1e-15;   // of an angle
+constexpr double kSettled = 1e-14;   // of an angle
 constexpr double kNoMotion = 1e-12;  // of the size: a motion against the cam that is none
 
 Series shortened(const Longer& x) {
@@ -307,6 +307,9 @@ std::optional<FlankFault> fault_within(const Envelope& envelope, double from, do
 
 tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion, const Curve& curve,
                                                          bool outer) {
+  if (motion.cam.turns && motion.law.end() - motion.law.begin() > 2 * kPi * (1 + kSettled)) {
+    return tl::unexpected(FlankFault{FlankFault::Kind::kTooLong, motion.law.end()});
+  }
   std::vector<double> ends{motion.law.begin()};
   for (const double x : motion.law.breaks(motion.law.begin(), motion.law.end())) {
     ends.push_back(x);

@@ -44,11 +44,6 @@ const Curve& curve_at(const Mechanism& mechanism, const CurveRef& ref) {
       .curve;
 }
 
-bool is_in_parts(const Mechanism& mechanism, const Contact& contact) {
-  return curve_at(mechanism, contact.first).kind == CurveKind::kChain ||
-         curve_at(mechanism, contact.second).kind == CurveKind::kChain;
-}
-
 void read_ends(TableReader& table, const Mechanism& mechanism, Contact& contact) {
   const auto item = table.need("between", "two curves, [\"body.curve\", \"body.curve\"]");
   const auto pair = item ? as_curve_pair(table.reading(), *item, mechanism) : std::nullopt;
@@ -57,6 +52,14 @@ void read_ends(TableReader& table, const Mechanism& mechanism, Contact& contact)
   }
   contact.first = pair->first;
   contact.second = pair->second;
+  const auto is_in_parts = [&](const CurveRef& ref) {
+    return curve_at(mechanism, ref).kind == CurveKind::kChain;
+  };
+  if (contact.rolling && (is_in_parts(contact.first) || is_in_parts(contact.second))) {
+    report(table.reading(), *item,
+           "curves with ends or of several parts slip: leave `rolling` out, roll whole conics, or join "
+           "wheels by gears");
+  }
   const std::string_view objection =
       why_no_contact(curve_at(mechanism, pair->first), curve_at(mechanism, pair->second));
   if (!objection.empty()) {
@@ -77,21 +80,17 @@ void read_contacts(TableReader& root, Mechanism& mechanism) {
   if (!contacts) {
     return;
   }
-  for_each_table(
-      root.reading(), *contacts, "a contact (a table)", [&](const std::string& name, TableReader& table) {
-        Contact contact;
-        contact.name = name;
-        read_ends(table, mechanism, contact);
-        contact.rolling = table.flag("rolling", false);
-        if (contact.rolling && is_in_parts(mechanism, contact)) {
-          report(table.reading(), *table.take("rolling"),
-                 "curves with ends or of several parts slip; roll whole conics, or join wheels by gears");
-        }
-        read_approach(table, contact);
-        contact.jump = table.flag("jump", true);
-        table.finish();
-        mechanism.contacts.push_back(contact);
-      });
+  for_each_table(root.reading(), *contacts, "a contact (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   Contact contact;
+                   contact.name = name;
+                   contact.rolling = table.flag("rolling", false);
+                   read_ends(table, mechanism, contact);
+                   read_approach(table, contact);
+                   contact.jump = table.flag("jump", true);
+                   table.finish();
+                   mechanism.contacts.push_back(contact);
+                 });
 }
 
 }  // namespace higherpair::io_detail

@@ -227,6 +227,9 @@ private:
       if (const auto of = table.need("of", "the name of another curve of this body")) {
         states_[index] = State::kWaiting;
         offsets_.push_back({index, *of, table});
+      } else {
+        (void)table.need_quantity("by", {dimension::kLength});
+        table.finish();
       }
     }
   }
@@ -235,7 +238,10 @@ private:
     states_[index] = State::kWrong;
     const auto law = table.need("law", "the name of one of [laws], which the follower is to move by");
     const auto contact = table.need("contact", "the name of the contact with the follower");
-    if (law && contact) {
+    if (!law || !contact) {
+      (void)table.take("side");
+      table.finish();
+    } else {
       states_[index] = State::kLate;
       Curve& curve = body_.curves[index].curve;
       curve = Curve{CurveKind::kChain};

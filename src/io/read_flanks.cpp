@@ -157,6 +157,8 @@ private:
                " of the cam no point of the follower's curve could touch a flank; use a curve that goes "
                "farther "
                "round, or another pose";
+      case FlankFault::Kind::kTooLong:
+        return "the law goes over more than a turn of the cam, whose flank would cross itself";
       case FlankFault::Kind::kUndercut:
         break;
     }
@@ -174,6 +176,9 @@ private:
 }  // namespace
 
 void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechanism& mechanism) {
+  if (!reading.mistakes.empty()) {
+    return;  // of joints, say, which a flank is made from
+  }
   FlankMaker maker(reading, laws, mechanism);
   for (LateCurves::Flank& flank : late.flanks) {
     maker.make(flank);

@@ -194,7 +194,7 @@ TEST_F(Dxf, ContoursThatDoNotCloseAreRefusedWithTheirEnds) {
   EXPECT_THAT(
       messages_about(drawing(kTriangle + line(7, 0, 9, 9))),
       ElementsAre(AllOf(HasSubstr("line 6: "), HasSubstr("more than two ends meet at (7, 0) (lines 6, 22, "
-"54): a contour goes on in one way only"))));
+                                                         "54): a contour goes on in one way only"))));
 }
 
 TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {

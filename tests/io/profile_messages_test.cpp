@@ -79,7 +79,7 @@ TEST(ProfileMessages, UnknownKeysGetTheNearestOne) {
       messages(crank_profile("", "nonsense = 3\n")),
       ElementsAre(
           "test.toml:1:1: nonsense: unknown key; there are format, units, title, description, gravity, "
-          "bodies, joints, contacts, driver, drivers, loads, springs, …"));
+          "laws, bodies, joints, contacts, driver, drivers, loads, …"));
   EXPECT_THAT(
       about_curve("{ type = \"circle\", center = [0, 0], radius = 2, diameter = 4 }"),
       ElementsAre("test.toml:13:53: bodies.crank.curves.c.diameter: unknown key; did you mean `radius`?"));
@@ -322,9 +322,10 @@ TEST(ProfileMessages, CurvesNeedATypeAndItsParts) {
       ElementsAre("test.toml:13:5: bodies.crank.curves.c.type is missing: expected a kind of curve, such as "
                   "\"circle\""));
   EXPECT_THAT(
-      about_curve("{ type = \"spline\" }"),
-      ElementsAre("test.toml:13:14: bodies.crank.curves.c.type = \"spline\": expected one of conic, circle, "
-                  "ellipse, parabola, hyperbola, line, point; did you mean `line`?"));
+      about_curve("{ type = \"splime\" }"),
+      ElementsAre(::testing::AllOf(
+          ::testing::HasSubstr("bodies.crank.curves.c.type = \"splime\": expected one of conic, circle, "),
+          ::testing::HasSubstr("did you mean `spline`?"))));
   EXPECT_THAT(
       about_curve("{ type = \"circle\" }"),
       ElementsAre(
@@ -519,7 +520,7 @@ TEST(ProfileMessages, DriversDriveRevoluteOrPrismaticJoints) {
           "test.toml:10:9: driver.joint = \"j\": a slot leaves two freedoms: expected a revolute or "
           "prismatic joint",
           "test.toml:11:11: driver.samples = -1: must be an integer from 1 to 2^53",
-          "test.toml:12:1: driver.sped: unknown key; there are joint, start, end, positions, velocity, "
+          "test.toml:12:1: driver.sped: unknown key; there are joint, law, start, end, positions, velocity, "
           "acceleration, samples, duration, time_step"));
   EXPECT_THAT(messages("[driver]\n"),
               ElementsAre("test.toml:1:1: driver.joint is missing: expected the name of a joint"));

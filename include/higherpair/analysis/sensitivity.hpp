@@ -29,7 +29,7 @@ public:
   /// \param run         at the position in which it was started; its `row` is not used
   /// \param derivative  of every number of the mechanism by p, in place of the number
   /// \param drivers     derivatives of the first positions of the drivers by p [rad or m]
-  /// None where the start is singular.
+  /// None where the start is singular, or a contact is by_boundary.
   [[nodiscard]] static std::optional<Sensitivity> at_start(const Run& run, const Mechanism& derivative,
                                                            const std::vector<double>& drivers);
 
