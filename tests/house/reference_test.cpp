@@ -153,7 +153,7 @@ TEST(ReferenceOfProfiles, NamesEveryTypeAndUnit) {
 std::vector<Profile> shipped_profiles() {
   std::vector<Profile> profiles;
   for (const fs::path& file : project_files()) {
-    if (file.parent_path() == "profiles") {
+    if (file.parent_path() == "profiles" && file.extension() == ".toml") {
       profiles.push_back(read_profile_file((root() / file).string()).value());
     }
   }
