@@ -319,6 +319,9 @@ std::string describe(const Preload& preload, double addition, const Profile& pro
 }
 
 ContactForceReport report_contacts(const Profile& profile, const DriverSchedule& schedule, const Run& start) {
+  if (profile.mechanism.contacts.empty()) {
+    return {};  // nothing can open: no need to follow forces along the path
+  }
   const RowPath rows = path_of(schedule);
   ContactForces forces = follow_contact_forces(start, rows.path, preloads_of(profile.mechanism, start.plan));
   ContactForceReport report;
