@@ -266,6 +266,10 @@ std::string_view name_of(EventType type) {
       return "corner";
     case EventType::kEnd:
       return "end";
+    case EventType::kEngage:
+      return "engage";
+    case EventType::kRelease:
+      return "release";
     case EventType::kLawJump:
       return "law_jump";
   }

@@ -43,6 +43,8 @@ enum class EventType {
                    ///< jump
   kCorner,         ///< the contact goes onto a corner, or leaves it
   kEnd,            ///< the contact comes to the end of a curve: a limit position
+  kEngage,         ///< a contact that may part begins to touch
+  kRelease,        ///< a contact that may part ends: its body is held from there on
   kLawJump,        ///< velocity or acceleration of a driver's law jumps
 };
 

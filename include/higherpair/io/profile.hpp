@@ -7,6 +7,7 @@
 #include "higherpair/mechanism/description.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,15 +39,22 @@ inline constexpr std::int64_t kDefaultSamples = 361;
 [[nodiscard]] DriverProgram default_program(const Mechanism& mechanism, const Driver& driver,
                                             const Units& units);
 
+struct CheckLimits;
+struct DesignTask;
+struct SweepTask;
+
 /// A profile as read: the mechanism in SI units, its units, and what its drivers do.
 struct Profile {
   Mechanism mechanism;
   Units units;
-  std::vector<DriverProgram> programs;  ///< one for each of mechanism.drivers, in the same order
-  Looks looks;                          ///< how it is drawn
-  std::string source;                   ///< what diagnostics call it: the file's name
-  std::vector<std::string> files;       ///< paths of what was read besides: points, drawings
-  Diagnostics notes;                    ///< what is probably a slip although it may be meant
+  std::vector<DriverProgram> programs;        ///< one for each of mechanism.drivers, in the same order
+  Looks looks;                                ///< how it is drawn
+  std::shared_ptr<const CheckLimits> limits;  ///< of [limits]; none without it
+  std::shared_ptr<const DesignTask> design;   ///< of [design]; none without it
+  std::shared_ptr<const SweepTask> sweep;     ///< of [sweep]; none without it
+  std::string source;                         ///< what diagnostics call it: the file's name
+  std::vector<std::string> files;             ///< paths of what was read besides: points, drawings
+  Diagnostics notes;                          ///< what is probably a slip although it may be meant
 };
 
 }  // namespace higherpair

@@ -26,7 +26,8 @@ struct ConstraintRow {
 /// How a contact stands, seen from its first body: 1 is the first, 2 the second body of the file.
 struct ContactMotion {
   CommonNormal at;
-  double phi = 0;                      ///< angle of at.n_W, continuous [rad]
+  bool touches = true;  ///< false while a contact that may part is open: the rest means nothing
+  double phi = 0;       ///< angle of at.n_W, continuous [rad]
   std::array<BoundaryPlace, 2> place;  ///< on both boundaries, of a contact by_boundary
   ContactRates rates;                  ///< of the current velocities
   double arc_difference = 0;           ///< rolling: arc of the first less arc of the second curve, held [m]

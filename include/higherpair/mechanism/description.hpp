@@ -96,6 +96,9 @@ struct Joint {
                               ///< wheels of gears and belts are out of step
   int carrier = 0;            ///< gears and belts: the body on which both wheels turn
   double turning_ratio = 1;   ///< gears and belts: < 0 where the wheels turn against each other; not 0
+  /// Ends of the line (prismatic, slot): the least and the largest coordinate [m]; none: endless.
+  std::optional<double> from;
+  std::optional<double> to;
 };
 
 /// Which contact is taken at the first driver position.
@@ -105,12 +108,19 @@ enum class Approach {
   kNegative,  ///< first touch towards smaller coordinates
 };
 
+/// What becomes of a contact that ends.
+enum class Keep {
+  kTouching,  ///< the curves touch throughout; where they cannot, the motion ends
+  kGap,       ///< they may part: the body that the contact moves then stays where it is on its joint
+};
+
 struct Contact {
   std::string name;
   CurveRef first;
   CurveRef second;
   bool rolling = false;
   Approach approach = Approach::kNearest;
+  Keep keep = Keep::kTouching;
   bool jump = true;  ///< go over to a second contact of the same curves when it appears
   bool by_boundary =
       false;  ///< found by places along the boundaries, which both curves have: see use_boundaries
