@@ -31,7 +31,12 @@ bool is_same(const CurveRef& a, const CurveRef& b) {
 // Of a mechanism that was built: there is no text that could have slips.
 Profile profile_of(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs,
                    const std::string& name) {
-  return {std::move(mechanism), units, std::move(programs), {}, name, {}, {}};
+  Profile profile;
+  profile.mechanism = std::move(mechanism);
+  profile.units = units;
+  profile.programs = std::move(programs);
+  profile.source = name;
+  return profile;
 }
 
 // Whether two mechanisms differ in numbers only, so that they are solved in the same order.
