@@ -26,18 +26,35 @@ public:
   }
 
   int revolute(int a, int b, const Vector2d& p_W) {
-    return add({name(), JointType::kRevolute, point(a, p_W), point(b, p_W), Vector2d::UnitX(), 0});
+    return add(
+        {name(), JointType::kRevolute, point(a, p_W), point(b, p_W), Vector2d::UnitX(), 0, 0, 1, {}, {}});
   }
 
   /// The first point lies `back` behind the second along the direction: the joint's coordinate.
   int prismatic(int a, int b, const Vector2d& p_W, const Vector2d& direction_W, double back) {
-    return add({name(), JointType::kPrismatic, point(a, p_W - back * direction_W), point(b, p_W),
-                turned_back(a, direction_W), at(b).guess_theta - at(a).guess_theta});
+    return add({name(),
+                JointType::kPrismatic,
+                point(a, p_W - back * direction_W),
+                point(b, p_W),
+                turned_back(a, direction_W),
+                at(b).guess_theta - at(a).guess_theta,
+                0,
+                1,
+                {},
+                {}});
   }
 
   int slot(int a, int b, const Vector2d& p_W, const Vector2d& direction_W, double back) {
-    return add({name(), JointType::kSlot, point(a, p_W - back * direction_W), point(b, p_W),
-                turned_back(a, direction_W), 0});
+    return add({name(),
+                JointType::kSlot,
+                point(a, p_W - back * direction_W),
+                point(b, p_W),
+                turned_back(a, direction_W),
+                0,
+                0,
+                1,
+                {},
+                {}});
   }
 
   CurveRef circle(int index, const Vector2d& center_W, double radius) {
