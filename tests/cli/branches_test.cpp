@@ -1,5 +1,6 @@
 #include "higherpair/contact/certify.hpp"
 #include "io/cam_lever_tappet.hpp"
+#include "program_testing.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,8 @@
 
 namespace {
 
+using higherpair::testing::shipped_profile;
+
 // Standard output of the program.
 std::string output_of(const std::string& arguments) {
   const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + arguments;
@@ -25,13 +28,10 @@ std::string output_of(const std::string& arguments) {
   return text;
 }
 
-std::string profile(const std::string& name) {
-  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
-}
-
 TEST(Branches, ListsEveryContactInTheUnitsOfTheProfile) {
   // Centre (8, 0), radius 20: the flat face, normal along the slide, stands at ±20 whatever the cam does.
-  const auto json = nlohmann::json::parse(output_of(profile("flat_faced_translating.toml") + " --json -"));
+  const auto json =
+      nlohmann::json::parse(output_of(shipped_profile("flat_faced_translating.toml") + " --json -"));
   EXPECT_EQ(json.at("driver"), 0.0);
   ASSERT_EQ(json.at("assemblies").size(), 1U);
   EXPECT_EQ(json.at("assemblies").at(0).at("position").size(), 2U);
@@ -49,21 +49,21 @@ TEST(Branches, ListsEveryContactInTheUnitsOfTheProfile) {
 
 TEST(Branches, OfADriverPositionThatIsOverriddenAreThoseThere) {
   const auto json = nlohmann::json::parse(
-      output_of(profile("flat_faced_translating.toml") + " --set driver.start=90 --json -"));
+      output_of(shipped_profile("flat_faced_translating.toml") + " --set driver.start=90 --json -"));
   EXPECT_EQ(json.at("driver"), 90.0);
   EXPECT_NEAR(json.at("contacts").at(1).at("position").get<double>(), 28, 1e-13);
 }
 
 TEST(Branches, OfWhatCannotBeStartedAreRefused) {
-  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + profile("lock_up.toml") +
-                              " --set driver.start=100 >/dev/null 2>&1";
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " +
+                              shipped_profile("lock_up.toml") + " --set driver.start=100 >/dev/null 2>&1";
   EXPECT_EQ(std::system(command.c_str()) >> 8, 3);
 }
 
 TEST(Branches, AtADeadPointAreOneAssembly) {
   for (const auto& [start, count] : {std::pair("0", 1U), std::pair("60", 2U)}) {
     const auto json = nlohmann::json::parse(
-        output_of(profile("parallelogram.toml") + " --json - --set driver.start=" + start));
+        output_of(shipped_profile("parallelogram.toml") + " --json - --set driver.start=" + start));
     EXPECT_EQ(json.at("assemblies").size(), count);
   }
 }
@@ -72,7 +72,7 @@ TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
   if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
   // Disc of radius 30 about (10, 0), the edge above the origin: at ±sqrt(30² - 10²).
   const auto json =
-      nlohmann::json::parse(output_of(profile("knife_edge.toml") + " --certify --quiet --json -"));
+      nlohmann::json::parse(output_of(shipped_profile("knife_edge.toml") + " --certify --quiet --json -"));
   ASSERT_EQ(json.at("contacts").size(), 2U);
   const nlohmann::json& interval = json.at("contacts").at(1).at("certified");
   EXPECT_LE(interval.at(0).get<double>(), std::sqrt(800.0));
@@ -82,14 +82,14 @@ TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
 
 TEST(Branches, SayWhatIsCertified) {
   if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
-  EXPECT_THAT(output_of(profile("disc_in_ring.toml") + " --certify"),
+  EXPECT_THAT(output_of(shipped_profile("disc_in_ring.toml") + " --certify"),
               ::testing::HasSubstr("certified: exactly these contacts exist"));
 }
 
 TEST(Branches, AreNotCertifiedByABuildWithoutExactArithmetic) {
   if (higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has exact arithmetic";
-  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + profile("knife_edge.toml") +
-                              " --certify 2>&1 >/dev/null; echo $?";
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " +
+                              shipped_profile("knife_edge.toml") + " --certify 2>&1 >/dev/null; echo $?";
   std::FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
@@ -102,13 +102,13 @@ TEST(Branches, AreNotCertifiedByABuildWithoutExactArithmetic) {
 }
 
 TEST(Branches, AreTextWithUnitsWhereNoFileIsAskedFor) {
-  const std::string text = output_of(profile("knife_edge.toml"));
+  const std::string text = output_of(shipped_profile("knife_edge.toml"));
   EXPECT_THAT(text, ::testing::HasSubstr("slide [mm]"));
   EXPECT_THAT(text, ::testing::HasSubstr("28.2842712475"));
 }
 
 TEST(Branches, AsCsvHaveAHeadWithUnits) {
-  const std::string text = output_of(profile("knife_edge.toml") + " --csv -");
+  const std::string text = output_of(shipped_profile("knife_edge.toml") + " --csv -");
   EXPECT_THAT(text, ::testing::StartsWith(
                         "contact,position[mm],x[mm],y[mm],normal[deg],opposed,free\ntouch,-28.2842712474"));
 }
@@ -131,7 +131,7 @@ TEST(Branches, AsCsvHaveAColumnForEachUnitOfAPosition) {
 
 // Willis' equation is linear: no other assembly can exist.
 TEST(Branches, OfAGearTrainAreComplete) {
-  const std::string text = output_of(profile("planetary_gear.toml"));
+  const std::string text = output_of(shipped_profile("planetary_gear.toml"));
   EXPECT_THAT(text, ::testing::HasSubstr("assemblies: 1\n"));
 }
 

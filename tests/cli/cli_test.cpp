@@ -1,3 +1,5 @@
+#include "program_testing.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -5,8 +7,6 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -14,43 +14,20 @@
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
+using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class Program : public ::testing::Test {
+class Program : public ProgramTest {
 protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("higherpair-cli-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = std::string(HIGHERPAIR_PROGRAM) + " " + arguments + " >" +
-                                (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
-  }
-
-  fs::path folder_;
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program(arguments); }
 };
 
 std::string profile(const std::string& name) {
-  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
+  return shipped_profile(name);
 }
 
 TEST_F(Program, RunsEveryShippedProfile) {

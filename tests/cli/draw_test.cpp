@@ -1,54 +1,29 @@
 // The command draw on the command line.
-#include <cstdlib>
+#include "program_testing.hpp"
+
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class Draw : public ::testing::Test {
+class Draw : public ProgramTest {
 protected:
   void SetUp() override {
-    fs::create_directories(folder_);
-    for (const char* name : {"four_bar", "lock_up", "ellipse_cam_roller"}) {
-      fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name + ".toml",
-                    folder_ / (std::string(name) + ".toml"), fs::copy_options::overwrite_existing);
-    }
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM + " draw " +
-                                arguments + " >" + (folder_ / "out").string() + " 2>" +
-                                (folder_ / "err").string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
+    ProgramTest::SetUp();
+    copy_profiles({"four_bar", "lock_up", "ellipse_cam_roller"});
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("higherpair-draw-" + std::to_string(getpid()));
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("draw " + arguments); }
 };
 
 TEST_F(Draw, WritesAPicture) {

@@ -1,3 +1,5 @@
+#include "program_testing.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +11,7 @@
 
 namespace {
 
+using higherpair::testing::shipped_profile;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -28,10 +31,6 @@ Answer map_of(const std::string& arguments) {
   return answer;
 }
 
-std::string profile(const std::string& name) {
-  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
-}
-
 nlohmann::json json_of(const std::string& arguments) {
   const Answer answer = map_of(arguments + " --json -");
   EXPECT_EQ(answer.code, 0) << answer.text;
@@ -39,7 +38,7 @@ nlohmann::json json_of(const std::string& arguments) {
 }
 
 TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
-  const auto json = json_of(profile("lock_up.toml"));
+  const auto json = json_of(shipped_profile("lock_up.toml"));
   const nlohmann::json& contact = json.at("contacts").at(0);
   EXPECT_TRUE(contact.at("complete").get<bool>());
   const nlohmann::json& own = contact.at("own");
@@ -56,7 +55,7 @@ TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
 // A disc about its own pivot does not move its follower: what it seems to move is rounding.
 TEST(Map, OfAFollowerAtRestHasNoTurningPoints) {
   const auto json =
-      json_of(profile("flat_faced_translating.toml") + " --set bodies.cam.curves.disc.center=[0,0]");
+      json_of(shipped_profile("flat_faced_translating.toml") + " --set bodies.cam.curves.disc.center=[0,0]");
   for (const nlohmann::json& branch : json.at("contacts").at(0).at("branches")) {
     EXPECT_EQ(branch.at("extremes").size(), 0U);
   }
@@ -65,7 +64,7 @@ TEST(Map, OfAFollowerAtRestHasNoTurningPoints) {
 // A fold has one coordinate, whichever turn the poses put the follower in.
 TEST(Map, GivesAFoldTheCoordinateOfItsBranches) {
   for (const char* turns : {"-325", "35", "395"}) {
-    const auto json = json_of(profile("lock_up.toml") + " --set bodies.follower.pose.angle=" + turns);
+    const auto json = json_of(shipped_profile("lock_up.toml") + " --set bodies.follower.pose.angle=" + turns);
     const nlohmann::json& contact = json.at("contacts").at(0);
     int folds = 0;
     for (const nlohmann::json& event : contact.at("events")) {
@@ -88,7 +87,7 @@ TEST(Map, GivesAFoldTheCoordinateOfItsBranches) {
 }
 
 TEST(Map, HoldsTheFlatFacedFollowersClosedForm) {
-  const auto json = json_of(profile("flat_faced_translating.toml") + " --samples 13");
+  const auto json = json_of(shipped_profile("flat_faced_translating.toml") + " --samples 13");
   ASSERT_EQ(json.at("rows").size(), 26U);
   EXPECT_EQ(json.at("columns").size(), json.at("rows").at(0).size());
   for (const auto& row : json.at("rows")) {
@@ -99,7 +98,7 @@ TEST(Map, HoldsTheFlatFacedFollowersClosedForm) {
 }
 
 TEST(Map, AsCsvHasAHeadWithUnitsAndOneRowASample) {
-  const Answer answer = map_of(profile("flat_faced_translating.toml") + " --samples 5 --csv -");
+  const Answer answer = map_of(shipped_profile("flat_faced_translating.toml") + " --samples 5 --csv -");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(
       answer.text,
@@ -108,12 +107,12 @@ TEST(Map, AsCsvHasAHeadWithUnitsAndOneRowASample) {
 }
 
 TEST(Map, TakesAsManyRowsAsTheProfile) {
-  const auto json = json_of(profile("flat_faced_translating.toml") + " --set driver.samples=9");
+  const auto json = json_of(shipped_profile("flat_faced_translating.toml") + " --set driver.samples=9");
   EXPECT_EQ(json.at("rows").size(), 18U);
 }
 
 TEST(Map, AsTextSaysWhichBranchTheMechanismIsOn) {
-  const Answer answer = map_of(profile("lock_up.toml"));
+  const Answer answer = map_of(shipped_profile("lock_up.toml"));
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, HasSubstr("contact touch: 6 branches, cam_pivot from 0 to 360 deg"));
   EXPECT_THAT(answer.text, HasSubstr("* the mechanism is on branch"));
@@ -122,7 +121,7 @@ TEST(Map, AsTextSaysWhichBranchTheMechanismIsOn) {
 }
 
 TEST(Map, OfAChainHasEveryContactOverItsOwnKnownBody) {
-  const auto json = json_of(profile("cam_chain.toml") + " --samples 7");
+  const auto json = json_of(shipped_profile("cam_chain.toml") + " --samples 7");
   ASSERT_EQ(json.at("contacts").size(), 2U);
   EXPECT_EQ(json.at("contacts").at(0).at("driver").at("joint"), "cam_pivot");
   EXPECT_EQ(json.at("contacts").at(1).at("driver").at("joint"), "arm_pivot");
@@ -132,7 +131,7 @@ TEST(Map, OfAChainHasEveryContactOverItsOwnKnownBody) {
 }
 
 TEST(Map, MarksTheSecondContactsOfAnOvalInARing) {
-  const auto json = json_of(profile("oval_in_ring.toml"));
+  const auto json = json_of(shipped_profile("oval_in_ring.toml"));
   const nlohmann::json& contact = json.at("contacts").at(0);
   const auto own = contact.at("own").at("branch").get<std::size_t>();
   const nlohmann::json& marks = contact.at("branches").at(own - 1).at("second_contacts");
@@ -142,37 +141,38 @@ TEST(Map, MarksTheSecondContactsOfAnOvalInARing) {
 }
 
 TEST(Map, IsRefusedWhereNoContactHasOne) {
-  const Answer rolling = map_of(profile("rolling_ellipses.toml"));
+  const Answer rolling = map_of(shipped_profile("rolling_ellipses.toml"));
   EXPECT_EQ(rolling.code, 3);
   EXPECT_THAT(rolling.text, HasSubstr("contacts.roll: it rolls"));
-  const Answer linkage = map_of(profile("four_bar.toml"));
+  const Answer linkage = map_of(shipped_profile("four_bar.toml"));
   EXPECT_EQ(linkage.code, 3);
   EXPECT_THAT(linkage.text, HasSubstr("the mechanism has no contact to map"));
-  const Answer coupled = map_of(profile("roller_body.toml"));
+  const Answer coupled = map_of(shipped_profile("roller_body.toml"));
   EXPECT_EQ(coupled.code, 3);
   EXPECT_THAT(coupled.text, HasSubstr("solved together"));
 }
 
 TEST(Map, SaysWhyADistanceThatNeverChangesHasNone) {
   const Answer answer =
-      map_of(profile("lock_up.toml") + " --set bodies.follower.curves.disc.center='[0,0]' --json -");
+      map_of(shipped_profile("lock_up.toml") + " --set bodies.follower.curves.disc.center='[0,0]' --json -");
   EXPECT_EQ(answer.code, 3);
   EXPECT_THAT(answer.text, HasSubstr("joint does not change their distance"));
 }
 
 TEST(Map, OfAMechanismThatCannotStartIsDrawnAllTheSame) {
-  const Answer answer = map_of(profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
+  const Answer answer = map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, HasSubstr("the mechanism stands on no branch"));
-  EXPECT_EQ(map_of(profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null --quiet").text, "");
+  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null --quiet").text,
+            "");
 }
 
 TEST(Map, RefusesWrongOptionsAndFiles) {
-  EXPECT_EQ(map_of(profile("lock_up.toml") + " --samples 1").code, 2);
-  EXPECT_EQ(map_of(profile("lock_up.toml") + " --tolerance -1").code, 2);
-  EXPECT_EQ(map_of(profile("lock_up.toml") + " --tolerance nan").code, 2);
+  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --samples 1").code, 2);
+  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --tolerance -1").code, 2);
+  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --tolerance nan").code, 2);
   EXPECT_EQ(map_of("no_such_file.toml").code, 2);
-  EXPECT_EQ(map_of(profile("lock_up.toml") + " --csv /no/such/folder/map.csv").code, 1);
+  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --csv /no/such/folder/map.csv").code, 1);
 }
 
 }  // namespace

@@ -1,35 +1,23 @@
+#include "program_testing.hpp"
+
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 // Drawn in ground coordinates, with all angles 0.
 const char* const kFourBar = R"(
@@ -72,25 +60,12 @@ cylinder = { type = "prismatic", between = ["ground.O", "piston.C"], direction =
 joint = "main"
 )";
 
-class MobilityCommand : public ::testing::Test {
+class MobilityCommand : public ProgramTest {
 protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("higherpair-mobility-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   [[nodiscard]] Outcome run(const std::string& profile, const std::string& options = "") const {
     std::ofstream(folder_ / "profile.toml") << profile;
-    const std::string command = std::string(HIGHERPAIR_PROGRAM) + " mobility " +
-                                (folder_ / "profile.toml").string() + " " + options + " >" +
-                                (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
+    return run_program("mobility profile.toml " + options);
   }
-
-  fs::path folder_;
 };
 
 TEST_F(MobilityCommand, PrintsCountRankPlanAndLoops) {

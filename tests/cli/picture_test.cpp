@@ -1,54 +1,31 @@
 // The commands that draw plots, polygons and maps, on the command line.
-#include <cstdlib>
+#include "program_testing.hpp"
+
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
 namespace fs = std::filesystem;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class PictureFiles : public ::testing::Test {
+class PictureFiles : public ProgramTest {
 protected:
   void SetUp() override {
-    fs::create_directories(folder_);
-    for (const char* name : {"sixbar_slider", "lock_up", "ellipse_cam_roller", "four_bar"}) {
-      fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name + ".toml",
-                    folder_ / (std::string(name) + ".toml"), fs::copy_options::overwrite_existing);
-    }
+    ProgramTest::SetUp();
+    copy_profiles({"sixbar_slider", "lock_up", "ellipse_cam_roller", "four_bar"});
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && " + HIGHERPAIR_PROGRAM + " " + arguments +
-                                " >'" + (folder_ / "out").string() + "' 2>'" + (folder_ / "err").string() +
-                                "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
-  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program(arguments); }
   [[nodiscard]] std::string text(const std::string& name) const { return read_file(folder_ / name); }
 
   // What is said about arguments that are wrong; nothing is written.
@@ -59,8 +36,6 @@ protected:
     EXPECT_THAT(outcome.out, IsEmpty());
     return outcome.err;
   }
-
-  const fs::path folder_ = fs::path(::testing::TempDir()) / ("pictures of " + std::to_string(getpid()));
 };
 
 TEST_F(PictureFiles, OfColumnsAreWrittenAndNothingIsSaid) {

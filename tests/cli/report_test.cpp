@@ -1,35 +1,25 @@
 // `report` as a program: what it writes, what it refuses, and how it ends.
-#include <cstdlib>
+#include "program_testing.hpp"
+
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
+using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Outcome {
-  int code = -1;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string profile(const std::string& name) {
-  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name + ".toml";
+  return shipped_profile(name + ".toml");
 }
 
 std::string quoted(const fs::path& path) {
@@ -38,28 +28,18 @@ std::string quoted(const fs::path& path) {
   return text += '\'';
 }
 
-class Report : public ::testing::Test {
+class Report : public ProgramTest {
 protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("higherpair-report " + std::to_string(getpid()));
-    fs::create_directories(folder_);
-    page_ = folder_ / "a page.html";
+    ProgramTest::SetUp();
     has_page_ = run(profile("knife_edge") + " -o " + quoted(page_)).code == 0;
     fs::remove(page_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const fs::path err = folder_ / "err";
-    const std::string command =
-        std::string(HIGHERPAIR_PROGRAM) + " report " + arguments + " 2>" + quoted(err);
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(err)};
-  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("report " + arguments); }
   [[nodiscard]] std::string to_page() const { return " -o " + quoted(page_); }
 
-  fs::path folder_;
-  fs::path page_;
+  const fs::path page_ = folder_ / "a page.html";
   bool has_page_ = false;
 };
 

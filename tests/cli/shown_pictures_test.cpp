@@ -1,10 +1,11 @@
 // The pictures of the documentation are what the program draws today.
+#include "program_testing.hpp"
+
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <unistd.h>
 
@@ -12,14 +13,9 @@
 
 namespace {
 
-namespace fs = std::filesystem;
+using higherpair::testing::read_file;
 
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+namespace fs = std::filesystem;
 
 // Equal but for the last digits of numbers, which another compiler may round otherwise.
 bool is_alike(const std::string& a, const std::string& b) {

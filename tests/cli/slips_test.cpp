@@ -1,59 +1,37 @@
 // What the program says to slips on its command line and in profiles that can be run.
+#include "program_testing.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 #include <gmock/gmock.h>
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
+using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::string shipped(const std::string& name) {
-  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name;
-}
-
-class Slips : public ::testing::Test {
+class Slips : public ProgramTest {
 protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("higherpair-slips-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-    fs::copy_file(shipped("four_bar.toml"), profile_, fs::copy_options::overwrite_existing);
+    ProgramTest::SetUp();
+    fs::copy_file(shipped_profile("four_bar.toml"), profile_, fs::copy_options::overwrite_existing);
     text_ = read_file(profile_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM + " " + arguments +
-                                " >" + (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
-  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program(arguments); }
 
-  fs::path folder_ = fs::temp_directory_path() / ("higherpair-slips-" + std::to_string(getpid()));
-  fs::path profile_ = folder_ / "p.toml";
+  const fs::path profile_ = folder_ / "p.toml";
   std::string text_;
 };
 
@@ -140,7 +118,7 @@ TEST_F(Slips, UnknownOptionsAndCommandsGetTheNearest) {
 }
 
 TEST_F(Slips, AStartThatCannotBeAssembledNamesThoseThatCan) {
-  const Outcome outcome = run("analyze " + shipped("lock_up.toml") + " --set driver.start=90");
+  const Outcome outcome = run("analyze " + shipped_profile("lock_up.toml") + " --set driver.start=90");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("; it can be with driver.start from -65.8 to 65.8 deg\n"));
 }
