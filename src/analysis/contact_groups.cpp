@@ -188,6 +188,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   }
   const BoundaryContact& found = result.contact;
   ContactMotion& motion = to.contacts[static_cast<std::size_t>(touching.contact)];
+  motion.touches = true;
   motion.at = touching.follower_is_second ? found.at : found.at.exchanged();
   motion.place = {found.place1, found.place2};
   if (!touching.follower_is_second) {
@@ -196,6 +197,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   motion.phi = nearest_turn(angle_of(motion.at.n_W), before.phi + h * before.rates.phi_dot);
   body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = to.groups[g];
+  group.held = false;
   group.sine = found.gap_q;
   group.lever = velocity_per_q(pair.motion2, found.at.p2_W).norm() +
                 (pair.motion2.turns ? kLeastLever * model.plan.size : 0);
@@ -203,10 +205,28 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   return GroupStatus::kOk;
 }
 
+// The body of an open contact, which stays where it is on its joint.
+GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State& from, State& to) {
+  GroupState& group = to.groups[g];
+  group = from.groups[g];
+  group.sine = group.lever = 1;
+  group.sine_rate = group.noise = 0;
+  ContactMotion& motion = to.contacts[static_cast<std::size_t>(touching.contact)];
+  motion = {};
+  motion.touches = false;
+  motion.phi = from.contacts[static_cast<std::size_t>(touching.contact)].phi;
+  const CarriedBody& follower = touching.follower;
+  body_in(to, follower.body) = carried_motion(follower, body_in(to, follower.carrier), group.held_at, 0, 0);
+  return GroupStatus::kOk;
+}
+
 }  // namespace
 
 GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                            const State& from, double h, State& to) {
+  if (from.groups[g].held) {
+    return place_held(touching, g, from, to);
+  }
   const StandingPair placed = standing_pair(model, touching, to);
   const CarriedBody& follower = touching.follower;
   const ContactMotion& before = from.contacts[static_cast<std::size_t>(touching.contact)];
@@ -241,6 +261,10 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state) {
   const CarriedBody& follower = touching.follower;
   const BodyMotion& carrier = body_in(state, follower.carrier);
+  if (const GroupState& group = state.groups[g]; group.held) {
+    body_in(state, follower.body) = carried_motion(follower, carrier, group.held_at, 0, 0);
+    return;
+  }
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
   const ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
   const double sense = touching.follower_is_second ? 1 : -1;
@@ -283,6 +307,9 @@ double tracked_sine(const TrackedPair& tracked, const State& state) {
 }
 
 double touching_sine(const Planned& model, const TouchingBody& touching, const State& state) {
+  if (!state.contacts[static_cast<std::size_t>(touching.contact)].touches) {
+    return 1;
+  }
   const StandingPair placed = standing_pair(model, touching, state);
   const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
   const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;

@@ -1,9 +1,11 @@
 #include "first_position.hpp"
 
 #include "coupled_bodies.hpp"
+#include "gap_contacts.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "joint_ends.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -50,6 +52,14 @@ std::string unreachable(const Run& run, const State& state, const Group& group) 
   std::string names;
   for (const int body : group.bodies) {
     names += (names.empty() ? "" : ", ") + name_of_body(run.mechanism, body);
+  }
+  const auto g = static_cast<std::size_t>(&group - run.plan.groups.data());
+  if (const auto end = joint_beyond_end({run.mechanism, run.plan}, g, state)) {
+    return fmt::format(
+        "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
+        "driver.start, "
+        "the dimensions or that end",
+        run.mechanism.joints[static_cast<std::size_t>(end->joint)].name, end->upper ? "to" : "from");
   }
   if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
     const double distance = (state.bodies[static_cast<std::size_t>(dyad->A.body)].X_WB * dyad->A.p_B -
@@ -257,17 +267,29 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
     }
     const double distance = sense == 0 ? std::abs(found.q - posed) : sense * (found.q - posed);
     const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
-    if (wanted && deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
-                                      pose_at(pair.motion2, found.q), kOverlap * run_.plan.size)
-                          .depth == 0) {
+    if (wanted && (contact.both_sides ||
+                   deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
+                                       pose_at(pair.motion2, found.q), kOverlap * run_.plan.size)
+                           .depth == 0)) {
       best = found;
       least = distance;
     }
+  }
+  if (contact.keep == Keep::kGap &&
+      starts_open(pair, placed.u, posed, best ? std::optional(best->q) : std::nullopt, contact,
+                  run_.plan.size)) {
+    const CarriedBody& follower = touching.follower;
+    GroupState& group = touching_start_.groups[g];
+    group.held = true;
+    group.held_at = carried_coordinate(follower, posed_.bodies[static_cast<std::size_t>(follower.carrier)],
+                                       posed_.bodies[static_cast<std::size_t>(follower.body)]);
+    return true;
   }
   if (!best) {
     fail(g, explain(FindStatus::kNoContact, contact));
     return false;
   }
+  touching_start_.groups[g].held = false;
   state_.groups[g].mode = best->gap_q < 0 ? -1 : 1;
   touching_start_.bodies[static_cast<std::size_t>(touching.follower.body)] =
       motion_at(pair.motion2, best->q, 0, 0);

@@ -85,5 +85,10 @@ void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t 
                   const std::vector<DriverMotion>& drivers, State& state);
 [[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                                          const State& from, double h, State& to);
+/// The rate of the body's joint, its carrier at rest.
+[[nodiscard]] inline double follower_rate(const State& state, const TouchingBody& touching) {
+  const BodyMotion& body = body_in(state, touching.follower.body);
+  return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);
+}
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state);
 }  // namespace higherpair

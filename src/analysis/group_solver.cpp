@@ -2,6 +2,7 @@
 
 #include "coupled_bodies.hpp"
 #include "group_kinds.hpp"
+#include "joint_ends.hpp"
 
 namespace higherpair {
 namespace {
@@ -98,8 +99,10 @@ BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touch
           standing.pair.motion2};
 }
 
-GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
-                        const std::vector<double>& drivers, State& to) {
+namespace {
+
+GroupStatus place_anywhere(const Planned& model, std::size_t g, const State& from, double h,
+                           const std::vector<double>& drivers, State& to) {
   const Group& group = model.plan.groups[g];
   return std::visit(
       Overload{[&](const DrivenBody& driven) {
@@ -124,6 +127,14 @@ GroupStatus place_group(const Planned& model, std::size_t g, const State& from, 
       group.kind);
 }
 
+}  // namespace
+
+GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
+                        const std::vector<double>& drivers, State& to) {
+  const GroupStatus status = place_anywhere(model, g, from, h, drivers, to);
+  return status == GroupStatus::kOk && joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : status;
+}
+
 void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state) {
   const Group& group = model.plan.groups[g];
@@ -145,8 +156,11 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
                              const std::vector<double>& drivers, State& to) {
   const auto* tracked = std::get_if<TrackedPair>(&model.plan.groups[g].kind);
-  return tracked != nullptr ? place_tracked_anew(*tracked, g, from, drivers, to)
-                            : place_group(model, g, from, 0, drivers, to);
+  if (tracked == nullptr) {
+    return place_group(model, g, from, 0, drivers, to);
+  }
+  const GroupStatus status = place_tracked_anew(*tracked, g, from, drivers, to);
+  return status == GroupStatus::kOk && joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : status;
 }
 
 double sine_of(const Planned& model, std::size_t g, const State& state) {

@@ -36,7 +36,7 @@ Dimensions<double> frozen(const Run& run, Dimensions<double> dimensions) {
   return dimensions;
 }
 
-Jerks jerks_with(const Run& run, const Dimensions<double>& dimensions, std::span<const HigherRates> higher,
+Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const HigherRates> higher,
                  bool surplus_slip) {
   const Mechanism& mechanism = run.mechanism;
   Coordinates<Series> at = constant<Series>(row_coordinates(run));
@@ -46,8 +46,9 @@ Jerks jerks_with(const Run& run, const Dimensions<double>& dimensions, std::span
     at.drivers[i] = series_of<3>(std::array{driver.position, driver.velocity, driver.acceleration,
                                             higher.empty() ? 0.0 : higher[i][0]});
   }
-  const auto motion =
-      solve_series(run.plan, dimensions, dimensions, std::move(at), {surplus_slip, &run.row.has_rates});
+  const auto held = plan_with_held_joints(run, dimensions, at);
+  const auto motion = solve_series(held ? *held : run.plan, dimensions, dimensions, std::move(at),
+                                   {surplus_slip, &run.row.has_rates});
   Jerks jerks(motion.known.size());
   for (std::size_t i = 0; i < jerks.size(); ++i) {
     if (motion.known[i]) {

@@ -1,6 +1,7 @@
 #include "limit_events.hpp"
 
 #include "higherpair/mechanism/group_traits.hpp"
+#include "joint_ends.hpp"
 #include "path.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace higherpair {
 namespace {
@@ -29,6 +32,13 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
   if (auto end = end_reached(run, g)) {
     event.type = EventType::kEnd;
     event.cause = *std::move(end);
+  } else if (const auto at_end = joint_at_end(model_of(run), g, run.state)) {
+    const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(at_end->joint)];
+    event.type = EventType::kEnd;
+    event.joint = at_end->joint;
+    event.contact.reset();
+    event.cause =
+        fmt::format("joint {} comes to the end of its line, `{}`", joint.name, at_end->upper ? "to" : "from");
   }
   return event;
 }

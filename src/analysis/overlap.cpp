@@ -119,11 +119,6 @@ std::optional<std::size_t> touching_group(const Run& run, int contact) {
   return std::nullopt;
 }
 
-double rate_of(const State& state, const TouchingBody& touching) {
-  const BodyMotion& body = body_in(state, touching.follower.body);
-  return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);
-}
-
 // The same of boundaries: the body goes over to the places at which it has come into the other one.
 std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double s, double h,
                                const ContactMotion& near) {
@@ -147,7 +142,7 @@ std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double
     run.trial = kept;
     return std::nullopt;
   }
-  return Jump{rate_of(kept, touching), rate_of(run.trial, touching)};
+  return Jump{follower_rate(kept, touching), follower_rate(run.trial, touching)};
 }
 
 // Goes over to the contact that keeps the bodies apart, which appears x beyond run.state, and places what
@@ -184,7 +179,7 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
     if (contact.by_boundary) {
       const bool convex = boundary_of(mechanism, contact.first).is_convex() &&
                           boundary_of(mechanism, contact.second).is_convex();
-      watched.push_back({!convex, false, false});
+      watched.push_back({!convex && !contact.both_sides, false, false});
       continue;
     }
     watched.push_back(
@@ -193,18 +188,27 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
   return watched;
 }
 
+std::optional<Closing> closing_within(Run& run, const Path& path, const Contact& contact, double s,
+                                      double h) {
+  const Nearest here = nearest_in(run, contact, run.trial);
+  if (!(here.gap < -kOverlap * run.plan.size)) {
+    return std::nullopt;
+  }
+  return Closing{closing_between(run, path, contact, s, h, here.motion), here.motion};
+}
+
 void renew_overlaps(Run& run) {
   for (std::size_t i = 0; i < run.watches.size(); ++i) {
     OverlapWatch& watch = run.watches[i];
-    watch.overlaps =
-        watch.needed && nearest_in(run, run.mechanism.contacts[i], run.state).gap < -kOverlap * run.plan.size;
+    watch.overlaps = watch.needed && run.state.contacts[i].touches &&
+                     nearest_in(run, run.mechanism.contacts[i], run.state).gap < -kOverlap * run.plan.size;
   }
 }
 
 void watch_overlaps(Run& run, const Path& path, double s, double h) {
   for (std::size_t i = 0; i < run.watches.size(); ++i) {
     OverlapWatch& watch = run.watches[i];
-    if (!watch.needed) {
+    if (!watch.needed || !run.trial.contacts[i].touches) {
       continue;
     }
     const Contact& contact = run.mechanism.contacts[i];

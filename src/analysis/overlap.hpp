@@ -9,6 +9,16 @@ namespace higherpair {
 /// everywhere more curved than the ring about it.
 [[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
+/// Where two bodies that are apart in run.state, which is at s, first touch on the way to run.trial, h
+/// beyond.
+struct Closing {
+  double x = 0;          ///< beyond run.state on the path
+  ContactMotion motion;  ///< near their contact: its normal, or its places
+};
+/// None if they are apart in run.trial. run.trial is left as it is.
+[[nodiscard]] std::optional<Closing> closing_within(Run& run, const Path& path, const Contact& contact,
+                                                    double s, double h);
+
 /// Where a branch is taken up again: sets which bodies overlap in run.state.
 void renew_overlaps(Run& run);
 

@@ -2,6 +2,7 @@
 
 #include "crossing.hpp"
 #include "events.hpp"
+#include "gap_contacts.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -27,6 +29,7 @@ constexpr double kAtLimit = 1e-9;        // of the driver's scale: as near as th
 constexpr double kNearLimit = 1e-6;      // of the driver's scale: nearer, rates may be too inexact to go on
 constexpr double kOnLimit = 1e-14;       // of the driver's scale: a row that is at the limit itself
 constexpr double kLongStep = 0.02;       // of the driver's scale: one that may as well end elsewhere
+constexpr double kOpenShare = 0.2;       // of the largest step: while a contact is open
 constexpr double kProbe = kPi / 144;     // of the driver's scale: where a branch that was lost is looked for
 constexpr double kMostProbes = 1e4;
 constexpr double kMostSteps = 2e5;  // inner steps besides those that the path takes at least
@@ -95,6 +98,7 @@ private:
         scale_(path.is_single() ? driver_scale(run, 0) : 1),
         near_(kCrossingReach * (path.is_single() ? scale_ : unit_of(run, path))),
         h_(largest_),
+        open_(has_open_contact(run.state)),
         steps_left_(kMostSteps + 4 * parts) {}
 
   Outcome next() {
@@ -103,6 +107,9 @@ private:
     }
     aim();
     const StepResult result = try_step(run_, path_, s_, step_);
+    if (open_ && result.kind == StepResult::kOk && close()) {
+      return Outcome::kGoesOn;
+    }
     if (const auto passage = joint_within(run_, path_, s_, step_); passage && pass(*passage)) {
       return Outcome::kGoesOn;
     }
@@ -119,6 +126,9 @@ private:
   void aim() {
     const double rest = path_.length - s_;
     double h = h_;
+    if (open_) {
+      h = std::min(h, kOpenShare * largest_);
+    }
     if (limit_) {
       h = std::min(h, kShareToLimit * std::abs(limit_->s - s_));
     }
@@ -138,6 +148,44 @@ private:
       return std::abs(rest()) - 1.5 * near_;
     }
     return std::nullopt;
+  }
+
+  // Ends the step where an open contact closes, unless another contact comes to a joint of spans before that.
+  bool close() {
+    const auto engagement = engagement_within(run_, path_, s_, step_);
+    if (!engagement) {
+      return false;
+    }
+    const State kept = run_.trial;
+    if (const auto passage = joint_within(run_, path_, s_, step_);
+        passage && std::abs(passage->x) < std::abs(engagement->x)) {
+      run_.trial = kept;
+      return false;
+    }
+    const auto x = engage(run_, path_, s_, *engagement);
+    if (!x) {
+      run_.trial = kept;
+      return false;
+    }
+    s_ += *x;
+    open_ = has_open_contact(run_.state);
+    return true;
+  }
+
+  // Instead of ending, the motion goes on without a contact that may part.
+  bool part(std::size_t g) {
+    const auto reason = s_ == parted_at_ ? std::nullopt : why_parting(run_, g);
+    if (!reason) {
+      return false;
+    }
+    release(run_, path_, s_, g, *reason);
+    parted_at_ = s_;
+    open_ = true;
+    limit_.reset();
+    refused_ = 0;
+    first_refused_ = longest_ = 0;
+    h_ = largest_;
+    return true;
   }
 
   // Ends the step at a joint of spans, where accelerations may jump, and begins the next one beyond it.
@@ -208,7 +256,7 @@ private:
         return *outcome;
       }
     }
-    if (h_ < kSmallestStep * scale_ * (1 + std::abs(driver_at(path_, s_)) / scale_)) {
+    if (h_ < smallest()) {
       return lose(exhausted ? *limit_ : Limit{g, s_ + left_by(g)});
     }
     return Outcome::kGoesOn;
@@ -236,14 +284,24 @@ private:
     return std::nullopt;
   }
 
-  // Where bodies run off to infinity there is no last position; what goes to 0 there says how far it is.
+  [[nodiscard]] double smallest() const {
+    return kSmallestStep * scale_ * (1 + std::abs(driver_at(path_, s_)) / scale_);
+  }
+
+  // Where bodies run off to infinity there is no last position; what goes to 0 there says how far it is. At
+  // an end of a curve or a guide nothing is left but the smallest step.
   [[nodiscard]] double left_by(std::size_t g) const {
     const GroupState& group = run_.state.groups[g];
     const double left = group.sine_rate == 0 ? 0 : -group.sine / group.sine_rate;
-    return std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0 ? left : 0;
+    return std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0
+               ? left
+               : std::copysign(smallest(), path_.length);
   }
 
   Outcome lose(const Limit& limit) {
+    if (part(limit.group)) {
+      return Outcome::kGoesOn;
+    }
     run_.lost.event = limit_event(run_, limit.group, path_, limit.s);
     path_.positions(s_, run_.lost.from);
     path_.positions(limit.s, run_.lost.at);
@@ -266,8 +324,10 @@ private:
   double longest_ = 0;  // where a step was shortened though it need not have failed: what it was before
   int refused_ = 0;     // steps, until one as long as the first of them is taken
   double first_refused_ = 0;
-  JointPassage passed_;         // the last one, at s_ = passed_.x
-  std::optional<Limit> limit_;  // the first known
+  bool open_;                                                    // a contact is
+  double parted_at_ = std::numeric_limits<double>::quiet_NaN();  // s of the last contact that parted
+  JointPassage passed_;                                          // the last one, at s_ = passed_.x
+  std::optional<Limit> limit_;                                   // the first known
   double steps_left_;
 };
 

@@ -128,7 +128,9 @@ double residual_of(const Run& run) {
     add_joint(run, joint, errors);
   }
   for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
-    add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
+    if (run.row.contacts[i].touches) {
+      add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
+    }
   }
   const double scaled2 = errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan.size) : 0;
   return std::isfinite(errors.sum) ? std::sqrt(std::max(errors.distance2, scaled2)) : INFINITY;

@@ -3,7 +3,11 @@
 #include "higherpair/analysis/derivatives.hpp"
 #include "higherpair/geometry/body_jerk.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
+#include <optional>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace higherpair {
@@ -50,6 +54,30 @@ template <class D, int N>
                                               const Dimensions<D>& dimensions,
                                               Coordinates<PowerSeries<D, N>> at,
                                               const SeriesOptions& options = {});
+
+/// The plan of a row in which contacts are open: the joint that holds the body of each is one more driver, at
+/// rest, in place of the contact. None where no contact is open. Adds these drivers to both others.
+template <class Series>
+[[nodiscard]] std::optional<Plan> plan_with_held_joints(const Run& run, Dimensions<double>& dimensions,
+                                                        Coordinates<Series>& at) {
+  std::optional<Plan> plan;
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan.groups[g].kind);
+    if (touching == nullptr || run.row.contacts[static_cast<std::size_t>(touching->contact)].touches) {
+      continue;
+    }
+    plan = plan ? std::move(plan) : run.plan;
+    Group& group = plan->groups[g];
+    group.contacts.clear();
+    group.drivers.push_back(static_cast<int>(dimensions.drivers.size()));
+    const int joint = group.joints.front();
+    dimensions.drivers.push_back(joint);
+    at.drivers.push_back(Series(
+        joint_motion(run.mechanism, run.mechanism.joints[static_cast<std::size_t>(joint)], run.row.bodies)
+            .position));
+  }
+  return plan;
+}
 
 /// Whether a Jacobian leaves no freedom.
 [[nodiscard]] bool is_regular(const Eigen::MatrixXd& J);

@@ -29,11 +29,6 @@ Bounds range_of(const Boundary& boundary, int span) {
   return boundary.spans()[static_cast<std::size_t>(span)]->range();
 }
 
-int next_span(const Boundary& boundary, int span, bool forward) {
-  const int count = static_cast<int>(boundary.spans().size());
-  return (span + (forward ? 1 : count - 1)) % count;
-}
-
 BoundaryPlace end_of(const Boundary& boundary, int span, bool high) {
   const Bounds range = range_of(boundary, span);
   return {span, high ? range.high : range.low};
@@ -68,12 +63,11 @@ std::optional<Changed> changed_place(const Run& run) {
 bool runs_forward(const Run& run, const Changed& changed, double h) {
   const ContactMotion& motion = run.state.contacts[changed.contact];
   const Boundary& boundary = boundary_at(run, changed.contact, changed.side);
-  const int count = static_cast<int>(boundary.spans().size());
   const int from = motion.place[changed.side].span;
   const int to = run.trial.contacts[changed.contact].place[changed.side].span;
-  const bool is_next = to == next_span(boundary, from, true);
-  const bool is_previous = to == next_span(boundary, from, false);
-  if (is_next != is_previous && count > 2) {
+  const bool is_next = to == boundary.next_span(from, true);
+  const bool is_previous = to == boundary.next_span(from, false);
+  if (is_next != is_previous) {
     return is_next;
   }
   const Contact& contact = run.mechanism.contacts[changed.contact];
@@ -155,7 +149,7 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
     const bool forward = runs_forward(run, *changed, h);
     const int span = run.state.contacts[changed->contact].place[changed->side].span;
     JointPassage passage{changed->contact, changed->side, end_of(boundary, span, forward),
-                         end_of(boundary, next_span(boundary, span, forward), !forward), 0};
+                         end_of(boundary, boundary.next_span(span, forward), !forward), 0};
     const auto beyond = [&](double x) {
       mark_places(run);
       return solve_at(run, path, s, x)
@@ -233,14 +227,14 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
 std::optional<std::string> end_reached(const Run& run, std::size_t g) {
   for (const int index : run.plan.groups[g].contacts) {
     const auto i = static_cast<std::size_t>(index);
-    if (!run.mechanism.contacts[i].by_boundary) {
+    if (!run.mechanism.contacts[i].by_boundary || !run.state.contacts[i].touches) {
       continue;
     }
     for (std::size_t side = 0; side < 2; ++side) {
       const Boundary& boundary = boundary_at(run, i, side);
       const BoundaryPlace& place = run.state.contacts[i].place[side];
       for (const bool high : {false, true}) {
-        const int span = high ? place.span : next_span(boundary, place.span, false);
+        const int span = high ? place.span : boundary.next_span(place.span, false);
         const SpanJoint joint = boundary.joint_after(span);
         const double left = std::abs(arc_between(boundary, place, end_of(boundary, place.span, high).t));
         if (left > kAtEnd * boundary.size() || (joint != SpanJoint::kEnd && joint != SpanJoint::kNotch)) {
@@ -271,9 +265,11 @@ void set_local_curves(Run& run) {
       const CurveRef& ref = ref_of(contact, side);
       const Boundary& boundary = boundary_of(run.mechanism, ref);
       const BoundaryPlace& place = run.row.contacts[i].place[side];
+      // While it is open nothing depends on its shape.
       run.mechanism.bodies[static_cast<std::size_t>(ref.body)]
           .curves[static_cast<std::size_t>(ref.curve)]
-          .curve = local_curve(boundary.at(place), boundary.is_corner(place));
+          .curve =
+          run.row.contacts[i].touches ? local_curve(boundary.at(place), boundary.is_corner(place)) : Curve{};
     }
   }
 }

@@ -67,9 +67,10 @@ class Closure {
 public:
   explicit Closure(double extent) : extent_(extent) {}
 
-  [[nodiscard]] bool is_reached(double error) {
+  // \param stopped  by an end, so that what is left of the error may be the way beyond it
+  [[nodiscard]] bool is_reached(double error, bool stopped = false) {
     const bool reached =
-        error <= 4 * kEps * extent_ || (error <= kNoiseOfClosure * extent_ && error >= last_ / 2);
+        error <= 4 * kEps * extent_ || (!stopped && error <= kNoiseOfClosure * extent_ && error >= last_ / 2);
     last_ = error;
     return reached;
   }
@@ -127,7 +128,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
       result.status = ContactStatus::kNoContact;
       return result;
     }
-    if (closure.is_reached(error)) {
+    if (closure.is_reached(error, ended_before != 0)) {
       result.contact = contact_of(end1, end2, offset, q, p1, p2);
       result.contact.gap_q = gap_q;
       result.status = branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch;

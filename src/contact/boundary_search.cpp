@@ -10,6 +10,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kSameContact = 1e-7;  // of q [rad, or of the size]: two that are one
+constexpr double kFarther = 0.1;       // of the sizes: how far beside a body samples are looked at
 constexpr double kSlack = 0.25;        // of a polyline's part: how far its curve may pass beside it
 
 // Of one boundary: a point of its plane curve, scaled to lengths, and the place that it belongs to.
@@ -18,10 +19,7 @@ struct Feature {
   BoundaryPlace place;
 };
 
-struct Features {
-  std::vector<Feature> points;
-  bool closed = false;
-};
+using Features = std::vector<Feature>;
 
 // Angles continuous along the boundary.
 class Unwrapped {
@@ -41,7 +39,6 @@ private:
 Features features_of(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower,
                      double sense, double scale) {
   Features features;
-  features.closed = boundary.is_closed();
   Unwrapped angle;
   for (const auto& [place, point] : boundary.samples()) {
     const Vector2d n = X_WB.R_WB * point.n_B;
@@ -49,7 +46,7 @@ Features features_of(const Boundary& boundary, const Pose<double>& X_WB, const O
     const Vector2d at = follower.turns
                             ? Vector2d(sense * m.dot(n), sense * m.dot(perp(n)))
                             : Vector2d(scale * angle(sense * n), m.dot(perp(follower.direction_W)));
-    features.points.push_back({at, place});
+    features.push_back({at, place});
   }
   return features;
 }
@@ -91,9 +88,9 @@ struct Box {
 // The parts between neighbouring samples of one span.
 template <class F>
 void for_each_part(const Features& features, const F& f) {
-  for (std::size_t i = 1; i < features.points.size(); ++i) {
-    const Feature& a = features.points[i - 1];
-    const Feature& b = features.points[i];
+  for (std::size_t i = 1; i < features.size(); ++i) {
+    const Feature& a = features[i - 1];
+    const Feature& b = features[i];
     if (a.place.span == b.place.span) {
       f(a, b);
     }
@@ -198,23 +195,46 @@ Depth depth_in(const Boundary& boundary, const Vector2d& p_B) {
     const double stretch = 1 + point.kappa * out;
     const auto next = boundary.advance(place, stretch > 0.1 ? along / stretch : along,
                                        corner ? std::atan2(along, std::max(out, 0.0)) : 0);
-    stopped = next.stopped;
+    stopped = next.at_end;
     place = next.place;
   }
   const SpanPoint point = boundary.at(place);
-  if (stopped && !boundary.is_closed()) {
+  if (stopped) {
     return {};
   }
   return {-(p_B - point.p_B).dot(point.n_B), place};
 }
 
-template <class F>
-void for_near_samples(const Boundary& boundary, const Pose<double>& X_WB, const Boundary& other,
-                      const Pose<double>& X_WO, const F& f) {
+// The samples of a boundary, in their order, with their depth in another one; of those far from it none.
+struct SampleDepth {
+  const Boundary::Sample* sample = nullptr;
+  Depth depth;
+};
+
+std::vector<SampleDepth> depths_of(const Boundary& boundary, const Pose<double>& X_WB, const Boundary& other,
+                                   const Pose<double>& X_WO) {
   const Vector2d middle_B = X_WB.inverse_times(X_WO * other.middle_B());
+  const double reach = other.size() * (1 + kFarther) + kFarther * boundary.size();
+  std::vector<SampleDepth> depths;
   for (const auto& sample : boundary.samples()) {
-    if ((sample.point.p_B - middle_B).squaredNorm() <= other.size() * other.size() * (1 + 1e-9)) {
-      f(sample, X_WO.inverse_times(X_WB * sample.point.p_B));
+    const bool near = (sample.point.p_B - middle_B).squaredNorm() <= reach * reach;
+    depths.push_back(
+        {&sample, near ? depth_in(other, X_WO.inverse_times(X_WB * sample.point.p_B)) : Depth{}});
+  }
+  return depths;
+}
+
+// Calls f for every sample that is deeper than its neighbours, where the curve may be in the other body.
+template <class F>
+void for_deepest(const std::vector<SampleDepth>& depths, const F& f) {
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const SampleDepth& before = depths[i == 0 ? depths.size() - 1 : i - 1];
+    const SampleDepth& after = depths[i + 1 == depths.size() ? 0 : i + 1];
+    const double depth = depths[i].depth.depth;
+    const double spacing = std::max((depths[i].sample->point.p_B - before.sample->point.p_B).norm(),
+                                    (depths[i].sample->point.p_B - after.sample->point.p_B).norm());
+    if (depth >= before.depth.depth && depth >= after.depth.depth && depth > -spacing) {
+      f(depths[i]);
     }
   }
 }
@@ -225,18 +245,18 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
                                 const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
   Penetration worst;
   worst.depth = tolerance;
-  for_near_samples(boundary1, X_W1, boundary2, X_W2,
-                   [&](const Boundary::Sample& sample, const Vector2d& p_2) {
-                     if (const Depth found = depth_in(boundary2, p_2); found.depth > worst.depth) {
-                       worst = {found.depth, sample.place, found.place};
-                     }
-                   });
-  for_near_samples(boundary2, X_W2, boundary1, X_W1,
-                   [&](const Boundary::Sample& sample, const Vector2d& p_1) {
-                     if (const Depth found = depth_in(boundary1, p_1); found.depth > worst.depth) {
-                       worst = {found.depth, found.place, sample.place};
-                     }
-                   });
+  const auto look = [&](const SampleDepth& found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
+    Penetration here{found.depth.depth, place1, place2};
+    const auto normal = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
+    if (normal && -normal->at.gap() > here.depth) {
+      here = {-normal->at.gap(), normal->place1, normal->place2};
+    }
+    worst = here.depth > worst.depth ? here : worst;
+  };
+  for_deepest(depths_of(boundary1, X_W1, boundary2, X_W2),
+              [&](const SampleDepth& found) { look(found, found.sample->place, found.depth.place); });
+  for_deepest(depths_of(boundary2, X_W2, boundary1, X_W1),
+              [&](const SampleDepth& found) { look(found, found.depth.place, found.sample->place); });
   worst.depth = worst.depth > tolerance ? worst.depth : 0;
   return worst;
 }

@@ -107,6 +107,7 @@ private:
   }
 
   void add_contact(std::size_t index, const ContactReaction& reaction) {
+    if (!row_.contacts[index].touches) return;
     const Contact& contact = mechanism_.contacts[index];
     const Vector2d& n_W = row_.contacts[index].at.n_W;
     if (reaction.force && reaction.friction) {

@@ -67,7 +67,8 @@ double away_from_contact(const Sketch& sketch, const Joint& joint) {
   const MotionRow& row = *sketch.rows.front();
   for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
     const Contact& contact = sketch.mechanism.contacts[i];
-    if (contact.first.body != joint.second.body && contact.second.body != joint.second.body) {
+    if (!row.contacts[i].touches ||
+        (contact.first.body != joint.second.body && contact.second.body != joint.second.body)) {
       continue;
     }
     const bool second = contact.second.body == joint.second.body;

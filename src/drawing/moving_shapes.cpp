@@ -57,8 +57,12 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
     if (!spring.joint) add_spring(row, spring);
   }
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
+    const std::size_t first = next_;
     add_contact(row, i);
     add_linkage(row, i);
+    for (std::size_t k = first; k < next_ && !row.contacts[i].touches; ++k) {
+      scene_.moving[k].numbers.clear();
+    }
   }
   for (std::size_t i = 1; i < row.bodies.size(); ++i) {
     add_motion(row, static_cast<int>(i));

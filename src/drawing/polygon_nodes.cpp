@@ -139,6 +139,7 @@ private:
 
   void add_contacts() {
     for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
+      if (!row_.contacts[i].touches) continue;
       const Contact& contact = mechanism_.contacts[i];
       const CommonNormal& at = row_.contacts[i].at;
       const auto first = center_node(contact, contact.first, at.p1_W - at.rho1 * at.n_W, "C1");

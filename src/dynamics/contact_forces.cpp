@@ -42,7 +42,8 @@ bool is_break(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint ||
          event.type == EventType::kConforming || event.type == EventType::kSecondContact ||
          event.type == EventType::kCurvatureJump || event.type == EventType::kCorner ||
-         event.type == EventType::kEnd;
+         event.type == EventType::kEnd || event.type == EventType::kEngage ||
+         event.type == EventType::kRelease;
 }
 
 // Sum of the parts of a contact's force.

@@ -22,7 +22,10 @@ bool ForceColumns::solve(const Run& run) {
     return false;
   }
   statics_.stand(run);
-  std::fill(known_.begin(), known_.end(), true);
+  // An open contact cannot open, nor one with a wall on either side.
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    known_[i] = row.contacts[i].touches && !mechanism.contacts[i].both_sides;
+  }
   still_ = row.bodies;
   for (BodyMotion& body : still_) {
     body.v_WB.setZero();

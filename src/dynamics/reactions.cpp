@@ -83,9 +83,14 @@ void InverseDynamics::read_contacts(const Run& run) {
   for (std::size_t i = 0; i < reactions_.contacts.size(); ++i) {
     const std::size_t first = statics_.contact_row(i);
     ContactReaction& reaction = reactions_.contacts[i];
+    if (!run.row.contacts[i].touches) {
+      reaction = {0.0, 0.0, false};
+      continue;
+    }
     reaction.force = determined(first, 1);
     reaction.friction = run.mechanism.contacts[i].rolling ? determined(first + 1, 1) : 0.0;
-    reaction.pulls = reaction.force && *reaction.force < -kRounding * largest;
+    reaction.pulls =
+        !run.mechanism.contacts[i].both_sides && reaction.force && *reaction.force < -kRounding * largest;
   }
 }
 

@@ -28,7 +28,10 @@ Eigen::Vector3d scaled(const Eigen::Vector3d& wrench, double size) {
 
 }  // namespace
 
-Statics::Statics(const Run& run) : size_(run.plan.size) {
+Statics::Statics(const Run& run)
+    : size_(run.plan.size),
+      contacts_may_part_(std::any_of(run.mechanism.contacts.begin(), run.mechanism.contacts.end(),
+                                     [](const Contact& contact) { return contact.keep == Keep::kGap; })) {
   joint_rows_.resize(run.mechanism.joints.size());
   contact_rows_.resize(run.mechanism.contacts.size());
   driver_rows_.resize(run.mechanism.drivers.size());
@@ -51,7 +54,13 @@ void Statics::append_rows_of(const Run& run, std::size_t g) {
   for_each_index(group.joints, joint_rows_, rows_,
                  [&](std::size_t i) { append_rows(mechanism, mechanism.joints[i], bodies, size_, rows_); });
   for_each_index(group.contacts, contact_rows_, rows_, [&](std::size_t i) {
-    append_rows(mechanism, mechanism.contacts[i], run.row.contacts[i], bodies, rows_);
+    const ContactMotion& motion = run.row.contacts[i];
+    if (motion.touches) {
+      append_rows(mechanism, mechanism.contacts[i], motion, bodies, rows_);
+    } else {  // the body is held on its joint
+      const Joint& joint = mechanism.joints[static_cast<std::size_t>(group.joints.front())];
+      append_driver_row(mechanism, joint, 0, bodies, size_, rows_);
+    }
   });
   for_each_index(group.drivers, driver_rows_, rows_, [&](std::size_t i) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
@@ -81,26 +90,34 @@ void Statics::set_layout(const Run& run) {
     } else if (group.bodies.size() > 2) {
       block.factors.emplace<Factors<Eigen::MatrixXd>>();
     }
-    for (std::size_t i = block.first_row; i < rows_.size(); ++i) {
-      std::array<int, 3> columns{-1, -1, -1};
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        const auto found = std::find(group.bodies.begin(), group.bodies.end(), rows_[i].body[k]);
-        if (found != group.bodies.end()) {
-          columns[k] = static_cast<int>(3 * (found - group.bodies.begin()));
-        }
-      }
-      columns_.push_back(columns);
-    }
     blocks_.push_back(std::move(block));
   }
   multipliers_.resize(rows_.size());
   determined_.assign(rows_.size(), true);
+  set_columns();
+}
+
+void Statics::set_columns() {
+  columns_.assign(rows_.size(), {-1, -1, -1});
+  for (const Block& block : blocks_) {
+    for (std::size_t i = block.first_row; i < block.first_row + block.row_count; ++i) {
+      for (std::size_t k = 0; k < columns_[i].size(); ++k) {
+        const auto found = std::find(block.bodies.begin(), block.bodies.end(), rows_[i].body[k]);
+        if (found != block.bodies.end()) {
+          columns_[i][k] = static_cast<int>(3 * (found - block.bodies.begin()));
+        }
+      }
+    }
+  }
 }
 
 void Statics::stand(const Run& run) {
   rows_.clear();
   for (std::size_t g = 0; g < blocks_.size(); ++g) {
     append_rows_of(run, g);
+  }
+  if (contacts_may_part_) {
+    set_columns();
   }
   if (redundant_) {
     factorise_all();

@@ -74,6 +74,14 @@ private:
       found_ = no_such(where + ".curve", ref.curve, m_.bodies[static_cast<std::size_t>(ref.body)].curves,
                        "curves on this body");
     }
+    return found_.empty() && parts_exist(where, ref);
+  }
+
+  bool parts_exist(const std::string& where, const CurveRef& ref) {
+    const auto& curves = m_.bodies[static_cast<std::size_t>(ref.body)].curves;
+    for (const int part : curves[static_cast<std::size_t>(ref.curve)].parts) {
+      found_ = found_.empty() ? no_such(where + ".curve.parts", part, curves, "curves on this body") : found_;
+    }
     return found_.empty();
   }
 
@@ -99,6 +107,7 @@ private:
     expect(joint.type == JointType::kRevolute || couples_turning(joint.type) ||
                std::abs(joint.direction_A.norm() - 1) <= 1e-9,
            at + ".direction_A", "must be a unit vector");
+    expect(!joint.from || !joint.to || *joint.from < *joint.to, at + ".from", "must be below `to`");
     expect(std::isfinite(joint.relative_angle), at + ".relative_angle", "must be finite");
     if (couples_turning(joint.type) && exists(at + ".carrier", joint.carrier)) {
       expect(std::isfinite(joint.turning_ratio) && joint.turning_ratio != 0, at + ".turning_ratio",

@@ -50,7 +50,7 @@ bool same_structure(const Mechanism& a, const Mechanism& b) {
   };
   const auto contacts = [](const Contact& x, const Contact& y) {
     return x.name == y.name && is_same(x.first, y.first) && is_same(x.second, y.second) &&
-           x.rolling == y.rolling;
+           x.rolling == y.rolling && x.keep == y.keep && x.both_sides == y.both_sides;
   };
   const auto drivers = [](const Driver& x, const Driver& y) {
     return x.name == y.name && x.joint == y.joint;

@@ -200,6 +200,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
            {name + ".normal", dimension::kAngle}},
           [index](const RowSource& source, double* out) {
             const ContactMotion& motion = source.run.row.contacts[index];
+            if (!motion.touches) return;
             *put((motion.at.p1_W + motion.at.p2_W) / 2, out) = motion.phi;
           });
   std::vector<NewColumn> columns;
@@ -222,6 +223,9 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
         const MotionRow& row = source.run.row;
         if (row.status == RowStatus::kNotAssemblable) {
           arcs.interrupt();
+          return;
+        }
+        if (!row.contacts[index].touches) {
           return;
         }
         const ContactDetails details = sides.details(source.run, index);

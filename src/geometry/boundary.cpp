@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace higherpair {
@@ -103,19 +104,16 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
   boundary.closed_ = closed;
   boundary.spans_ = with_corners(std::move(spans), closed);
   boundary.samples_ = sampled(boundary.spans_);
-  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Vector2d high = -low;
   for (const Sample& sample : boundary.samples_) {
     if (!(sample.point.speed > 0) || !sample.point.p_B.allFinite()) {
       return tl::unexpected(BoundaryFault{Kind::kCusp, sample.place.span, 0});
     }
-    low = low.cwiseMin(sample.point.p_B);
-    high = high.cwiseMax(sample.point.p_B);
   }
-  boundary.size_ = (high - low).norm() / 2;
-  boundary.middle_B_ = (low + high) / 2;
+  boundary.set_extent();
   const std::size_t count = boundary.spans_.size();
   for (std::size_t i = 0; i < count; ++i) {
+    boundary.next_.push_back(static_cast<int>((i + 1) % count));
+    boundary.previous_.push_back(static_cast<int>((i + count - 1) % count));
     boundary.joints_.push_back(i + 1 == count && !closed
                                    ? SpanJoint::kEnd
                                    : joint_of_ends(*boundary.spans_[i], *boundary.spans_[(i + 1) % count],
@@ -124,6 +122,38 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
   boundary.convex_ =
       is_convex_chain(boundary.samples_, boundary.joints_, boundary.size_ > 0 ? boundary.size_ : 1);
   return boundary;
+}
+
+void Boundary::set_extent() {
+  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d high = -low;
+  for (const Sample& sample : samples_) {
+    low = low.cwiseMin(sample.point.p_B);
+    high = high.cwiseMax(sample.point.p_B);
+  }
+  size_ = (high - low).norm() / 2;
+  middle_B_ = (low + high) / 2;
+}
+
+Boundary Boundary::of_parts(const std::vector<Boundary>& parts) {
+  Boundary all;
+  all.closed_ = true;
+  all.convex_ = parts.size() == 1 && parts.front().convex_;
+  for (const Boundary& part : parts) {
+    const int first = static_cast<int>(all.spans_.size());
+    const auto moved_on = [first](int span) { return first + span; };
+    all.spans_.insert(all.spans_.end(), part.spans_.begin(), part.spans_.end());
+    all.joints_.insert(all.joints_.end(), part.joints_.begin(), part.joints_.end());
+    std::transform(part.next_.begin(), part.next_.end(), std::back_inserter(all.next_), moved_on);
+    std::transform(part.previous_.begin(), part.previous_.end(), std::back_inserter(all.previous_), moved_on);
+    for (Sample sample : part.samples_) {
+      sample.place.span += first;
+      all.samples_.push_back(sample);
+    }
+    all.closed_ = all.closed_ && part.closed_;
+  }
+  all.set_extent();
+  return all;
 }
 
 Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double dphi) const {
@@ -137,22 +167,22 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
     const Bounds range = span.range();
     const double beyond = place.t > range.high ? place.t - range.high : std::min(place.t - range.low, 0.0);
     if (beyond == 0) {
-      return {place, false};
+      return {place};
     }
     const bool forward = beyond > 0;
-    const int joint = forward ? place.span : (place.span + count - 1) % count;
+    const int next = next_span(place.span, forward);
     const double end = forward ? range.high : range.low;
-    if (const SpanJoint kind = joint_after(joint); kind == SpanJoint::kNotch || kind == SpanJoint::kEnd) {
-      return {{place.span, end}, true};
+    const SpanJoint joint = joint_after(forward ? place.span : next);
+    if (joint == SpanJoint::kNotch || joint == SpanJoint::kEnd) {
+      return {{place.span, end}, true, joint == SpanJoint::kEnd};
     }
-    const int next = forward ? (place.span + 1) % count : joint;
     const Span& other = *spans_[static_cast<std::size_t>(next)];
     const double start = forward ? other.range().low : other.range().high;
     // What is left is an arc; of a turn of a corner's normal it is not known which.
     const double left = span.is_corner() || other.is_corner() ? 0 : beyond * span.at(end).speed;
     place = {next, left == 0 ? start : start + left / other.at(start).speed};
   }
-  return {place, false};
+  return {place};
 }
 
 // With τ = ρ′/(3 ρ), the slope of the normal against the axis: |ρ| = ℓ (1 + τ²)^{3/2}, y = -ℓ τ, x = ℓ τ²/2.

@@ -175,7 +175,7 @@ private:
   void curves(const Body& body, int index) {
     for (std::size_t k = 0; k < body.curves.size(); ++k) {
       const auto is_this = [&](const CurveRef& ref) {
-        return ref.body == index && ref.curve == static_cast<int>(k);
+        return ref.body == index && is_or_has(body.curves, ref.curve, static_cast<int>(k));
       };
       const bool used = std::any_of(
           mechanism_.contacts.begin(), mechanism_.contacts.end(),

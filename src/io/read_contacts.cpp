@@ -44,7 +44,7 @@ const Curve& curve_at(const Mechanism& mechanism, const CurveRef& ref) {
       .curve;
 }
 
-void read_ends(TableReader& table, const Mechanism& mechanism, Contact& contact) {
+void read_ends(TableReader& table, Mechanism& mechanism, Contact& contact) {
   const auto item = table.need("between", "two curves, [\"body.curve\", \"body.curve\"]");
   const auto pair = item ? as_curve_pair(table.reading(), *item, mechanism) : std::nullopt;
   if (!pair) {
@@ -73,6 +73,16 @@ void read_approach(TableReader& table, Contact& contact) {
   contact.approach = kApproaches[choice.value_or(0)];
 }
 
+void read_keep(TableReader& table, Contact& contact) {
+  const auto item = table.take("keep");
+  const auto choice = item ? as_choice(table.reading(), *item, {"touch", "gap"}) : std::nullopt;
+  contact.keep = choice == 1U ? Keep::kGap : Keep::kTouching;
+  if (contact.keep == Keep::kGap && contact.rolling) {
+    report(table.reading(), *item, "curves that may part slip: leave `rolling` out");
+  }
+  contact.both_sides = table.flag("both_sides", false);
+}
+
 }  // namespace
 
 void read_contacts(TableReader& root, Mechanism& mechanism) {
@@ -87,6 +97,7 @@ void read_contacts(TableReader& root, Mechanism& mechanism) {
                    contact.rolling = table.flag("rolling", false);
                    read_ends(table, mechanism, contact);
                    read_approach(table, contact);
+                   read_keep(table, contact);
                    contact.jump = table.flag("jump", true);
                    table.finish();
                    mechanism.contacts.push_back(contact);

@@ -97,7 +97,10 @@ private:
       return std::nullopt;
     }
     const Contact& contact = mechanism_.contacts[static_cast<std::size_t>(found - names.begin())];
-    const auto is_own = [&](const CurveRef& ref) { return ref.body == own.body && ref.curve == own.curve; };
+    const auto is_own = [&](const CurveRef& ref) {
+      return ref.body == own.body &&
+             is_or_has(mechanism_.bodies[static_cast<std::size_t>(own.body)].curves, ref.curve, own.curve);
+    };
     if (!is_own(contact.first) && !is_own(contact.second)) {
       report(reading_, late.contact,
              "is a contact in which this curve does not take part; name it in its `between`");

@@ -49,6 +49,27 @@ void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
       table.quantity("angle", {dimension::kAngle}, theta(joint.second) - theta(joint.first));
 }
 
+// Of a line with ends the least and the largest coordinate.
+void read_line_ends(TableReader& table, Joint& joint) {
+  if (joint.type == JointType::kRevolute) {
+    for (const char* key : {"from", "to"}) {
+      table.refuse(key, "has a meaning for prismatic joints and slots only: a pin has no ends");
+    }
+    return;
+  }
+  const auto from = table.take("from");
+  const auto to = table.take("to");
+  const auto end = [&](const std::optional<Item>& item) -> std::optional<double> {
+    const auto quantity = item ? as_quantity(table.reading(), *item, {dimension::kLength}) : std::nullopt;
+    return quantity ? std::optional(quantity->si) : std::nullopt;
+  };
+  joint.from = end(from);
+  joint.to = end(to);
+  if (joint.from && joint.to && !(*joint.from < *joint.to)) {
+    report(table.reading(), *from, "`from` must be below `to`: they are the ends of the line");
+  }
+}
+
 }  // namespace
 
 std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
@@ -77,6 +98,7 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                      } else {
                        read_direction(table, joint);
                        read_angle(table, mechanism, joint);
+                       read_line_ends(table, joint);
                      }
                      table.finish();
                    }

@@ -19,7 +19,9 @@ std::vector<std::string> names_of(const std::vector<Thing>& things) {
   std::vector<std::string> names;
   names.reserve(things.size());
   for (const Thing& thing : things) {
-    names.push_back(thing.name);
+    if (!thing.name.empty()) {
+      names.push_back(thing.name);
+    }
   }
   return names;
 }
@@ -88,16 +90,17 @@ struct MemberPair {
   Member second;
 };
 
-template <class Kind>
-std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
+// \param resolve  makes a Member of an item
+template <class F>
+std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism,
+                                      std::string_view kind, F resolve) {
   const auto* items = std::get_if<Array>(&item.value->content);
   if (items == nullptr || items->size() != 2) {
-    report(reading, item,
-           fmt::format("expected two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", Kind::kKind));
+    report(reading, item, fmt::format("expected two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", kind));
     return std::nullopt;
   }
-  const auto first = member<Kind>(reading, {&(*items)[0], item.path + ".0"}, mechanism);
-  const auto second = member<Kind>(reading, {&(*items)[1], item.path + ".1"}, mechanism);
+  const std::optional<Member> first = resolve(Item{&(*items)[0], item.path + ".0"});
+  const std::optional<Member> second = resolve(Item{&(*items)[1], item.path + ".1"});
   if (!first || !second) {
     return std::nullopt;
   }
@@ -108,6 +111,46 @@ std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const 
     return std::nullopt;
   }
   return MemberPair{*first, *second};
+}
+
+// Adds several curves of a body to it as one: all whose names begin with `start`.
+std::optional<int> join_curves(Reading& reading, const Item& item, Body& body, const std::string& start) {
+  NamedCurve joined;
+  joined.curve.kind = CurveKind::kChain;
+  for (std::size_t i = 0; i < body.curves.size(); ++i) {
+    if (body.curves[i].parts.empty() && body.curves[i].name.starts_with(start)) {
+      joined.parts.push_back(static_cast<int>(i));
+    }
+  }
+  if (joined.parts.empty()) {
+    report(reading, item,
+           body.curves.empty() ? fmt::format("body `{}` has no curve that could touch anything", body.name)
+                               : fmt::format("no curve of `{}` has a name that begins so; {}", body.name,
+                                             suggestion(start, names_of(body.curves))));
+    return std::nullopt;
+  }
+  if (joined.parts.size() == 1) {
+    return joined.parts.front();
+  }
+  joined.copy_of = joined.parts.front();
+  body.curves.push_back(std::move(joined));
+  return static_cast<int>(body.curves.size()) - 1;
+}
+
+// "body.curve", "body.start*" or "body" for all of its curves.
+std::optional<Member> curve_or_curves(Reading& reading, const Item& item, Mechanism& mechanism) {
+  const auto* text = std::get_if<std::string>(&item.value->content);
+  const std::size_t dot = text == nullptr ? 0 : text->find('.');
+  if (text == nullptr || (dot != std::string::npos && !text->ends_with('*'))) {
+    return member<Curves>(reading, item, mechanism);
+  }
+  const auto index = named_thing(reading, item, text->substr(0, dot), "body", mechanism.bodies);
+  if (!index) {
+    return std::nullopt;
+  }
+  const std::string start = dot == std::string::npos ? "" : text->substr(dot + 1, text->size() - dot - 2);
+  const auto curve = join_curves(reading, item, mechanism.bodies[static_cast<std::size_t>(*index)], start);
+  return curve ? std::optional(Member{*index, *curve}) : std::nullopt;
 }
 
 }  // namespace
@@ -129,15 +172,17 @@ std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& b
 }
 
 std::optional<PointPair> as_point_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
-  const auto pair = member_pair<Points>(reading, item, mechanism);
+  const auto pair = member_pair(reading, item, mechanism, Points::kKind,
+                                [&](const Item& one) { return member<Points>(reading, one, mechanism); });
   if (!pair) {
     return std::nullopt;
   }
   return PointPair{{pair->first.body, pair->first.index}, {pair->second.body, pair->second.index}};
 }
 
-std::optional<CurvePair> as_curve_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
-  const auto pair = member_pair<Curves>(reading, item, mechanism);
+std::optional<CurvePair> as_curve_pair(Reading& reading, const Item& item, Mechanism& mechanism) {
+  const auto pair = member_pair(reading, item, mechanism, Curves::kKind,
+                                [&](const Item& one) { return curve_or_curves(reading, one, mechanism); });
   if (!pair) {
     return std::nullopt;
   }

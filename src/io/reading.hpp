@@ -36,9 +36,10 @@ struct CurvePair {
 /// `between = ["body.point", "body.point"]`, on different bodies.
 [[nodiscard]] std::optional<PointPair> as_point_pair(Reading& reading, const Item& item,
                                                      const Mechanism& mechanism);
-/// `between = ["body.curve", "body.curve"]`, on different bodies.
+/// `between = ["body.curve", "body.curve"]`, on different bodies. "body" alone is all of its curves,
+/// "body.start*" those whose names begin so: they are added to the body as one.
 [[nodiscard]] std::optional<CurvePair> as_curve_pair(Reading& reading, const Item& item,
-                                                     const Mechanism& mechanism);
+                                                     Mechanism& mechanism);
 /// @}
 
 /// The base units; kept at their defaults where they are wrong.

@@ -9,9 +9,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
+#include <fmt/format.h>
 
 namespace higherpair {
 namespace {
@@ -137,7 +140,28 @@ void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>&
     if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
       dyad->size = plan.size;
     }
+    std::copy_if(group.joints.begin(), group.joints.end(), std::back_inserter(group.ended_joints),
+                 [&](int index) {
+                   const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+                   return joint.from || joint.to;
+                 });
   }
+}
+
+// A contact that may part leaves its body on a joint, where it is held meanwhile.
+std::optional<std::string> cannot_part(const Mechanism& mechanism, const Plan& plan) {
+  for (const Group& group : plan.groups) {
+    for (const int index : group.contacts) {
+      const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+      if (contact.keep == Keep::kGap && !std::holds_alternative<TouchingBody>(group.kind)) {
+        return fmt::format(
+            "contacts.{}: with keep = \"gap\" one of the two bodies must hang on a revolute or prismatic "
+            "joint, which holds it while they are apart, and be moved by this contact alone",
+            contact.name);
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -159,6 +183,9 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   plan.surplus = structure.surplus;
   plan.phase_bodies = phase_bodies(mechanism);
   fill_in(plan, mechanism, structure.sets);
+  if (auto objection = cannot_part(mechanism, plan)) {
+    return tl::unexpected(*std::move(objection));
+  }
   return plan;
 }
 

@@ -223,7 +223,8 @@ TEST(ReferenceOfResults, ExplainsEveryStatusAndEvent) {
   for (const EventType type :
        {EventType::kLimitPosition, EventType::kDeadPoint, EventType::kStrokeEnd, EventType::kConforming,
         EventType::kSecondContact, EventType::kOverlap, EventType::kContactOpen, EventType::kLawJump,
-        EventType::kCurvatureJump, EventType::kCorner, EventType::kEnd}) {
+        EventType::kCurvatureJump, EventType::kCorner, EventType::kEnd, EventType::kEngage,
+        EventType::kRelease}) {
     EXPECT_THAT(words, Contains(std::string(name_of(type))));
   }
 }

@@ -21,6 +21,7 @@ struct GroupState {
   double lever = 1;      ///< what `sine` is of the order of, away from there
   double noise = 0;      ///< |sine| up to which it says nothing but 0
   bool held = false;     ///< of a contact that may part (Keep::kGap): it is open, the body stays on its joint
+  double held_at = 0;    ///< there, at this coordinate of its freedom [rad or m]
 };
 
 using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, StandingContact>;

@@ -72,8 +72,8 @@ struct BoundaryResult {
                                                           const Boundary& boundary2,
                                                           const Pose<double>& X_W2);
 
-/// How deep one body is in the other, at the deepest of the samples of their boundaries [m]; 0 where they are
-/// free of each other to within `tolerance`.
+/// How deep one body is in the other [m], at the common normal near the deepest samples of their boundaries; 0
+/// where they are free of each other to within `tolerance`.
 struct Penetration {
   double depth = 0;
   BoundaryPlace place1, place2;

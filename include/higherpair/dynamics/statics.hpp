@@ -79,6 +79,7 @@ private:
 
   void append_rows_of(const Run& run, std::size_t g);
   void set_layout(const Run& run);
+  void set_columns();
   template <class Matrix>
   void factorise(const Block& block, Factors<Matrix>& factors) const;
   template <class Matrix>
@@ -89,6 +90,7 @@ private:
   [[nodiscard]] bool solve_all(const std::vector<Wrench>& wrenches);
 
   double size_ = 1;
+  bool contacts_may_part_ = false;  // whose condition then is that of the joint that holds their body
   bool redundant_ = false;
   std::vector<std::vector<int>> held_;  // idle bodies of each group
   std::vector<std::size_t> held_rows_;

@@ -29,20 +29,28 @@ struct BoundaryFault {
   double distance = 0;  ///< kGap, kOpen: between their ends [m]
 };
 
-/// A chain of spans, closed or open. Convex corners are spans of their own.
+/// A chain of spans, closed or open; or several chains of one body. Convex corners are spans of their own.
 class Boundary {
 public:
   /// \param tolerance  ends of neighbours that are no farther from each other meet [m]
   [[nodiscard]] static tl::expected<Boundary, BoundaryFault> make(std::vector<SpanPtr> spans, bool closed,
                                                                   double tolerance);
 
+  /// Several boundaries of one body as one; their spans follow each other. \pre not empty
+  [[nodiscard]] static Boundary of_parts(const std::vector<Boundary>& parts);
+
   [[nodiscard]] const std::vector<SpanPtr>& spans() const { return spans_; }
+  /// Whether no part of it has ends.
   [[nodiscard]] bool is_closed() const { return closed_; }
-  /// Convex throughout: whatever convex body touches it lies on the other side.
+  /// One chain, convex throughout: whatever convex body touches it lies on the other side.
   [[nodiscard]] bool is_convex() const { return convex_; }
   /// Middle of the box around its samples, and half the diagonal of that box [m].
   [[nodiscard]] const Vector2d& middle_B() const { return middle_B_; }
   [[nodiscard]] double size() const { return size_; }
+  /// The span before or behind one in its chain; of an open chain the first follows the last.
+  [[nodiscard]] int next_span(int span, bool forward) const {
+    return (forward ? next_ : previous_)[static_cast<std::size_t>(span)];
+  }
   /// The joint at the end of a span.
   [[nodiscard]] SpanJoint joint_after(int span) const { return joints_[static_cast<std::size_t>(span)]; }
 
@@ -59,6 +67,7 @@ public:
   struct Advance {
     BoundaryPlace place;
     bool stopped = false;
+    bool at_end = false;  ///< by an end of an open chain
   };
   [[nodiscard]] Advance advance(const BoundaryPlace& from, double ds, double dphi) const;
 
@@ -70,8 +79,11 @@ public:
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 
 private:
+  void set_extent();
+
   std::vector<SpanPtr> spans_;
   std::vector<SpanJoint> joints_;
+  std::vector<int> next_, previous_;
   std::vector<Sample> samples_;
   bool closed_ = false;
   bool convex_ = false;

@@ -5,6 +5,7 @@
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,8 +27,16 @@ struct NamedCurve {
   /// Of a curve with ends, or of several spans; `curve` is of kind kChain then. None of a whole conic, line
   /// or point.
   std::shared_ptr<const Boundary> boundary = nullptr;
-  int copy_of = -1;  ///< of a contact's own copy (see use_boundaries): index of the curve itself
+  /// Of a contact's own copy (see use_boundaries): index of the curve itself, of several the first.
+  int copy_of = -1;
+  std::vector<int> parts = {};  ///< of several curves of the body that a contact takes as one: their indices
 };
+
+/// Whether one of a body's curves is another one, or has it as a part.
+[[nodiscard]] inline bool is_or_has(const std::vector<NamedCurve>& curves, int index, int other) {
+  const std::vector<int>& parts = curves[static_cast<std::size_t>(index)].parts;
+  return index == other || std::find(parts.begin(), parts.end(), other) != parts.end();
+}
 
 struct MassProperties {
   double mass = 0;                               ///< [kg]
@@ -97,8 +106,8 @@ struct Joint {
   int carrier = 0;            ///< gears and belts: the body on which both wheels turn
   double turning_ratio = 1;   ///< gears and belts: < 0 where the wheels turn against each other; not 0
   /// Ends of the line (prismatic, slot): the least and the largest coordinate [m]; none: endless.
-  std::optional<double> from;
-  std::optional<double> to;
+  std::optional<double> from = {};
+  std::optional<double> to = {};
 };
 
 /// Which contact is taken at the first driver position.
@@ -121,7 +130,8 @@ struct Contact {
   bool rolling = false;
   Approach approach = Approach::kNearest;
   Keep keep = Keep::kTouching;
-  bool jump = true;  ///< go over to a second contact of the same curves when it appears
+  bool both_sides = false;  ///< a wall on either side: what touches is held, and may pull
+  bool jump = true;         ///< go over to a second contact of the same curves when it appears
   bool by_boundary =
       false;  ///< found by places along the boundaries, which both curves have: see use_boundaries
 };

@@ -143,6 +143,7 @@ struct Group {
   std::vector<int> contacts;
   std::vector<int> drivers;
   GroupKind kind;
+  std::vector<int> ended_joints = {};  ///< of `joints` those whose line has an end
 };
 
 /// A body on a revolute or prismatic joint, seen from the body at the joint's other end.

@@ -1,0 +1,313 @@
+#include "gap_contacts.hpp"
+
+#include "events.hpp"
+#include "group_kinds.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/roots.hpp"
+#include "joint_ends.hpp"
+#include "overlap.hpp"
+#include "span_joints.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kCapture = 1e-3;      // of the size: how far beside an end a curve still meets the other one
+constexpr double kStartsApart = 1e-4;  // of the size: a pose that touches only by that much is open
+constexpr double kFirstNudge = 1e-13;  // of a step: a contact that closes beside an end begins farther in
+constexpr int kMostNudges = 24;
+constexpr double kNoJump =
+    1e-9;  // of a velocity [1, or of the size]: a mechanism whose dimensions are rounded
+constexpr double kSameNormal = 1e-14;  // [rad]
+
+const TouchingBody& touching_of(const Run& run, std::size_t g) {
+  return std::get<TouchingBody>(run.plan.groups[g].kind);
+}
+
+const Contact& contact_of(const Run& run, const TouchingBody& touching) {
+  return run.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+}
+
+// The place of a boundary with an outward normal, the farthest out in that direction; none where no sample
+// leads to it.
+std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const Vector2d& n_B) {
+  const auto& samples = boundary.samples();
+  const auto best = std::max_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
+    return a.point.n_B.dot(n_B) < b.point.n_B.dot(n_B);
+  });
+  BoundaryPlace place = best->place;
+  for (int pass = 0; pass < 30; ++pass) {
+    const SpanPoint point = boundary.at(place);
+    const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
+    if (std::abs(turn) <= kSameNormal) {
+      return place;
+    }
+    const bool corner = boundary.is_corner(place);
+    if (!corner && point.kappa == 0) {
+      return std::nullopt;
+    }
+    const auto next = boundary.advance(place, corner ? 0 : turn / point.kappa, turn);
+    if (next.stopped) {
+      return std::nullopt;
+    }
+    place = next.place;
+  }
+  return place;
+}
+
+// An end of an open boundary, and the other curve of the contact that may pass it.
+struct Passing {
+  CurveRef own, other;
+  BoundaryPlace end;
+  double outwards = 1;  // +1: the curve ends with growing t
+};
+
+struct PassingAt {
+  double beyond = 0;  // of the end: how far the other curve's facing place is off it, along its tangent [m]
+  double beside = 0;  // the same along the normal [m]
+  BoundaryPlace other;
+};
+
+std::optional<PassingAt> at(const Run& run, const Passing& passing, const State& state) {
+  const Boundary& own = boundary_of(run.mechanism, passing.own);
+  const Boundary& other = boundary_of(run.mechanism, passing.other);
+  const Pose<double>& X_WO = body_in(state, passing.own.body).X_WB;
+  const Pose<double>& X_WC = body_in(state, passing.other.body).X_WB;
+  const SpanPoint end = own.at(passing.end);
+  const Vector2d n_W = X_WO.R_WB * end.n_B;
+  const auto place = place_with_normal(other, X_WC.R_WB.inverse() * Vector2d(-n_W));
+  if (!place) {
+    return std::nullopt;
+  }
+  const Vector2d apart = X_WC * other.at(*place).p_B - X_WO * end.p_B;
+  return PassingAt{passing.outwards * apart.dot(perp(n_W)), apart.dot(n_W), *place};
+}
+
+std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
+  std::vector<Passing> all;
+  const auto add = [&](const CurveRef& own, const CurveRef& other) {
+    const Boundary& boundary = boundary_of(run.mechanism, own);
+    for (int span = 0; span < static_cast<int>(boundary.spans().size()); ++span) {
+      const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
+      if (boundary.joint_after(span) == SpanJoint::kEnd) {
+        all.push_back({own, other, {span, range.high}, 1});
+      }
+      if (boundary.joint_after(boundary.next_span(span, false)) == SpanJoint::kEnd) {
+        all.push_back({own, other, {span, range.low}, -1});
+      }
+    }
+  };
+  add(contact.first, contact.second);
+  add(contact.second, contact.first);
+  return all;
+}
+
+// Where the other curve comes in over an end.
+std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, double s, double h,
+                                const Passing& passing) {
+  const auto before = at(run, passing, run.state);
+  const auto after = at(run, passing, run.trial);
+  if (!before || !after || !(before->beyond > 0) || !(after->beyond <= 0)) {
+    return std::nullopt;
+  }
+  const State kept = run.trial;
+  const auto beyond = [&](double x) {
+    const auto there = solve_at(run, path, s, x) ? at(run, passing, run.trial) : std::nullopt;
+    return there ? there->beyond : kNaN;
+  };
+  const auto x = root_between(beyond, before->beyond, h, after->beyond);
+  const auto there = x && solve_at(run, path, s, *x) ? at(run, passing, run.trial) : std::nullopt;
+  run.trial = kept;
+  if (!there || !(std::abs(there->beside) <= kCapture * run.plan.size)) {
+    return std::nullopt;
+  }
+  const Contact& contact = contact_of(run, touching_of(run, g));
+  const bool own_is_first =
+      passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
+  const BoundaryPlace& first = own_is_first ? passing.end : there->other;
+  return Engagement{g, *x, {first, own_is_first ? there->other : passing.end}};
+}
+
+// Closes a contact in a state in which it is open; false where the curves do not meet.
+bool close_contact(const Run& run, const Engagement& at, State& state) {
+  const TouchingBody& touching = touching_of(run, at.group);
+  const Planned model = model_of(run);
+  const StandingPair placed = standing_pair(model, touching, state);
+  const BoundaryPair pair = standing_boundaries(model, touching, placed);
+  const CarriedBody& follower = touching.follower;
+  const double turned = follower.freedom.turns ? body_in(state, follower.carrier).theta : 0;
+  auto [place1, place2] = at.place;
+  if (!touching.follower_is_second) {
+    std::swap(place1, place2);
+  }
+  const BoundaryResult result =
+      solve_boundary_contact(pair, placed.u, state.groups[at.group].held_at + turned, place1, place2, 0);
+  if (result.status != ContactStatus::kOk || result.contact.gap_q == 0) {
+    return false;
+  }
+  const BoundaryContact& found = result.contact;
+  ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
+  const double phi = motion.phi;
+  motion = {};
+  motion.at = touching.follower_is_second ? found.at : found.at.exchanged();
+  motion.place = {found.place1, found.place2};
+  if (!touching.follower_is_second) {
+    std::swap(motion.place[0], motion.place[1]);
+  }
+  motion.phi = nearest_turn(angle_of(motion.at.n_W), phi);
+  body_in(state, follower.body) = motion_at(pair.motion2, found.q, 0, 0);
+  GroupState& group = state.groups[at.group];
+  group.held = false;
+  group.mode = found.gap_q < 0 ? -1 : 1;
+  return true;
+}
+
+// Places all bodies at s as the contacts of `state` have them, into run.state; false, and nothing done, where
+// that is not possible.
+bool settle(Run& run, const Path& path, double s, State state) {
+  std::swap(run.state, state);
+  if (!solve_at(run, path, s, 0)) {
+    std::swap(run.state, state);
+    return false;
+  }
+  std::swap(run.state, run.trial);
+  run.trial = run.state;
+  return true;
+}
+
+void report(Run& run, EventType type, const Path& path, double s, int contact, std::string cause) {
+  RunEvent event = event_at(type, path, s, cause);
+  event.contact = contact;
+  run.events.push_back(std::move(event));
+}
+
+const std::string& follower_name(const Run& run, const TouchingBody& touching) {
+  return run.mechanism.bodies[static_cast<std::size_t>(touching.follower.body)].name;
+}
+
+std::string jump_text(const Run& run, const TouchingBody& touching, double before, double after) {
+  const double unit = touching.follower.freedom.turns ? 1 : run.plan.size;
+  if (std::abs(after - before) <= kNoJump * unit) {
+    return ", without a jump of velocity";
+  }
+  return fmt::format("; for a unit rate of the driver the rate of {} jumps from {:.6g} to {:.6g} (SI units)",
+                     follower_name(run, touching), before, after);
+}
+
+}  // namespace
+
+bool has_gaps(const Mechanism& mechanism) {
+  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
+                     [](const Contact& contact) { return contact.keep == Keep::kGap; });
+}
+
+bool has_open_contact(const State& state) {
+  return std::any_of(state.groups.begin(), state.groups.end(),
+                     [](const GroupState& group) { return group.held; });
+}
+
+std::optional<Engagement> engagement_within(Run& run, const Path& path, double s, double h) {
+  std::optional<Engagement> first;
+  const auto take = [&](std::optional<Engagement> found) {
+    if (found && (!first || std::abs(found->x) < std::abs(first->x))) {
+      first = found;
+    }
+  };
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    if (!run.state.groups[g].held) {
+      continue;
+    }
+    const Contact& contact = contact_of(run, touching_of(run, g));
+    for (const Passing& passing : passings_of(run, contact)) {
+      take(entry(run, path, g, s, h, passing));
+    }
+    if (!contact.both_sides) {
+      if (const auto closing = closing_within(run, path, contact, s, h)) {
+        take(Engagement{g, closing->x, closing->motion.place});
+      }
+    }
+  }
+  return first;
+}
+
+std::optional<double> engage(Run& run, const Path& path, double s, const Engagement& engagement) {
+  const TouchingBody& touching = touching_of(run, engagement.group);
+  double nudge = 0;
+  for (int i = 0; i < kMostNudges; ++i, nudge = nudge == 0 ? kFirstNudge : 4 * nudge) {
+    const double x = engagement.x + nudge * (path.length > 0 ? 1 : -1) * unit_of(run, path);
+    if (!solve_at(run, path, s, x)) {
+      return std::nullopt;
+    }
+    State closed = run.trial;
+    if (!close_contact(run, engagement, closed)) {
+      continue;
+    }
+    note_events(run, path, s, x);
+    std::swap(run.state, run.trial);
+    if (!settle(run, path, s + x, std::move(closed))) {
+      std::swap(run.state, run.trial);
+      return std::nullopt;
+    }
+    report(
+        run, EventType::kEngage, path, s + x, touching.contact,
+        fmt::format("the two bodies begin to touch; for a unit rate of the driver the rate of {} jumps from "
+                    "0 to {:.6g} (SI units)",
+                    follower_name(run, touching), follower_rate(run.state, touching)));
+    return x;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> why_parting(const Run& run, std::size_t g) {
+  const auto* touching = std::get_if<TouchingBody>(&run.plan.groups[g].kind);
+  if (touching == nullptr || contact_of(run, *touching).keep != Keep::kGap || run.state.groups[g].held) {
+    return std::nullopt;
+  }
+  if (end_reached(run, g)) {
+    return "the contact leaves the end of a curve";
+  }
+  if (joint_at_end(model_of(run), g, run.state)) {
+    return fmt::format("{} comes to the end of its guide", follower_name(run, *touching));
+  }
+  return std::nullopt;
+}
+
+void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason) {
+  const TouchingBody& touching = touching_of(run, g);
+  const double before = follower_rate(run.state, touching);
+  State open = run.state;
+  GroupState& group = open.groups[g];
+  group.held = true;
+  group.held_at = carried_coordinate(touching.follower, body_in(open, touching.follower.carrier),
+                                     body_in(open, touching.follower.body));
+  if (!settle(run, path, s, std::move(open))) {
+    return;
+  }
+  run.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
+  report(run, EventType::kRelease, path, s, touching.contact,
+         fmt::format("{}: the bodies part and {} stays where it is{}", reason, follower_name(run, touching),
+                     jump_text(run, touching, before, 0)));
+}
+
+bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,
+                 const Contact& contact, double size) {
+  if (contact.both_sides || !nearest) {
+    return !nearest;  // between two walls there is no place for what does not touch
+  }
+  const double lever =
+      pair.motion2.turns ? (pair.boundary2->size() + pair.boundary2->middle_B().norm()) / size : 1 / size;
+  return std::abs(*nearest - posed) * lever > kStartsApart &&
+         deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                             pose_at(pair.motion2, posed), kOverlapOfBoundaries * size)
+                 .depth == 0;
+}
+
+}  // namespace higherpair

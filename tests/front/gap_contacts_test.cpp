@@ -1,0 +1,397 @@
+#include "cam_profile.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+// Contacts that may part, whole bodies as partners, and guides with ends.
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::model_of;
+using testing::shipped_model;
+
+constexpr double kDegree = M_PI / 180;
+
+Motion motion_of(const Model& model, const RunSettings& settings = {}) {
+  auto motion = model.run(settings);
+  if (!motion) {
+    throw std::runtime_error(to_string(motion.error()));
+  }
+  return *std::move(motion);
+}
+
+std::vector<Event> events_of(const Motion& motion, EventType type) {
+  std::vector<Event> found;
+  for (const Event& event : motion.events()) {
+    if (event.type == type) found.push_back(event);
+  }
+  return found;
+}
+
+// Of the wheel of a Geneva drive with n slots, the crank at φ from the line of pivots, at unit speed. The
+// wheel turns against the crank.
+struct Wheel {
+  double omega = 0, alpha = 0;
+};
+
+Wheel geneva(int n, double phi) {
+  const double m = std::sin(M_PI / n);
+  const double d = 1 + m * m - 2 * m * std::cos(phi);
+  return {-(m * std::cos(phi) - m * m) / d, m * (1 - m * m) * std::sin(phi) / (d * d)};
+}
+
+// A Geneva drive whose pivots are 80 apart, built anew: [mm].
+std::string geneva_profile(int n, const std::string& driver) {
+  const double m = std::sin(M_PI / n);
+  const double crank = 80 * m;
+  const double slot = 80 * std::cos(M_PI / n);
+  std::string wheel;
+  for (int k = 0; k < n; ++k) {
+    const double at = 2 * M_PI * k / n;
+    wheel += fmt::format("curves.slot{} = {{ type = \"segment\", from = [{}, {}], to = [{}, {}] }}\n", k,
+                         0.2 * slot * std::cos(at), 0.2 * slot * std::sin(at), slot * std::cos(at),
+                         slot * std::sin(at));
+  }
+  return fmt::format(R"(
+[bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [-80, 0]
+[bodies.crank]
+points.O = [0, 0]
+curves.pin = {{ type = "point", at = [{}, 0] }}
+[bodies.wheel]
+pose = {{ x = -80, y = 0, angle = {} }}
+points.O = [0, 0]
+{}[joints]
+crank_pivot = {{ type = "revolute", between = ["ground.O1", "crank.O"] }}
+wheel_pivot = {{ type = "revolute", between = ["ground.O2", "wheel.O"] }}
+[contacts.drive]
+between = ["crank.pin", "wheel"]
+keep = "gap"
+both_sides = true
+[driver]
+joint = "crank_pivot"
+{})",
+                     crank, 180.0 / n, wheel, driver);
+}
+
+TEST(GenevaWheel, TurnsByOneSlotInEveryTurnOfItsCrankAndRestsInBetween) {
+  for (const int n : {4, 5, 6, 8}) {
+    const Motion motion =
+        motion_of(model_of(geneva_profile(n, "start = 0\nend = 720\nsamples = 721\nvelocity = \"1 rad/s\"")));
+    ASSERT_TRUE(motion.good()) << n;
+    const auto omega = motion.column("wheel_pivot.velocity");
+    const auto alpha = motion.column("wheel_pivot.acceleration");
+    const auto angle = motion.column("wheel_pivot.position");
+    const auto driver = motion.column("driver");
+    const double half = 90 - 180.0 / n;  // of the crank's turn with the pin in a slot
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double phi = std::remainder(driver[k] - 180, 360);
+      const Wheel wanted = std::abs(phi) < half ? geneva(n, phi * kDegree) : Wheel{};
+      if (std::abs(std::abs(phi) - half) > 1e-9) {
+        ASSERT_NEAR(omega[k] * kDegree, wanted.omega, 1e-12) << n << " at " << driver[k];
+        ASSERT_NEAR(alpha[k] * kDegree, wanted.alpha, 1e-10) << n << " at " << driver[k];
+      }
+    }
+    EXPECT_NEAR(angle[720] - angle[0], -2 * 360.0 / n, 1e-9);
+    EXPECT_NEAR(angle[360] - angle[0], -360.0 / n, 1e-9);
+    const auto engaged = events_of(motion, EventType::kEngage);
+    const auto released = events_of(motion, EventType::kRelease);
+    ASSERT_EQ(engaged.size(), 2U);
+    ASSERT_EQ(released.size(), 2U);
+    EXPECT_NEAR(engaged[0].driver, 180 - half, 1e-6);
+    EXPECT_NEAR(released[0].driver, 180 + half, 1e-6);
+    EXPECT_NEAR(engaged[1].driver, 540 - half, 1e-6);
+    EXPECT_NEAR(released[1].driver, 540 + half, 1e-6);
+    EXPECT_EQ(engaged[0].item, "drive");
+  }
+}
+
+TEST(GenevaWheel, HasThePeaksOfTheTextbook) {
+  struct Peak {
+    int n;
+    double alpha, at;  // and where, from the line of pivots [deg]
+  };
+  for (const Peak& peak : {Peak{4, 5.4069810, 11.4637}, Peak{6, 1.3496373, 22.9031}}) {
+    const double m = std::sin(M_PI / peak.n);
+    RunSettings settings;
+    settings.positions = {180 - peak.at - 0.01, 180 - peak.at, 180 - peak.at + 0.01, 180};
+    const Motion motion =
+        motion_of(model_of(geneva_profile(peak.n, "start = 0\nend = 360\nvelocity = \"1 rad/s\"")), settings);
+    const auto alpha = motion.column("wheel_pivot.acceleration");
+    EXPECT_NEAR(std::abs(alpha[1] * kDegree), peak.alpha, 1e-6);
+    EXPECT_LT(std::abs(alpha[0]), std::abs(alpha[1]));
+    EXPECT_LT(std::abs(alpha[2]), std::abs(alpha[1]));
+    EXPECT_NEAR(motion.column("wheel_pivot.velocity")[3] * kDegree, -m / (1 - m), 1e-12);
+  }
+}
+
+TEST(GenevaWheel, IsTheSameWhateverTheRowsAndTheSenseOfTurning) {
+  const Motion fine = motion_of(model_of(geneva_profile(4, "start = 0\nend = 720\nsamples = 721")));
+  const Motion coarse = motion_of(model_of(geneva_profile(4, "start = 0\nend = 720\nsamples = 7")));
+  for (std::size_t k = 0; k < coarse.size(); ++k) {
+    EXPECT_NEAR(coarse.column("wheel_pivot.position")[k], fine.column("wheel_pivot.position")[120 * k], 1e-9)
+        << k;
+  }
+  EXPECT_EQ(events_of(coarse, EventType::kEngage).size(), 2U);
+  const Motion back = motion_of(model_of(geneva_profile(4, "start = 720\nend = 0\nsamples = 721")));
+  EXPECT_NEAR(back.column("wheel_pivot.position")[720] - back.column("wheel_pivot.position")[0],
+              fine.column("wheel_pivot.position")[0] - fine.column("wheel_pivot.position")[720], 1e-9);
+}
+
+TEST(GenevaWheel, MayStartWithThePinInASlot) {
+  const Motion motion = motion_of(
+      model_of(geneva_profile(4, "start = 180\nend = 540\nsamples = 361"), {"bodies.wheel.pose.angle=0"}));
+  EXPECT_TRUE(motion.good());
+  EXPECT_NEAR(motion.column("wheel_pivot.position")[360] - motion.column("wheel_pivot.position")[0], -90,
+              1e-9);
+  EXPECT_LT(motion.column("wheel_pivot.velocity")[0], 0);
+}
+
+TEST(GenevaWheel, WhoseSlotsThePinMissesStaysWhereItIs) {
+  const Motion motion = motion_of(
+      model_of(geneva_profile(4, "start = 0\nend = 360\nsamples = 37"), {"bodies.wheel.pose.angle=60"}));
+  EXPECT_TRUE(events_of(motion, EventType::kEngage).empty());
+  for (const double angle : motion.column("wheel_pivot.position")) {
+    EXPECT_NEAR(angle, 60, 1e-12);
+  }
+}
+
+TEST(GenevaWheel, NeedsNoForceWhileItIsHeldAndBalancesItsInertiaWhileItIsDriven) {
+  RunSettings settings;
+  settings.forces = true;
+  const Motion motion = motion_of(shipped_model("geneva_four_slots"), settings);
+  EXPECT_TRUE(motion.good());
+  const auto force = motion.column("drive.force");
+  const auto torque = motion.column("driver.effort");
+  const auto omega = motion.column("wheel_pivot.velocity");
+  const auto alpha = motion.column("wheel_pivot.acceleration");
+  const double inertia = 400e-6;  // kg m²
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    // Virtual power: T ω_crank = I α ω; here in N mm.
+    EXPECT_NEAR(torque[k], 1000 * inertia * (alpha[k] * kDegree) * (omega[k] * kDegree), 1e-9) << k;
+    if (omega[k] == 0) {
+      EXPECT_EQ(force[k], 0) << k;
+    }
+  }
+}
+
+TEST(GenevaWheel, HasJerkOnlyWhileItIsDriven) {
+  RunSettings settings;
+  settings.jerk = true;
+  settings.positions = {0, 90, 180, 270};
+  const Motion motion = motion_of(shipped_model("geneva_four_slots"), settings);
+  const auto jerk = motion.column("wheel.jerk");
+  const double m = std::sin(M_PI / 4);
+  EXPECT_NEAR(jerk[0], 0, 1e-12);
+  EXPECT_NEAR(jerk[1], 0, 1e-12);
+  EXPECT_NEAR(jerk[2] * kDegree, m * (1 - m * m) / std::pow(1 - m, 4), 1e-9);
+}
+
+// A disc of radius 20, 10 off its pivot, that strikes a tappet which rests 5 above its lowest place: it moves
+// by y = 20 + 10 sin θ where that is above 25, that is between 30° and 150°.
+constexpr const char* kTappet = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.disc = { type = "circle", center = [10, 0], radius = 20 }
+[bodies.tappet]
+pose = { x = 0, y = 25 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "tappet.P"]
+direction = [0, 1]
+from = 25
+[contacts.touch]
+between = ["cam", "tappet"]
+keep = "gap"
+[driver]
+joint = "O"
+start = 0
+end = 720
+samples = 73
+velocity = "1 rad/s"
+)";
+
+TEST(LashedTappet, IsLiftedOffItsSeatAndComesBackToIt) {
+  const Motion motion = motion_of(model_of(kTappet));
+  ASSERT_TRUE(motion.good());
+  const auto y = motion.column("guide.position");
+  const auto v = motion.column("guide.velocity");
+  const auto pressure = motion.column("touch.x");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double theta = 10.0 * static_cast<double>(k) * kDegree;
+    const double reach = 20 + 10 * std::sin(theta);
+    EXPECT_NEAR(y[k], std::max(25.0, reach), 1e-9) << k;
+    if (std::abs(reach - 25) > 1e-6) {
+      EXPECT_NEAR(v[k], reach > 25 ? 10 * std::cos(theta) : 0, 1e-9) << k;
+      EXPECT_EQ(std::isnan(pressure[k]), reach < 25) << k;
+    }
+  }
+  const auto engaged = events_of(motion, EventType::kEngage);
+  const auto released = events_of(motion, EventType::kRelease);
+  ASSERT_EQ(engaged.size(), 2U);
+  ASSERT_EQ(released.size(), 2U);
+  EXPECT_NEAR(engaged[0].driver, 30, 1e-6);
+  EXPECT_NEAR(released[0].driver, 150, 1e-9);
+  EXPECT_NEAR(engaged[1].driver, 390, 1e-6);
+  EXPECT_THAT(engaged[0].cause, HasSubstr("jumps from 0 to 0.00866"));
+  EXPECT_THAT(released[0].cause, HasSubstr("comes to the end of its guide"));
+}
+
+TEST(LashedTappet, HasTheSameEventsWhateverTheRows) {
+  const Motion coarse = motion_of(model_of(kTappet, {"driver.samples=3"}));
+  const auto engaged = events_of(coarse, EventType::kEngage);
+  ASSERT_EQ(engaged.size(), 2U);
+  EXPECT_NEAR(engaged[1].driver, 390, 1e-6);
+}
+
+// Crank 20, rod 60 on a slide along x: x = 20 cos θ + √(60² - 20² sin² θ), between 40 and 80.
+std::string slider_crank(const std::string& ends) {
+  return R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [20, 0]
+[bodies.rod]
+pose = { x = 20, y = 0 }
+points.A = [0, 0]
+points.B = [60, 0]
+[bodies.slider]
+pose = { x = 80, y = 0 }
+points.B = [0, 0]
+[joints]
+O = { type = "revolute", between = ["ground.O", "crank.O"] }
+A = { type = "revolute", between = ["crank.A", "rod.A"] }
+B = { type = "revolute", between = ["rod.B", "slider.B"] }
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "slider.B"]
+direction = [1, 0]
+)" + ends +
+         R"(
+[driver]
+joint = "O"
+start = 0
+end = 360
+samples = 37
+)";
+}
+
+TEST(GuideWithEnds, EndsTheMotionWhereTheSliderLeavesItAndTakesItUpWhereItIsBack) {
+  const Motion motion = motion_of(model_of(slider_crank("from = 50")));
+  EXPECT_FALSE(motion.good());
+  const auto x = motion.column("guide.position");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double theta = 10.0 * static_cast<double>(k) * kDegree;
+    const double wanted = 20 * std::cos(theta) + std::sqrt(3600 - 400 * std::sin(theta) * std::sin(theta));
+    const bool within = wanted >= 50;
+    ASSERT_EQ(motion.statuses()[k], within ? RowStatus::kOk : RowStatus::kNotAssemblable) << k;
+    if (within) {
+      EXPECT_NEAR(x[k], wanted, 1e-12);
+    }
+  }
+  const auto ends = events_of(motion, EventType::kEnd);
+  ASSERT_EQ(ends.size(), 2U);
+  // 50 = 20 c + √(3600 - 400 s²): c = (2500 + 400 - 3600)/2000.
+  const double at = std::acos(-0.35) / kDegree;
+  EXPECT_NEAR(ends[0].driver, at, 1e-9);
+  EXPECT_NEAR(ends[1].driver, 360 - at, 1e-9);
+  EXPECT_EQ(ends[0].item, "guide");
+  EXPECT_THAT(ends[0].cause, HasSubstr("joint guide comes to the end of its line, `from`"));
+}
+
+TEST(GuideWithEnds, ThatIsLongEnoughChangesNothing) {
+  const Motion motion = motion_of(model_of(slider_crank("from = 40\nto = 80")));
+  EXPECT_TRUE(motion.good());
+  EXPECT_TRUE(events_of(motion, EventType::kEnd).empty());
+}
+
+TEST(GuideWithEnds, IsSaidWhereItCannotStart) {
+  const auto motion = model_of(slider_crank("from = 0\nto = 70")).run();
+  ASSERT_FALSE(motion);
+  EXPECT_THAT(to_string(motion.error()), HasSubstr("joint guide would be beyond the end of its line"));
+}
+
+std::string error_of(const std::string& text) {
+  const auto model = Model::from_text(text, "test.toml");
+  return model ? "" : to_string(model.error());
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& with) {
+  text.replace(text.find(old), old.size(), with);
+  return text;
+}
+
+TEST(MistakesInGaps, AreSaidWithPlaceAndRemedy) {
+  EXPECT_THAT(error_of(slider_crank("from = 90\nto = 80")), HasSubstr("`from` must be below `to`"));
+  EXPECT_THAT(error_of(replaced(kTappet, "between = [\"ground.O\", \"cam.O\"]",
+                                "between = [\"ground.O\", \"cam.O\"]\nfrom = 3")),
+              HasSubstr("has a meaning for prismatic joints and slots only"));
+  EXPECT_THAT(error_of(replaced(kTappet, "\"gap\"", "\"gaps\"")), HasSubstr("touch"));
+  EXPECT_THAT(error_of(replaced(kTappet, "keep = \"gap\"", "keep = \"gap\"\nrolling = true")),
+              HasSubstr("curves that may part slip"));
+  EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"cam.disk*\", ")),
+              HasSubstr("no curve of `cam` has a name that begins so"));
+  EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"ground\", ")),
+              HasSubstr("body `ground` has no curve that could touch anything"));
+  EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"can\", ")), HasSubstr("there is no body `can`"));
+}
+
+// Two discs on one body, far apart: the follower goes over from one to the other.
+TEST(WholeBodies, TouchWithWhicheverCurveIsThere) {
+  const char* text = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.base = { type = "circle", center = [0, 0], radius = 30 }
+curves.nose = { type = "circle", center = [25, 0], radius = 10 }
+[bodies.follower]
+pose = { x = 0, y = 30 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam", "follower"]
+[driver]
+joint = "O"
+start = 0
+end = 360
+samples = 361
+)";
+  const Motion motion = motion_of(model_of(text));
+  EXPECT_TRUE(motion.good());
+  const auto y = motion.column("guide.position");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double theta = static_cast<double>(k) * kDegree;
+    EXPECT_NEAR(y[k], std::max(30.0, 10 + 25 * std::sin(theta)), 1e-9) << k;
+  }
+  const auto over = events_of(motion, EventType::kSecondContact);
+  ASSERT_EQ(over.size(), 2U);
+  EXPECT_NEAR(over[0].driver, std::asin(0.8) / kDegree, 1e-6);
+  EXPECT_NEAR(over[1].driver, 180 - std::asin(0.8) / kDegree, 1e-6);
+}
+
+}  // namespace
+}  // namespace higherpair
