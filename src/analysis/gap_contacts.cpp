@@ -256,11 +256,8 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
       std::swap(run.state, run.trial);
       return std::nullopt;
     }
-    report(
-        run, EventType::kEngage, path, s + x, touching.contact,
-        fmt::format("the two bodies begin to touch; for a unit rate of the driver the rate of {} jumps from "
-                    "0 to {:.6g} (SI units)",
-                    follower_name(run, touching), follower_rate(run.state, touching)));
+    report(run, EventType::kEngage, path, s + x, touching.contact,
+           "the two bodies begin to touch" + jump_text(run, touching, 0, follower_rate(run.state, touching)));
     return x;
   }
   return std::nullopt;

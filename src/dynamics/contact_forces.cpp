@@ -34,6 +34,12 @@ constexpr double kConverged = 1e-13;
 constexpr double kRough = 1e-8;
 constexpr double kFalls = 8;
 
+// Forces are resolved relative to the largest in their piece, but no smaller than kFloor of what they are on
+// all but the worst tenth of the path, which may be next to a pole.
+constexpr int kFloorSamples = 64;
+constexpr double kUsual = 0.9;
+constexpr double kFloor = 0.1;
+
 // A force that has grown by this up to where it changes sign without a zero has a pole there.
 constexpr double kGrown = 1e3;
 
@@ -113,6 +119,7 @@ public:
   }
 
   ContactForces record() {
+    set_floor();
     at_ = path_.knots.front();
     path_.motion(at_, drivers_);
     std::vector<DriverMotion> from = drivers_;
@@ -149,6 +156,32 @@ private:
     bool breaks_at_end = false;  // where forces may be discontinuous, so that no row belongs there
     double tail = std::numeric_limits<double>::infinity();  // of the span that it is a half of
   };
+
+  // What the forces are of the order of on most of the path: in a dwell they may be nothing but rounding,
+  // which no series resolves.
+  void set_floor() {
+    floor_.assign(columns_.count(), 0);
+    Run probe = run_;
+    std::vector<std::vector<double>> largest(columns_.count());
+    for (int k = 0; k < kFloorSamples && !is_stopped(probe); ++k) {
+      const double share = k / (kFloorSamples - 1.0);
+      path_.motion(path_.knots.front() + share * (path_.knots.back() - path_.knots.front()), drivers_);
+      move_to(probe, drivers_);
+      if (columns_.solve(probe)) {
+        for (std::size_t column = 0; column < largest.size(); ++column) {
+          largest[column].push_back(columns_.largest(column));
+        }
+      }
+    }
+    for (std::size_t column = 0; column < largest.size(); ++column) {
+      if (std::vector<double>& values = largest[column]; !values.empty()) {
+        const auto usual =
+            values.begin() + static_cast<std::ptrdiff_t>(kUsual * static_cast<double>(values.size()));
+        std::nth_element(values.begin(), usual, values.end());
+        floor_[column] = kFloor * *usual;
+      }
+    }
+  }
 
   // How many pieces to start with; 0 where nothing changes on the whole path.
   [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
@@ -243,7 +276,7 @@ private:
     fit.piece.to = span.to;
     fit.piece.known.assign(contacts_.size(), true);
     fit.piece.columns.resize(contacts_.size() * columns_.count());
-    scales_.assign(columns_.count(), 0);
+    scales_ = floor_;
     return fit;
   }
 
@@ -471,6 +504,7 @@ private:
   std::optional<double> left_out_;  // from where on something singular is left out since the last piece
   std::optional<EventType> last_break_;
   double last_break_at_ = 0;
+  std::vector<double> floor_;   // least of `scales_`
   std::vector<double> scales_;  // of the columns of a fit
   std::vector<DriverMotion> drivers_;
   std::vector<DriverMotion> was_;

@@ -6,15 +6,17 @@
 #include "higherpair/mechanism/plan_text.hpp"
 #include "model_data.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace higherpair {
 namespace {
 
-MobilityQuestion question_of(const DriverSchedule& schedule) {
+MobilityQuestion question_of(const DriverSchedule& schedule, std::int64_t row = 0) {
   MobilityQuestion question;
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const DriverState state = schedule.state(0, i);
+    const DriverState state = schedule.state(row, i);
     question.drivers.push_back(state.si.position);
     question.velocities.push_back(state.si.velocity);
   }
@@ -29,6 +31,29 @@ tl::expected<Run, StartFailure> started(const Model::Data& data, const std::vect
   return start_run(data.profile.mechanism, *data.plan, drivers, tolerance);
 }
 
+bool all_touch(const Run& run) {
+  return std::all_of(run.state.contacts.begin(), run.state.contacts.end(),
+                     [](const ContactMotion& contact) { return contact.touches; });
+}
+
+// The first row in which every contact touches, of a run at the first row: those that may part hold their
+// bodies there, as all others do. The first row where there is none.
+std::int64_t row_in_touch(Run& run, const DriverSchedule& schedule) {
+  Run start = run;
+  std::vector<DriverMotion> drivers(schedule.driver_count());
+  for (std::int64_t row = 0; row < schedule.size(); ++row) {
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+      drivers[i] = {schedule.state(row, i).si.position, 1, 0};
+    }
+    move_to(run, drivers);
+    if (run.row.status == RowStatus::kOk && all_touch(run)) {
+      return row;
+    }
+  }
+  run = std::move(start);
+  return 0;
+}
+
 }  // namespace
 
 Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
@@ -39,8 +64,11 @@ Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
     return tl::unexpected(Error{ErrorKind::kInput, schedule.error()});
   }
   MobilityQuestion question = question_of(*schedule);
-  const auto run = started(data, question.drivers, tolerance);
-  if (run) {
+  auto run = started(data, question.drivers, tolerance);
+  if (run && !all_touch(*run)) {
+    question = question_of(*schedule, row_in_touch(*run, *schedule));
+  }
+  if (run && all_touch(*run)) {
     question.start = MechanismPosition{run->state.bodies, run->state.contacts};
   }
   MobilityFindings findings{model, analyse_mobility(mechanism, question), {}, std::nullopt};

@@ -181,7 +181,8 @@ private:
           mechanism_.contacts.begin(), mechanism_.contacts.end(),
           [&](const Contact& contact) { return is_this(contact.first) || is_this(contact.second); });
       const std::string& name = body.curves[k].name;
-      if (!used && !has_offset(body, name)) {
+      const bool is_drawn = find_at(document_, {"drawing", body.name, "curves", name}) != nullptr;
+      if (!used && !is_drawn && !has_offset(body, name)) {
         add(find_at(document_, {"bodies", body.name, "curves", name}),
             fmt::format("bodies.{}.curves.{}", body.name, name), "no contact names this curve");
       }

@@ -85,6 +85,7 @@ private:
   std::vector<int> holders(const std::vector<int>& parents, int root_freedoms);
   void coupled(int bodies);
   void wheels();
+  void outlined_cam();
   void any_group();
   void groups(SketchKind kind);
 
@@ -469,6 +470,63 @@ void Drawing::wheels() {
   know(wheel);
 }
 
+// A star-shaped outline about the crank's pivot, and a follower on a slide or lever that touches it. \pre the
+// crank is driven about a pivot on ground.
+void Drawing::outlined_cam() {
+  const Sketch::Joint& pivot = sketch_.joints[static_cast<std::size_t>(sketch_.drivers.front().joint)];
+  const bool ground_first = pivot.first.body == 0;
+  const int crank = ground_first ? pivot.second.body : pivot.first.body;
+  const Sketch::Point o =
+      at(0).points[static_cast<std::size_t>((ground_first ? pivot.first : pivot.second).item)];
+  const Vector2d O(o.x, o.y);
+  const double size = between(0.2, 0.8);
+  std::array<double, 3> wave{}, phase{};
+  for (std::size_t k = 0; k < wave.size(); ++k) {
+    wave[k] = between(0, 0.3) / static_cast<double>(k + 1);
+    phase[k] = angle();
+  }
+  Sketch::Outline outline;
+  outline.spline = chance(0.5);
+  outline.fillet = size * between(0.02, 0.15);
+  const int count = outline.spline ? 8 + pick(17) : 3 + pick(5);
+  for (int i = 0; i < count; ++i) {
+    const double at_angle = 2 * kPi * i / count;
+    double radius = 1;
+    for (std::size_t k = 0; k < wave.size(); ++k) {
+      radius += wave[k] * std::cos(static_cast<double>(k + 1) * at_angle + phase[k]);
+    }
+    const Vector2d p = in_body(crank, O + size * radius * heading(at_angle));
+    outline.points.push_back({p.x(), p.y()});
+  }
+  at(crank).outlines.push_back(outline);
+  const double out = angle();
+  const Vector2d p = O + size * (2.5 * heading(out) + between(-0.3, 0.3) * heading(out + kPi / 2));
+  const int follower = body();
+  Face made = face();
+  while (!is_round(made) && made.shape.kind != CurveKind::kLine && made.shape.kind != CurveKind::kPoint) {
+    made = face();
+  }
+  made.shape.a *= size;
+  made.shape.b *= size;
+  const Ref curve = curve_at(follower, made, p, out + kPi);
+  if (chance(0.5)) {
+    joint_at(JointKind::kRevolute, follower, 0, p + size * between(1, 2) * heading(out + kPi / 2));
+  } else {
+    Sketch::Joint slide;
+    slide.kind = JointKind::kPrismatic;
+    slide.first = point(0, p);
+    slide.second = point(follower, p);
+    slide.direction = out + between(-0.3, 0.3);
+    sketch_.joints.push_back(slide);
+  }
+  Sketch::Contact contact;
+  contact.first = {crank, 0};
+  contact.second = curve;
+  contact.outlined = true;
+  sketch_.contacts.push_back(contact);
+  know(follower);
+}
+
 void Drawing::any_group() {
   switch (pick(8)) {
     case 0:
@@ -491,6 +549,7 @@ void Drawing::groups(SketchKind kind) {
     switch (kind) {
       case SketchKind::kDyad:
       case SketchKind::kGeared:
+      case SketchKind::kCam:
         dyad();
         break;
       case SketchKind::kTriad:
@@ -523,7 +582,8 @@ Sketch Drawing::draw(SketchKind kind) {
   rings_ = kind == SketchKind::kRing;
   know(0);
   drive(0);
-  while (kind == SketchKind::kGeared && sketch_.joints.front().kind != JointKind::kRevolute) {  // wheels turn
+  const bool turning = kind == SketchKind::kGeared || kind == SketchKind::kCam;
+  while (turning && sketch_.joints.front().kind != JointKind::kRevolute) {
     sketch_ = {};
     known_ = {0};
     drive(0);
@@ -533,6 +593,9 @@ Sketch Drawing::draw(SketchKind kind) {
   }
   if (kind == SketchKind::kGeared) {
     wheels();
+  }
+  if (kind == SketchKind::kCam) {
+    outlined_cam();
   }
   groups(kind);
   if (kind == SketchKind::kStep) {
@@ -554,7 +617,7 @@ constexpr std::array kKindNames{
     KindName{SketchKind::kChain, "chain"},     KindName{SketchKind::kRing, "ring"},
     KindName{SketchKind::kCoupled, "coupled"}, KindName{SketchKind::kClosed, "closed"},
     KindName{SketchKind::kGeared, "geared"},   KindName{SketchKind::kTwo, "two"},
-    KindName{SketchKind::kStep, "step"}};
+    KindName{SketchKind::kCam, "cam"},         KindName{SketchKind::kStep, "step"}};
 
 }  // namespace
 

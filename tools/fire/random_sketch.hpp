@@ -20,6 +20,7 @@ enum class SketchKind {
   kClosed,   ///< several of them
   kGeared,   ///< wheels, belts and planets with dyads on them
   kTwo,      ///< two drivers, groups of all kinds
+  kCam,      ///< a follower on a cam of straight and round parts or a spline, convex or not, and dyads
   kStep,     ///< groups of all kinds, the driver accelerated so that it turns back
 };
 

@@ -9,6 +9,23 @@ std::string body_name(int body) {
   return body == 0 ? "ground" : fmt::format("b{}", body);
 }
 
+std::string outline_text(const Sketch::Outline& outline) {
+  const auto place = [&](std::size_t i) {
+    const Sketch::Point& p = outline.points[i % outline.points.size()];
+    return fmt::format("[{}, {}]", p.x, p.y);
+  };
+  std::string items;
+  for (std::size_t i = 0; i < outline.points.size(); ++i) {
+    items += i == 0 ? "" : ", ";
+    items += outline.spline
+                 ? place(i)
+                 : fmt::format(R"({{ type = "segment", from = {}, to = {} }})", place(i), place(i + 1));
+  }
+  return outline.spline ? fmt::format(R"({{ type = "spline", closed = true, points = [{}] }})", items)
+                        : fmt::format(R"({{ type = "chain", closed = true, fillet = {}, spans = [{}] }})",
+                                      outline.fillet, items);
+}
+
 std::string body_text(const Sketch::Body& body, int index) {
   std::string text = fmt::format("[bodies.{}]\n", body_name(index));
   if (index > 0) {
@@ -20,16 +37,20 @@ std::string body_text(const Sketch::Body& body, int index) {
   for (std::size_t i = 0; i < body.curves.size(); ++i) {
     text += fmt::format("curves.C{} = {}\n", i, curve_text(body.curves[i]));
   }
+  for (std::size_t i = 0; i < body.outlines.size(); ++i) {
+    text += fmt::format("curves.K{} = {}\n", i, outline_text(body.outlines[i]));
+  }
   return text;
 }
 
-std::string between(const char* item, const Sketch::Ref& first, const Sketch::Ref& second) {
+std::string between(const char* item, const Sketch::Ref& first, const char* other,
+                    const Sketch::Ref& second) {
   return fmt::format("between = [\"{}.{}{}\", \"{}.{}{}\"]", body_name(first.body), item, first.item,
-                     body_name(second.body), item, second.item);
+                     body_name(second.body), other, second.item);
 }
 
 std::string joint_text(const Sketch::Joint& joint) {
-  const std::string ends = between("P", joint.first, joint.second);
+  const std::string ends = between("P", joint.first, "P", joint.second);
   const auto coupled = [&](const char* type, bool flag, const char* word) {
     return fmt::format(R"({{ type = "{}", {}, ratio = {}, carrier = "{}"{} }})", type, ends, joint.ratio,
                        body_name(joint.carrier), flag ? fmt::format(", {} = true", word) : "");
@@ -74,6 +95,11 @@ std::vector<double*> numbers(Sketch& sketch) {
     for (Shape& shape : body.curves) {
       all.insert(all.end(), {&shape.x, &shape.y, &shape.a, &shape.b, &shape.angle});
     }
+    for (Sketch::Outline& outline : body.outlines) {
+      for (Sketch::Point& point : outline.points) {
+        all.insert(all.end(), {&point.x, &point.y});
+      }
+    }
   }
   for (Sketch::Joint& joint : sketch.joints) {
     all.push_back(&joint.direction);
@@ -97,7 +123,8 @@ std::string profile_of(const Sketch& sketch, const std::string& title) {
   text += sketch.contacts.empty() ? "" : "\n[contacts]\n";
   for (std::size_t i = 0; i < sketch.contacts.size(); ++i) {
     const Sketch::Contact& contact = sketch.contacts[i];
-    text += fmt::format("k{} = {{ {}{} }}\n", i, between("C", contact.first, contact.second),
+    text += fmt::format("k{} = {{ {}{} }}\n", i,
+                        between(contact.outlined ? "K" : "C", contact.first, "C", contact.second),
                         contact.rolling ? ", rolling = true" : "");
   }
   for (std::size_t i = 0; i < sketch.drivers.size(); ++i) {

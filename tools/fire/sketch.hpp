@@ -12,10 +12,17 @@ struct Sketch {
   struct Point {
     double x = 0, y = 0;  ///< in the body's frame
   };
+  /// A closed curve through points, or a polygon with rounded corners.
+  struct Outline {
+    std::vector<Point> points;
+    bool spline = false;
+    double fillet = 0;  ///< of a polygon
+  };
   struct Body {
     double x = 0, y = 0, angle = 0;  ///< the pose
     std::vector<Point> points;       ///< named P0, P1, …
     std::vector<Shape> curves;       ///< named C0, C1, …
+    std::vector<Outline> outlines;   ///< named K0, K1, …
   };
   struct Ref {
     int body = 0;
@@ -33,6 +40,7 @@ struct Sketch {
   struct Contact {
     Ref first, second;
     bool rolling = false;
+    bool outlined = false;  ///< the first is of the outlines
   };
   struct Driver {
     int joint = 0;

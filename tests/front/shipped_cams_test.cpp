@@ -1,0 +1,77 @@
+#include "cam_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+// Shipped cams against what their laws and tables say.
+
+namespace higherpair {
+namespace {
+
+using testing::shipped_model;
+
+constexpr double kDegree = M_PI / 180;
+
+Motion motion_of(const Model& model, bool forces = false) {
+  RunSettings settings;
+  settings.forces = forces;
+  auto motion = model.run(settings);
+  if (!motion) {
+    throw std::runtime_error(to_string(motion.error()));
+  }
+  return *std::move(motion);
+}
+
+TEST(GrooveCam, SwingsItsLeverAsTheModifiedSineSays) {
+  const Motion motion = motion_of(shipped_model("groove_cam"));
+  ASSERT_TRUE(motion.good());
+  const auto angle = motion.column("lever_pivot.position");
+  const auto speed = motion.column("lever_pivot.velocity");
+  const auto acceleration = motion.column("lever_pivot.acceleration");
+  const double omega = 300 * 360 / 60.0;  // of the cam [deg/s]
+  EXPECT_NEAR(angle[50], angle[0] + 11, 1e-9);
+  EXPECT_NEAR(angle[130], angle[0] + 22, 1e-9);
+  EXPECT_NEAR(angle[360], angle[0], 1e-9);
+  const auto most = [](const ColumnValues& column) {
+    return std::max(-*std::min_element(column.begin(), column.end()),
+                    *std::max_element(column.begin(), column.end()));
+  };
+  // Cv h/T, Ca h/T².
+  EXPECT_NEAR(most(speed), 1.759603 * 22 / 100 * omega, 1e-6 * omega);
+  EXPECT_NEAR(most(acceleration), 5.527957 * 22 / (100. * 100) * omega * omega, 1e-4 * omega * omega);
+}
+
+TEST(GrooveCam, HoldsItsRollerByTheOuterWallToo) {
+  const Motion motion = motion_of(shipped_model("groove_cam"), true);
+  EXPECT_TRUE(motion.good());
+  const auto force = motion.column("groove.force");
+  EXPECT_LT(*std::min_element(force.begin(), force.end()), 0);
+  // With the inner wall alone the contact opens.
+  const Motion one_wall = motion_of(shipped_model("groove_cam", {"contacts.groove.both_sides=false"}), true);
+  EXPECT_FALSE(one_wall.good());
+}
+
+TEST(CamshaftFromALiftTable, LiftsAsTheLawThatTheTableWasRoundedFrom) {
+  const Motion motion = motion_of(shipped_model("camshaft_lift_table"));
+  ASSERT_TRUE(motion.good());
+  const auto lift = motion.column("guide.position");
+  const auto acceleration = motion.column("guide.acceleration");
+  const double omega = 1500 * 2 * M_PI / 60;
+  double worst_lift = 0, worst_acceleration = 0;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double x = 1 - std::abs(static_cast<double>(k) - 180) / 75;
+    const double s = x <= 0 ? 0 : 9 * std::pow(x, 4) * (35 - 84 * x + 70 * x * x - 20 * x * x * x);
+    const double a =
+        x <= 0 ? 0
+               : 9 * x * x * (420 - 1680 * x + 2100 * x * x - 840 * x * x * x) / std::pow(75 * kDegree, 2);
+    worst_lift = std::max(worst_lift, std::abs(lift[k] - 32 - s));
+    worst_acceleration = std::max(worst_acceleration, std::abs(acceleration[k] / (omega * omega) - a));
+  }
+  EXPECT_LT(worst_lift, 0.0015);       // mm: the rounding of the table, and as much by smoothing
+  EXPECT_LT(worst_acceleration, 2.5);  // mm/rad², beside a peak of 39
+}
+
+}  // namespace
+}  // namespace higherpair
