@@ -98,7 +98,7 @@ private:
   }
 
   void add(const Joint& joint, const JointReaction& reaction) {
-    if (couples_turning(joint.type)) return;  // passes on moments only
+    if (couples_turning(joint.type) && !joint.teeth) return;  // passes on moments only
     if (reaction.fx && reaction.fy) {
       add_pair(joint.first.body, joint.second.body, joint.name, {*reaction.fx, *reaction.fy});
     } else {

@@ -1,3 +1,4 @@
+#include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/geometry/motion.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "sketch.hpp"
@@ -61,14 +62,17 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
     const Vector2d from = kMillimetre * p_W, to = from + scene_.force_scale * force;
     if (force.norm() > 0) arrow.numbers.assign({from.x(), from.y(), to.x(), to.y()});
   };
-  const auto place = [&](const Joint& joint) {
+  const auto place = [&](const Joint& joint) -> Vector2d {
+    if (joint.teeth) {
+      return pitch_point(*mechanism_, joint, row.bodies).p_W;
+    }
     return Vector2d(row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
                     point_of(*mechanism_, joint.second));
   };
   for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
     const Joint& joint = mechanism_->joints[i];
     const JointReaction& reaction = reactions.joints[i];
-    if (couples_turning(joint.type)) continue;  // passes on moments only
+    if (couples_turning(joint.type) && !joint.teeth) continue;  // passes on moments only
     add_arrow(joint.name, place(joint), {reaction.fx.value_or(0), reaction.fy.value_or(0)});
   }
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {

@@ -37,6 +37,11 @@ const Reactions& InverseDynamics::solve(const Run& run) {
     left_ = wrenches_;
     statics_.stand(run);
     reactions_.defined = statics_.balance(left_);
+    if (reactions_.defined && statics_.choose_flanks(run.mechanism)) {
+      left_ = wrenches_;
+      statics_.stand(run);
+      reactions_.defined = statics_.balance(left_);
+    }
   }
   if (!reactions_.defined) {
     std::fill(reactions_.joints.begin(), reactions_.joints.end(), JointReaction());

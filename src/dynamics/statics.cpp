@@ -1,5 +1,6 @@
 #include "higherpair/dynamics/statics.hpp"
 
+#include "higherpair/dynamics/tooth_force.hpp"
 #include "numeric/least_norm.hpp"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ Statics::Statics(const Run& run)
       contacts_may_part_(std::any_of(run.mechanism.contacts.begin(), run.mechanism.contacts.end(),
                                      [](const Contact& contact) { return contact.keep == Keep::kGap; })) {
   joint_rows_.resize(run.mechanism.joints.size());
+  flanks_.assign(run.mechanism.joints.size(), 1);
   contact_rows_.resize(run.mechanism.contacts.size());
   driver_rows_.resize(run.mechanism.drivers.size());
   for (const Group& group : run.plan.groups) {
@@ -51,8 +53,13 @@ void Statics::append_rows_of(const Run& run, std::size_t g) {
   const Mechanism& mechanism = run.mechanism;
   const Group& group = run.plan.groups[g];
   const std::vector<BodyMotion>& bodies = run.row.bodies;
-  for_each_index(group.joints, joint_rows_, rows_,
-                 [&](std::size_t i) { append_rows(mechanism, mechanism.joints[i], bodies, size_, rows_); });
+  for_each_index(group.joints, joint_rows_, rows_, [&](std::size_t i) {
+    const Joint& joint = mechanism.joints[i];
+    append_rows(mechanism, joint, bodies, size_, rows_);
+    if (joint.teeth) {
+      rows_.back() = tooth_row(mechanism, joint, flanks_[i], bodies, size_);
+    }
+  });
   for_each_index(group.contacts, contact_rows_, rows_, [&](std::size_t i) {
     const ContactMotion& motion = run.row.contacts[i];
     if (motion.touches) {
@@ -69,6 +76,18 @@ void Statics::append_rows_of(const Run& run, std::size_t g) {
   for (const int body : held_[g]) {
     rows_.push_back(angle_row(bodies, body, 0, size_));
   }
+}
+
+bool Statics::choose_flanks(const Mechanism& mechanism) {
+  bool others = false;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const double carried = mechanism.joints[i].teeth ? multipliers_[joint_rows_[i]] : 0;
+    if (carried * flanks_[i] < 0) {
+      flanks_[i] = -flanks_[i];
+      others = true;
+    }
+  }
+  return others;
 }
 
 void Statics::set_layout(const Run& run) {

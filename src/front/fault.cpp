@@ -113,6 +113,14 @@ private:
       expect(std::isfinite(joint.turning_ratio) && joint.turning_ratio != 0, at + ".turning_ratio",
              "must be finite and not 0");
     }
+    if (joint.teeth) {
+      expect(joint.type == JointType::kGears && joint.turning_ratio != 1, at + ".teeth",
+             "only gears have teeth, and no inner gears of ratio 1");
+      expect(joint.teeth->pressure_angle > 0 && joint.teeth->pressure_angle < kPi / 2,
+             at + ".teeth.pressure_angle", "must be between 0 and 90 degrees");
+      expect(joint.teeth->module >= 0 && std::isfinite(joint.teeth->module), at + ".teeth.module",
+             "must be finite and not negative");
+    }
   }
 
   void check(const std::string& at, const Contact& contact) {

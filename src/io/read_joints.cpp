@@ -91,9 +91,11 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                      joint.type = *type;
                      if (couples_turning(*type)) {
                        read_ratio(table, joint);
+                       read_teeth(table, joint);
                        const auto carrier = table.take("carrier");
                        if (between) {
-                         gears.push_back({mechanism.joints.size(), *between, carrier});
+                         gears.push_back({mechanism.joints.size(), *between, carrier,
+                                          joint.teeth ? table.take("module") : std::nullopt});
                        }
                      } else {
                        read_direction(table, joint);

@@ -81,12 +81,17 @@ struct PendingGears {
   std::size_t joint = 0;  ///< index into Mechanism::joints
   Item between;
   std::optional<Item> carrier;  ///< the key, if it is there
+  std::optional<Item> module;
 };
 
 /// `ratio` (ω2/ω1 relative to the carrier, without sign) and `internal` of gears or `crossed` of a belt.
 void read_ratio(TableReader& table, Joint& joint);
 
-/// The body on which both wheels are pinned, and the angle between them from the poses.
+/// `pressure_angle` and `module` of gears, if they are there.
+void read_teeth(TableReader& table, Joint& joint);
+
+/// The body on which both wheels are pinned, and the angle between them from the poses. Teeth of wheels with
+/// one centre are an error, parts of teeth are noted.
 void set_carriers(Reading& reading, const std::vector<PendingGears>& pending, Mechanism& mechanism);
 
 void read_contacts(TableReader& root, Mechanism& mechanism);

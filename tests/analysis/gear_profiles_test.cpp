@@ -1,6 +1,8 @@
 // The shipped profiles with gears and belts move as their comments say.
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/geometry/gear_pair.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 
 #include <cmath>
 #include <string>
@@ -48,6 +50,53 @@ private:
   Mechanism mechanism_;
   Run run_;
 };
+
+// The law of gearing: flanks that are involutes of the pitch circles' tangents turn the wheels as these
+// would, and the contact goes straight along the line of action, which leaves the centre line at the pressure
+// angle.
+TEST(GearProfiles, AnInvolutePairKeepsItsRatioAlongTheLineOfAction) {
+  Mechanism mechanism =
+      read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + "involute_pair.toml")->mechanism;
+  use_boundaries(mechanism);
+  constexpr double kDegree = kPi / 180;
+  auto run = start_run(mechanism, {-19.5 * kDegree}).value();
+  const double base = 0.020 * std::cos(20 * kDegree);
+  for (int i = 0; i <= 288; ++i) {
+    const double angle = (-19.5 + 0.1 * i) * kDegree;
+    move_to(run, {{angle, 1, 0}});
+    ASSERT_EQ(run.row.status, RowStatus::kOk) << i;
+    const BodyMotion& wheel = run.row.bodies[2];
+    EXPECT_NEAR(wheel.omega, -0.5, 1e-12);
+    EXPECT_NEAR(wheel.alpha, 0, 1e-11);
+    EXPECT_NEAR(wheel.theta, 177.75 * kDegree - (angle + 4.5 * kDegree) / 2, 1e-12);
+    // From the pitch point by the roll of the base circle.
+    const double along = base * (angle + 4.5 * kDegree);
+    const Vector2d line_of_action = unit_vector(70 * kDegree);
+    const CommonNormal& at = run.row.contacts[0].at;
+    EXPECT_NEAR((at.p_W() - Vector2d(0.020, 0) - along * line_of_action).norm(), 0, 1e-14) << i;
+    // Relative angular velocity times the distance from the pitch point.
+    EXPECT_NEAR(std::abs(run.row.contacts[0].rates.sliding), 1.5 * std::abs(along), 1e-13);
+  }
+}
+
+TEST(GearProfiles, AnInvolutePairMeetsFromTipToTip) {
+  // Path of contact of 20 and 40 teeth, as angles of the first wheel.
+  const GearPair pair = close_pair({0.002, 20, 20 * kPi / 180, 0}, {0.002, 40, 20 * kPi / 180, 0});
+  const PathOfContact path = path_of_contact(pair);
+  constexpr double kDegree = kPi / 180;
+  const double first = -4.5 * kDegree - path.approach / base_radius(pair.first);
+  const double last = -4.5 * kDegree + path.recess / base_radius(pair.first);
+  EXPECT_NEAR(first / kDegree, -19.922, 5e-4);
+  EXPECT_NEAR(last / kDegree, 9.512, 5e-4);
+  Mechanism mechanism =
+      read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + "involute_pair.toml")->mechanism;
+  use_boundaries(mechanism);
+  constexpr double kNear = 1e-6;
+  EXPECT_TRUE(start_run(mechanism, {first + kNear}));
+  EXPECT_FALSE(start_run(mechanism, {first - kNear}));
+  EXPECT_TRUE(start_run(mechanism, {last - kNear}));
+  EXPECT_FALSE(start_run(mechanism, {last + kNear}));
+}
 
 TEST(GearProfiles, ThePlanetDrawsAnAstroidWhileTheSunTurnsThreeTimes) {
   ShippedProfile gear("planetary_gear");

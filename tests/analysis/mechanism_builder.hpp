@@ -27,7 +27,7 @@ public:
 
   int revolute(int a, int b, const Vector2d& p_W) {
     return add(
-        {name(), JointType::kRevolute, point(a, p_W), point(b, p_W), Vector2d::UnitX(), 0, 0, 1, {}, {}});
+        {name(), JointType::kRevolute, point(a, p_W), point(b, p_W), Vector2d::UnitX(), 0, 0, 1, {}, {}, {}});
   }
 
   /// The first point lies `back` behind the second along the direction: the joint's coordinate.
@@ -41,6 +41,7 @@ public:
                 0,
                 1,
                 {},
+                {},
                 {}});
   }
 
@@ -53,6 +54,7 @@ public:
                 0,
                 0,
                 1,
+                {},
                 {},
                 {}});
   }

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 // Drawn in ground coordinates, with all angles 0.
 const char* const kFourBar = R"(
@@ -67,6 +68,56 @@ protected:
     return run_program("mobility profile.toml " + options);
   }
 };
+
+// A pinion and a wheel on ground, `distance` apart.
+std::string gear_pair(double distance, const std::string& keys) {
+  return "[bodies.ground]\npoints.A = [0, 0]\npoints.B = [" + std::to_string(distance) +
+         ", 0]\n[bodies.pinion]\npoints.A = [0, 0]\n[bodies.wheel]\npose = { x = " +
+         std::to_string(distance) +
+         " }\npoints.B = [0, 0]\n[joints]\na = { type = \"revolute\", between = [\"ground.A\", \"pinion.A\"] "
+         "}\n"
+         "b = { type = \"revolute\", between = [\"ground.B\", \"wheel.B\"] }\n[joints.mesh]\ntype = "
+         "\"gears\"\n"
+         "between = [\"pinion.A\", \"wheel.B\"]\n" +
+         keys + "[driver]\njoint = \"a\"\n";
+}
+
+TEST_F(MobilityCommand, SaysHowTeethOfGearsMesh) {
+  const Outcome good = run(gear_pair(60, "ratio = 0.5\nmodule = 2\n"), "--json -");
+  const auto json = nlohmann::json::parse(good.out);
+  const auto& pair = json["gears"][0];
+  EXPECT_EQ(pair["joint"], "mesh");
+  EXPECT_EQ(pair["teeth"], nlohmann::json({20, 40}));
+  EXPECT_NEAR(pair["mesh"]["contact_ratio"].get<double>(), 1.635185964, 1e-9);
+  EXPECT_NEAR(pair["mesh"]["length"].get<double>(), 2 * 4.827283884, 1e-8);
+  const Outcome text = run(gear_pair(60, "ratio = 0.5\nmodule = 2\n"));
+  EXPECT_THAT(
+      text.out,
+      AllOf(HasSubstr("Gears mesh: pinion with 20 teeth, wheel with 40 teeth; pitch radii 20 and 40 mm, "
+                      "pressure angle 20 deg\n"),
+            HasSubstr("contact ratio 1.635186; path of contact 9.654568 mm: "),
+            Not(HasSubstr("interference")), Not(HasSubstr("undercuts"))));
+}
+
+TEST_F(MobilityCommand, SaysWhereTeethInterfere) {
+  const Outcome text = run(gear_pair(26.5, "ratio = 0.325\nmodule = 1\n"));
+  EXPECT_THAT(
+      text.out,
+      AllOf(HasSubstr("interference: the tips of wheel go 0.3061573 mm past the base circle of pinion"),
+            HasSubstr("a rack undercuts the teeth of pinion: fewer than 17.0973 are")));
+}
+
+TEST_F(MobilityCommand, KnowsNoMeshWithoutModuleOrWholeTeeth) {
+  const auto gears_of = [&](const std::string& keys) {
+    return nlohmann::json::parse(run(gear_pair(60, keys), "--quiet --json -").out)["gears"];
+  };
+  EXPECT_TRUE(gears_of("ratio = 0.5\n").empty());
+  EXPECT_TRUE(gears_of("ratio = 0.5\npressure_angle = 22\n")[0]["module"].is_null());
+  EXPECT_TRUE(gears_of("ratio = 0.5\nmodule = 1.9\n")[0]["teeth"].is_null());
+  const auto ring = gears_of("ratio = 0.5\nmodule = 2\ninternal = true\n")[0];
+  EXPECT_EQ(ring["teeth"], nlohmann::json({60, 120}));
+  EXPECT_TRUE(ring["mesh"].is_null());
+}
 
 TEST_F(MobilityCommand, PrintsCountRankPlanAndLoops) {
   const Outcome outcome = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n");

@@ -128,5 +128,141 @@ brake = {{ body = "arm", torque = -7 }}
   }
 }
 
+Vector2d force_of(const Reactions& reactions, std::size_t joint) {
+  return {reactions.joints[joint].fx.value(), reactions.joints[joint].fy.value()};
+}
+
+// Textbook: the tangential force is the torque over the pitch radius, the radial one tan α of it and towards
+// the centre of the wheel, and the pins take both.
+TEST(GearTeeth, PressAtTheirPressureAngle) {
+  const double alpha = 0.349;
+  const Vector2d c2(0.3, 0.1);  // c1 is at 0
+  const double a = c2.norm();
+  const Vector2d u = c2 / a;
+  for (const double load : {-3.0, 3.0}) {
+    Analysis of(train(fmt::format("type = \"gears\"\npressure_angle = {}\n", alpha)));
+    of.run.mechanism.loads[0].torque = load;
+    const Reactions& reactions = of.at(0.7, 0, 0);
+    ASSERT_TRUE(reactions.defined);
+    const double r2 = a / 1.25;  // r1 = r2/4
+    const double tangential = 3 / r2;
+    const std::size_t teeth = of.joint("coupling");
+    const Vector2d on_drum = force_of(reactions, teeth);
+    EXPECT_NEAR(on_drum.dot(u), tangential * std::tan(alpha), kRounding);
+    // About the drum's centre it is the torque that holds the load.
+    EXPECT_NEAR(cross(Vector2d(-r2 * u), on_drum), -load, kRounding);
+    EXPECT_NEAR(reactions.joints[teeth].moment.value(), -load, kRounding);
+    EXPECT_NEAR((force_of(reactions, of.joint("drum_pivot")) + on_drum).norm(), 0, kRounding);
+    EXPECT_NEAR((force_of(reactions, of.joint("motor_pivot")) - on_drum).norm(), 0, kRounding);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), -0.25 * -load, kRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), -0.25 * -load, kRounding);
+  }
+}
+
+// In a ring of twice the size the pinion is pushed towards the ring's centre, the ring away from it.
+TEST(GearTeeth, OfARingPushItOut) {
+  const double alpha = 0.349;
+  const Vector2d c2(0.3, 0.1);
+  const double a = c2.norm();
+  for (const double ratio : {0.25, 4.0}) {  // the drum is the ring, or the pinion
+    std::string text = train(fmt::format("type = \"gears\"\ninternal = true\npressure_angle = {}\n", alpha));
+    text.replace(text.find("ratio = 0.25"), 12, fmt::format("ratio = {}", ratio));
+    Analysis of(text);
+    const Reactions& reactions = of.at(0.7, 0, 0);
+    const Vector2d on_drum = force_of(reactions, of.joint("coupling"));
+    const Vector2d u = c2 / a;
+    const double r2 = a / std::abs(ratio - 1);
+    const double tangential = 3 / r2;
+    EXPECT_NEAR(on_drum.dot(u), -tangential * std::tan(alpha), kRounding) << ratio;
+    EXPECT_NEAR(std::abs(on_drum.dot(perp(u))), tangential, kRounding);
+    const Vector2d pitch_point = ratio > 1 ? Vector2d(c2 + r2 * u) : Vector2d(c2 - r2 * u);
+    EXPECT_NEAR(cross(Vector2d(pitch_point - c2), on_drum), 3, kRounding);
+  }
+}
+
+// Each body of a planetary gear is in equilibrium, with the forces where they act.
+TEST(GearTeeth, HoldAPlanetaryGearInEquilibrium) {
+  const double sun = 23, planet = 17, ring = sun + 2 * planet;
+  Analysis gear(fmt::format(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.sun]
+points.O = [0, 0]
+[bodies.arm]
+points.O = [0, 0]
+points.P = [0.04, 0]
+[bodies.planet]
+points.P = [0.04, 0]
+[joints.sun_pivot]
+type = "revolute"
+between = ["ground.O", "sun.O"]
+[joints.arm_pivot]
+type = "revolute"
+between = ["ground.O", "arm.O"]
+[joints.planet_pivot]
+type = "revolute"
+between = ["arm.P", "planet.P"]
+[joints.sun_planet]
+type = "gears"
+between = ["sun.O", "planet.P"]
+ratio = {}
+pressure_angle = 0.349
+carrier = "arm"
+[joints.planet_ring]
+type = "gears"
+between = ["ground.O", "planet.P"]
+internal = true
+ratio = {}
+pressure_angle = 0.4
+carrier = "arm"
+[driver]
+joint = "sun_pivot"
+[loads]
+brake = {{ body = "arm", torque = -7 }}
+)",
+                            sun / planet, ring / planet));
+  for (const double theta : {0.0, 2.2, 9.1}) {
+    const Reactions& reactions = gear.at(theta, 3, 0);
+    ASSERT_TRUE(reactions.defined);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kRounding);
+    const Vector2d P = 0.04 * unit_vector(theta * sun / (sun + ring));
+    const Vector2d u = P.normalized();
+    const double r_planet = 0.04 * planet / (sun + planet);
+    const Vector2d by_sun = force_of(reactions, gear.joint("sun_planet"));
+    const Vector2d by_ring = force_of(reactions, gear.joint("planet_ring"));
+    const Vector2d by_arm = force_of(reactions, gear.joint("planet_pivot"));
+    EXPECT_NEAR((by_sun + by_ring + by_arm).norm(), 0, 1e-11);
+    EXPECT_NEAR(cross(Vector2d(-r_planet * u), by_sun) + cross(Vector2d(r_planet * u), by_ring), 0,
+                kRounding);
+    EXPECT_NEAR(std::abs(by_sun.dot(u) / by_sun.dot(perp(u))), std::tan(0.349), kRounding);
+    EXPECT_NEAR(std::abs(by_ring.dot(u) / by_ring.dot(perp(u))), std::tan(0.4), kRounding);
+    EXPECT_GT(by_sun.dot(u), 0);
+    EXPECT_LT(by_ring.dot(u), 0);
+    // The arm's torque comes through its pins alone.
+    EXPECT_NEAR(cross(P, Vector2d(-by_arm)), 7, kRounding);
+    EXPECT_NEAR((force_of(reactions, gear.joint("arm_pivot")) - by_arm).norm(), 0, 1e-11);
+    EXPECT_NEAR((force_of(reactions, gear.joint("sun_pivot")) - by_sun).norm(), 0, 1e-11);
+  }
+}
+
+// Only the bearings feel the angle.
+TEST(GearTeeth, ChangeNoTorqueAndNoEffort) {
+  const auto efforts = [](const std::string& keys) {
+    Analysis of(train("type = \"gears\"\n" + keys));
+    std::vector<double> found;
+    for (const double at : {0.1, 1.7, 4.4}) {
+      const Reactions& reactions = of.at(at, 31, 8.5);
+      found.push_back(reactions.drivers[0].effort.value());
+      found.push_back(reactions.joints[of.joint("coupling")].moment.value());
+    }
+    return found;
+  };
+  const std::vector<double> plain = efforts("");
+  const std::vector<double> toothed = efforts("pressure_angle = 0.349\nmodule = 0.002\n");
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_NEAR(toothed[i], plain[i], kRounding);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

@@ -134,6 +134,17 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
               m.joints[3].direction_A = {2, 0};
             }),
             "four-bar: joints.d.direction_A: must be a unit vector");
+  const auto toothed = [&](double ratio, const GearTeeth& teeth) {
+    return refusal([&](Mechanism& m) {
+      m.joints[3].type = JointType::kGears;
+      m.joints[3].turning_ratio = ratio;
+      m.joints[3].teeth = teeth;
+    });
+  };
+  EXPECT_EQ(toothed(1, {}), "four-bar: joints.d.teeth: only gears have teeth, and no inner gears of ratio 1");
+  EXPECT_EQ(toothed(-2, {kPi / 2, 0}),
+            "four-bar: joints.d.teeth.pressure_angle: must be between 0 and 90 degrees");
+  EXPECT_EQ(toothed(-2, {0.3, -1}), "four-bar: joints.d.teeth.module: must be finite and not negative");
   EXPECT_EQ(refusal([](Mechanism& m) { m.drivers[0].joint = 9; }),
             "four-bar: drivers[0].joint = 9: there are 4 joints");
   EXPECT_EQ(refusal([](Mechanism& m) {

@@ -84,6 +84,78 @@ TEST(ProfileGears, SayWhatIsMissing) {
                   "crossed, carrier"));
 }
 
+const std::string kMesh = "type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 1.5\n";
+
+TEST(ProfileGears, HaveTeethWhereTheirPressureAngleOrModuleIsGiven) {
+  const auto teeth_of = [](const std::string& keys) {
+    return testing::read(planetary(kMesh + keys)).mechanism.joints.front().teeth;
+  };
+  EXPECT_FALSE(teeth_of(""));
+  EXPECT_NEAR(teeth_of("pressure_angle = 25\n")->pressure_angle, 25 * kPi / 180, 1e-16);
+  EXPECT_EQ(teeth_of("pressure_angle = 25\n")->module, 0);
+  EXPECT_NEAR(teeth_of("module = 2\n")->pressure_angle, 20 * kPi / 180, 1e-16);
+  EXPECT_EQ(teeth_of("module = 2\n")->module, 0.002);
+}
+
+TEST(ProfileGears, SayWhatTeethCannotBe) {
+  EXPECT_THAT(
+      messages(planetary(kMesh + "pressure_angle = 90\n")),
+      ElementsAre("test.toml:16:18: joints.mesh.pressure_angle = 90: must be below 90 deg; that of most "
+                  "gears is 20 deg"));
+  EXPECT_THAT(messages(planetary(kMesh + "pressure_angle = 0\n")),
+              ElementsAre("test.toml:16:18: joints.mesh.pressure_angle = 0 deg: must be > 0"));
+  EXPECT_THAT(messages(planetary(kMesh + "module = -2\n")),
+              ElementsAre("test.toml:16:10: joints.mesh.module = -2 mm: must be > 0"));
+  EXPECT_THAT(
+      messages(planetary("type = \"belt\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\nmodule = 2\n")),
+      ElementsAre("test.toml:16:10: joints.mesh.module = 2: is of the teeth of gears; a belt passes on its "
+                  "torque alone"));
+  EXPECT_THAT(
+      messages(planetary("type = \"gears\"\ninternal = true\nbetween = [\"ground.O\", \"planet.P\"]\n"
+                         "ratio = 1\nmodule = 2\n")),
+      ElementsAre("test.toml:17:10: joints.mesh.module = 2: gears in a ring of the same size have one "
+                  "centre, and no teeth that could mesh"));
+}
+
+TEST(ProfileGears, TeethOfWheelsWithOneCentreCannotMesh) {
+  const std::string coaxial = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.a]
+points.O = [0, 0]
+[bodies.b]
+points.O = [0, 0]
+[joints]
+a_pivot = { type = "revolute", between = ["ground.O", "a.O"] }
+b_pivot = { type = "revolute", between = ["ground.O", "b.O"] }
+[joints.mesh]
+type = "gears"
+between = ["a.O", "b.O"]
+ratio = 2
+)";
+  const std::string driver = "[driver]\njoint = \"a_pivot\"\n";
+  EXPECT_THAT(messages(coaxial + driver), IsEmpty());
+  EXPECT_THAT(
+      messages(coaxial + "pressure_angle = 20\n" + driver),
+      ElementsAre("test.toml:12:11: joints.mesh.between = [\"a.O\", \"b.O\"]: both wheels turn about one "
+                  "point: their teeth cannot mesh, so leave `pressure_angle` and `module` out"));
+}
+
+TEST(ProfileGears, NotePartsOfTeeth) {
+  const auto notes_of = [](const std::string& keys) {
+    std::vector<std::string> notes;
+    for (const Diagnostic& note : testing::read(planetary(kMesh + keys)).notes)
+      notes.push_back(to_string(note));
+    return notes;
+  };
+  EXPECT_THAT(notes_of("module = 2\n"), IsEmpty());  // 24 and 16 teeth
+  EXPECT_THAT(notes_of("pressure_angle = 22\n"), IsEmpty());
+  EXPECT_THAT(
+      notes_of("module = 1.8\n"),
+      ElementsAre("test.toml:16:10: joints.mesh.module: makes wheels of 26.6667 and 17.7778 teeth; of a pair "
+                  "with profile shift give `pressure_angle` as it is at the pitch circles, and no "
+                  "`module`"));
+}
+
 // No carrier is looked for: it may hang on the pin that is wrong.
 TEST(ProfileGears, WaitForPinsWhoseNamesAreRight) {
   std::string profile = planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\n");

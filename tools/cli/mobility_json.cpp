@@ -8,6 +8,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "json_text.hpp"
+#include "mobility_gears.hpp"
 #include "mobility_report.hpp"
 
 #include <array>
@@ -115,6 +116,7 @@ public:
     for (const SliderCrankInMechanism& loop : find_slider_cranks(mechanism_)) {
       json["slider_cranks"].push_back(slider_crank(loop));
     }
+    json["gears"] = gears_json(findings_);
     json["instant_centers"] = centers();
     return json;
   }

@@ -36,6 +36,7 @@ namespace higherpair::cli {
 ///   unless ground is the crank or coupler of the loop, then by what its parts are called in that inversion:
 ///   `frame`, `crank`, `lever` (null: a slot in the rod), `ram` (null if there is none), `frame_length`,
 ///   `crank_length`, and null where the crank does not turn fully: `lever_turns`, `swing`, `time_ratio`
+/// - `gears`: see mobility_gears.hpp
 /// - `instant_centers` [{`bodies` [two], `kind` `point` | `at_infinity` | `undefined`, `x`, `y` (for
 /// `at_infinity`
 ///   the unit direction)}], empty where the drivers do not set all velocities

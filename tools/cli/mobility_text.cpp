@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
+#include "mobility_gears.hpp"
 #include "mobility_report.hpp"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ public:
     for (const Json& loop : json_["slider_cranks"]) {
       slider_crank(++number, loop);
     }
+    text_ += gears_text(json_["gears"], length_, angle_);
     centers();
     return text_;
   }

@@ -35,6 +35,10 @@ public:
   /// balance: the conditions are dependent here, to rounding.
   [[nodiscard]] bool balance(std::vector<Wrench>& wrenches);
 
+  /// Lets those flanks of gears' teeth carry that press in the last balance; true where others did, so that
+  /// stand() and balance() are to be repeated. Only what bearings take changes by it, not the torques.
+  [[nodiscard]] bool choose_flanks(const Mechanism& mechanism);
+
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
 
   /// Of the i-th condition: itself, its multiplier [N], and whether the balance determines that.
@@ -94,6 +98,7 @@ private:
   bool redundant_ = false;
   std::vector<std::vector<int>> held_;  // idle bodies of each group
   std::vector<std::size_t> held_rows_;
+  std::vector<int> flanks_;  // of Mechanism::joints: which flank of gears' teeth carries, ±1
   std::vector<ConstraintRow> rows_;
   std::vector<std::array<int, 3>> columns_;  // of each row and body: where the body is in its block, or -1
   std::vector<double> multipliers_;

@@ -94,6 +94,13 @@ enum class JointType {
   return type == JointType::kRevolute || type == JointType::kPrismatic;
 }
 
+/// What forces need to know of the teeth of two gears. Without it a pair passes on its torque alone.
+struct GearTeeth {
+  /// Between the line along which the teeth press and the common tangent of the pitch circles [rad].
+  double pressure_angle = 20 * kPi / 180;
+  double module = 0;  ///< of the rack that cuts both [m]; 0: not known
+};
+
 struct Joint {
   std::string name;
   JointType type = JointType::kRevolute;
@@ -105,6 +112,7 @@ struct Joint {
                               ///< wheels of gears and belts are out of step
   int carrier = 0;            ///< gears and belts: the body on which both wheels turn
   double turning_ratio = 1;   ///< gears and belts: < 0 where the wheels turn against each other; not 0
+  std::optional<GearTeeth> teeth;  ///< gears: see tooth_row of dynamics/tooth_force.hpp
   /// Ends of the line (prismatic, slot): the least and the largest coordinate [m]; none: endless.
   std::optional<double> from = {};
   std::optional<double> to = {};
