@@ -7,6 +7,7 @@
 #include "higherpair/front/branches.hpp"   // IWYU pragma: export
 #include "higherpair/front/drawing.hpp"    // IWYU pragma: export
 #include "higherpair/front/error.hpp"      // IWYU pragma: export
+#include "higherpair/front/export.hpp"     // IWYU pragma: export
 #include "higherpair/front/map.hpp"        // IWYU pragma: export
 #include "higherpair/front/mobility.hpp"   // IWYU pragma: export
 #include "higherpair/front/model.hpp"      // IWYU pragma: export

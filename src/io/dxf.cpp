@@ -1,6 +1,7 @@
 #include "dxf.hpp"
 
 #include "dxf_entities.hpp"
+#include "dxf_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,15 +15,6 @@ namespace {
 // Holders of curves that are not read.
 constexpr std::array<std::string_view, 6> kStrangers = {"INSERT", "3DFACE", "MLINE",
                                                         "BODY",   "REGION", "3DSOLID"};
-
-// $INSUNITS and the units that profiles have; the others stand for nothing here.
-constexpr std::array<std::pair<std::string_view, Unit>, 7> kUnits = {{{"1", Unit::kInch},
-                                                                      {"2", Unit::kFoot},
-                                                                      {"4", Unit::kMillimetre},
-                                                                      {"5", Unit::kCentimetre},
-                                                                      {"6", Unit::kMetre},
-                                                                      {"7", Unit::kKilometre},
-                                                                      {"13", Unit::kMicrometre}}};
 
 std::string_view value_of(const DxfGroup& group, int code, std::string_view otherwise) {
   const auto pair =
@@ -97,10 +89,8 @@ private:
         continue;
       }
       const DxfPair& value = group.pairs[i + 1];
-      const auto* known = std::find_if(kUnits.begin(), kUnits.end(),
-                                       [&](const auto& unit) { return unit.first == value.value; });
-      if (known != kUnits.end()) {
-        unit_ = known->second;
+      if (const auto known = unit_of_dxf(value.value)) {
+        unit_ = known;
       } else if (value.value != "0") {
         fail(value.line,
              fmt::format("$INSUNITS = {} is no unit of profiles: say what its numbers are in with `units`",

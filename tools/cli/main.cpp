@@ -1,5 +1,6 @@
 #include "branches_command.hpp"
 #include "draw_command.hpp"
+#include "export_command.hpp"
 #include "higherpair/analysis/derivatives.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
@@ -114,6 +115,8 @@ int run(int argc, char** argv) {
   const CLI::App* map_command = higherpair::cli::add_map_command(app, map);
   higherpair::cli::DrawOptions draw;
   const CLI::App* draw_command = higherpair::cli::add_draw_command(app, draw);
+  higherpair::cli::ExportOptions exported;
+  const CLI::App* export_command = higherpair::cli::add_export_command(app, exported);
   higherpair::cli::PlotOptions plot;
   const CLI::App* plot_command = higherpair::cli::add_plot_command(app, plot);
   higherpair::cli::PolygonOptions polygon;
@@ -150,6 +153,9 @@ int run(int argc, char** argv) {
   }
   if (draw_command->parsed()) {
     return higherpair::cli::draw_command(draw);
+  }
+  if (export_command->parsed()) {
+    return higherpair::cli::export_command(exported);
   }
   if (plot_command->parsed()) {
     return higherpair::cli::plot_command(plot);

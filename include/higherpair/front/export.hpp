@@ -1,0 +1,70 @@
+#pragma once
+
+#include "higherpair/front/model.hpp"
+#include "higherpair/geometry/boundary.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// Which curves of a model go out, and what of them.
+struct ExportSettings {
+  enum class Path {
+    kCurve,   ///< the curve itself
+    kPitch,   ///< path of the centre of the roller that touches it, by the contacts of the profile
+    kCutter,  ///< path of the centre of a round cutter that cuts it
+  };
+
+  std::vector<std::string> curves;  ///< "BODY.CURVE"
+  std::string body;                 ///< all curves of this body; without both: the only curve there is
+  Path path = Path::kCurve;
+  double cutter = 0;  ///< kCutter: radius [m]
+  /// How far lines and conics without ends are followed, from the vertex or the point that gives them [m].
+  std::optional<double> reach;
+};
+
+/// A curve that is ready to go out, in the frame of its body.
+struct ExportedCurve {
+  std::string name;  ///< "BODY.CURVE", and "-pitch" or "-cutter" where it is that path
+  Boundary boundary;
+};
+
+/// The curves in the order of the settings, or of the body. Fails (kInput) where a name names nothing, where
+/// a curve has no ends and no reach is given, where one is a point, where no roller or several of different
+/// radii touch it (kPitch), and where the cutter is too large; the message says where, and how large it may
+/// be.
+[[nodiscard]] Result<std::vector<ExportedCurve>> exported_curves(const Model& model,
+                                                                 const ExportSettings& settings);
+
+/// How near to the curve what goes out is.
+struct ExportAccuracy {
+  /// Largest distance of arcs and lines (of CSV: of lines between its points) from the curve [m]; none:
+  /// kDefaultExportTolerance of the size of each curve. At least 1e-9 of it.
+  std::optional<double> tolerance;
+  std::optional<int> points;  ///< of CSV: so many at equal distances along the curve instead; at least 2
+};
+
+inline constexpr double kDefaultExportTolerance = 1e-5;
+
+/// \name A curve as text of a file
+/// Lengths in the units' length. Fail where the accuracy cannot be had (kInput).
+/// @{
+
+/// A row for each point: `x`, `y`, the outward unit normal `nx`, `ny`, the curvature, > 0 where the material
+/// is convex, and the arc length `arc` from the first point, each column with its unit. A corner or notch has
+/// two rows with the normals of both sides; the curvature of a corner is an empty field.
+[[nodiscard]] Result<std::string> curve_csv(const Model& model, const ExportedCurve& curve,
+                                            const ExportAccuracy& accuracy, const Units& units);
+
+/// A DXF (io/dxf_writer.hpp) with a layer for each curve, called as it is with a dash for the dot.
+[[nodiscard]] Result<std::string> curves_dxf(const Model& model, const std::vector<ExportedCurve>& curves,
+                                             const ExportAccuracy& accuracy, const Units& units);
+
+/// An SVG picture at true size (drawing/outline_svg.hpp).
+[[nodiscard]] Result<std::string> curves_svg(const Model& model, const std::vector<ExportedCurve>& curves,
+                                             const ExportAccuracy& accuracy, const Units& units);
+/// @}
+
+}  // namespace higherpair

@@ -1,0 +1,154 @@
+#include "higherpair/geometry/arc_polyline.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kSameArc = 1e-12;        // of the size: a span this near to an arc is that arc
+constexpr double kStraight = 2e-8;        // smaller bulges are lines: no program sees the turn
+constexpr double kLongestTurn = kPi / 2;  // of one arc, and of what a biarc is tried on
+constexpr int kProbes = 16;               // of the distance, on each biarc
+constexpr int kMostHalvings = 24;
+
+// An arc from a point with a tangent to another point.
+class Arc {
+public:
+  Arc(const Vector2d& from, const Vector2d& t, const Vector2d& to) : from_(from), t_(t), chord_(to - from) {
+    const double turn = std::atan2(cross(t, chord_), t.dot(chord_));  // half of the arc's angle
+    bulge_ = std::tan(turn / 2);
+    kappa_ = 2 * std::sin(turn) / chord_.norm();
+  }
+
+  [[nodiscard]] double bulge() const { return std::abs(bulge_) < kStraight ? 0 : bulge_; }
+  [[nodiscard]] double kappa() const { return kappa_; }
+  // Mirrored in the perpendicular of the chord.
+  [[nodiscard]] Vector2d end_tangent() const {
+    const Vector2d c = chord_.normalized();
+    return 2 * t_.dot(c) * c - t_;
+  }
+  // Of its circle, also where that is nearly straight.
+  [[nodiscard]] double distance(const Vector2d& p) const {
+    const Vector2d r = p - from_;
+    const double w = 2 * cross(t_, r) - kappa_ * r.squaredNorm();
+    return std::abs(w) / (1 + std::sqrt(std::max(0.0, 1 - kappa_ * w)));
+  }
+
+private:
+  Vector2d from_, t_, chord_;
+  double bulge_ = 0;
+  double kappa_ = 0;
+};
+
+struct End {
+  Vector2d p;
+  Vector2d t;
+};
+
+End end_at(const Span& span, double t) {
+  const SpanPoint point = span.at(t);
+  return {point.p_B, perp(point.n_B)};
+}
+
+// Where the two arcs of the biarc with tangents of equal length meet.
+Vector2d middle_of_biarc(const End& a, const End& b) {
+  const Vector2d chord = b.p - a.p;
+  const double along = chord.dot(a.t + b.t);
+  const double length = chord.squaredNorm();
+  const double d = length / (along + std::sqrt(along * along + 2 * (1 - a.t.dot(b.t)) * length));
+  return (a.p + b.p + d * (a.t - b.t)) / 2;
+}
+
+class Fitter {
+public:
+  Fitter(double tolerance, double size, std::vector<ArcVertex>& vertices)
+      : tolerance_(tolerance), same_(std::min(kSameArc * size, tolerance)), vertices_(vertices) {}
+
+  void add(const Span& span) {
+    const Bounds range = span.range();
+    const int parts = std::max(1, static_cast<int>(std::ceil(turn_of(span) / kLongestTurn - 1e-9)));
+    for (int k = 0; k < parts; ++k) {
+      add(span, range.low + k * (range.width() / parts), range.low + (k + 1) * (range.width() / parts), 0);
+    }
+  }
+
+private:
+  // All of its turning, there and back.
+  static double turn_of(const Span& span) {
+    const Bounds range = span.range();
+    double sum = 0;
+    Vector2d n = span.at(range.low).n_B;
+    const int parts = 2 * span.parts();
+    for (int k = 1; k <= parts; ++k) {
+      const Vector2d next = span.at(range.low + k * (range.width() / parts)).n_B;
+      sum += std::abs(std::atan2(cross(n, next), n.dot(next)));
+      n = next;
+    }
+    return sum;
+  }
+
+  void add(const Span& span, double from, double to, int halvings) {
+    const End a = end_at(span, from);
+    const End b = end_at(span, to);
+    const Arc whole(a.p, a.t, b.p);
+    const auto from_whole = [&](const Vector2d& p) { return whole.distance(p); };
+    if ((whole.end_tangent() - b.t).norm() <= 1e-9 && worst(span, from, to, from_whole) <= same_) {
+      vertices_.push_back({a.p, whole.bulge()});
+      return;
+    }
+    const Vector2d middle = middle_of_biarc(a, b);
+    const Arc first(a.p, a.t, middle);
+    const Vector2d t = first.end_tangent();
+    const Arc second(middle, t, b.p);
+    const auto from_biarc = [&](const Vector2d& p) {
+      return (p - middle).dot(t) < 0 ? first.distance(p) : second.distance(p);
+    };
+    const bool forward = (middle - a.p).dot(a.t) > 0 && (b.p - middle).dot(b.t) > 0;
+    if (halvings == kMostHalvings || (forward && worst(span, from, to, from_biarc) <= kSure * tolerance_)) {
+      vertices_.push_back({a.p, first.bulge()});
+      vertices_.push_back({middle, second.bulge()});
+      return;
+    }
+    const double half = from + (to - from) / 2;
+    add(span, from, half, halvings + 1);
+    add(span, half, to, halvings + 1);
+  }
+
+  template <class Distance>
+  static double worst(const Span& span, double from, double to, const Distance& distance) {
+    double most = 0;
+    for (int k = 1; k < kProbes; ++k) {
+      most = std::max(most, distance(span.at(from + (to - from) * k / kProbes).p_B));
+    }
+    return most;
+  }
+
+  static constexpr double kSure = 0.95;  // what lies between the probes
+
+  double tolerance_;
+  double same_;
+  std::vector<ArcVertex>& vertices_;
+};
+
+}  // namespace
+
+ArcPolyline arc_polyline(const Boundary& boundary, double tolerance) {
+  assert(tolerance >= kFinestTolerance * boundary.size());
+  ArcPolyline line;
+  line.closed = boundary.is_closed();
+  Fitter fitter(tolerance, boundary.size(), line.vertices);
+  for (const SpanPtr& span : boundary.spans()) {
+    if (!span->is_corner()) {
+      fitter.add(*span);
+    }
+  }
+  if (!line.closed && !line.vertices.empty()) {
+    const Span& last = *boundary.spans().back();
+    line.vertices.push_back({last.at(last.range().high).p_B, 0});
+  }
+  return line;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,133 @@
+// The command export on the command line.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+long lines_of(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+class ExportCommand : public ::testing::Test {
+protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/law_cam_roller.toml", folder_ / "cam.toml",
+                  fs::copy_options::overwrite_existing);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    const std::string command = "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM + " export " +
+                                arguments + " >" + (folder_ / "out").string() + " 2>" +
+                                (folder_ / "err").string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+
+  [[nodiscard]] std::string refused(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    for (const char* name : {"w.csv", "w.dxf", "w.svg"}) {
+      EXPECT_FALSE(fs::exists(folder_ / name)) << arguments;
+    }
+    return outcome.err;
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("higherpair-export-" + std::to_string(getpid()));
+};
+
+TEST_F(ExportCommand, WritesWhatTheEndingSays) {
+  for (const char* name : {"a flank.csv", "flank.dxf", "FLANK.SVG"}) {
+    const Outcome outcome = run("cam.toml --curve cam.flank -o '" + std::string(name) + "'");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+  }
+  EXPECT_THAT(read_file(folder_ / "a flank.csv"),
+              StartsWith("x[mm],y[mm],nx[1],ny[1],curvature[1/mm],arc[mm]\n"));
+  EXPECT_THAT(read_file(folder_ / "flank.dxf"), HasSubstr("POLYLINE\n  8\ncam-flank\n"));
+  EXPECT_THAT(read_file(folder_ / "FLANK.SVG"), HasSubstr("data-name=\"cam.flank\""));
+  const Outcome piped = run("cam.toml --curve cam.flank -o - --points 90 --units in");
+  EXPECT_EQ(piped.code, 0);
+  EXPECT_THAT(piped.out, StartsWith("x[in],"));
+  EXPECT_EQ(lines_of(piped.out), 91);
+}
+
+TEST_F(ExportCommand, TakesLengthsWithTheirUnits) {
+  const Outcome plain = run("cam.toml --curve cam.flank --cutter 6 --tolerance 0.01 -o -");
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(run("cam.toml --curve cam.flank --cutter '6 mm' --tolerance '10 um' -o -").out, plain.out);
+  EXPECT_GT(lines_of(run("cam.toml --curve cam.flank --cutter 6 --tolerance 0.0001 -o -").out),
+            5 * lines_of(plain.out));
+  EXPECT_EQ(run("cam.toml --curve cam.flank --pitch -o -").out,
+            run("cam.toml --curve cam.flank --cutter 10 -o -").out);
+}
+
+TEST_F(ExportCommand, WritesSeveralCurvesOnLayers) {
+  const Outcome outcome = run("cam.toml --curve cam.flank --body follower -o all.dxf");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string dxf = read_file(folder_ / "all.dxf");
+  EXPECT_THAT(dxf, HasSubstr("POLYLINE\n  8\ncam-flank\n"));
+  EXPECT_THAT(dxf, HasSubstr("CIRCLE\n  8\nfollower-roller\n"));
+}
+
+TEST_F(ExportCommand, RefusesWhatIsWrong) {
+  const std::string flank = "cam.toml --curve cam.flank ";
+  EXPECT_THAT(refused(flank), HasSubstr("--output is required"));
+  EXPECT_THAT(refused(flank + "-o w.step"),
+              HasSubstr("w.step: a curve goes to a file that ends in .csv, .dxf or .svg"));
+  EXPECT_THAT(refused(flank + "-o none/w.dxf"), HasSubstr("there is no folder none; make it first"));
+  EXPECT_THAT(refused("cam.toml -o cam.toml"), HasSubstr("is the file that is read as FILE"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --points 9"),
+              HasSubstr("--points: is for .csv; arcs are as many as"));
+  EXPECT_THAT(refused(flank + "-o w.csv --points 1"), HasSubstr("--points"));
+  EXPECT_THAT(refused(flank + "-o w.csv --body follower"),
+              HasSubstr("a .csv holds one curve; name it with --curve"));
+  EXPECT_THAT(refused(flank + "--curve follower.roller -o w.csv"), HasSubstr("a .csv holds one curve"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --pitch --cutter 3"), HasSubstr("excludes"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --cutter -3"),
+              HasSubstr("--cutter: `-3`: expected a length above 0"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --cutter nan"),
+              HasSubstr("--cutter: `nan`: expected a length above 0"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --cutter '3 kg'"), HasSubstr("--cutter: `3 kg`: kg is a mass"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --tolerance small"), HasSubstr("--tolerance: `small`: "));
+  EXPECT_THAT(refused(flank + "-o w.dxf --reach 0"), HasSubstr("--reach: `0`: expected a length above 0"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --units kg"), HasSubstr("--units: `kg`: expected a unit of length"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --tolerance 1e-12"),
+              HasSubstr("is finer than cam.flank can be drawn"));
+  EXPECT_THAT(refused("cam.toml --curve cam.flnk -o w.dxf"),
+              HasSubstr("there is no curve cam.flnk; did you mean `cam.flank`?"));
+  EXPECT_THAT(refused("cam.toml -o w.dxf"),
+              HasSubstr("say which curve goes out: cam.flank, follower.roller"));
+  EXPECT_THAT(refused("nothing.toml -o w.dxf"), HasSubstr("nothing.toml"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --curves a"), HasSubstr("did you mean `--curve`?"));
+}
+
+}  // namespace

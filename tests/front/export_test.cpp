@@ -1,0 +1,396 @@
+// What goes out comes back: curves as DXF and CSV are read again by the profile's own types.
+#include "higherpair/front/export.hpp"
+
+#include "contact/support_curves.hpp"
+#include "front/cam_profile.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Path = ExportSettings::Path;
+
+class Export : public ::testing::Test {
+protected:
+  Export() { fs::create_directories(folder_); }
+  ~Export() override { fs::remove_all(folder_); }
+
+  static Model shipped(const std::string& name, const std::vector<std::string>& overrides = {}) {
+    const auto model =
+        Model::open(fmt::format("{}/profiles/{}.toml", HIGHERPAIR_SOURCE_DIR, name), overrides);
+    EXPECT_TRUE(model) << to_string(model.error());
+    return *model;
+  }
+
+  static ExportSettings of(const std::string& curve, Path path = Path::kCurve) {
+    ExportSettings settings;
+    settings.curves = {curve};
+    settings.path = path;
+    return settings;
+  }
+
+  static std::vector<ExportedCurve> taken(const Model& model, const ExportSettings& settings) {
+    const auto curves = exported_curves(model, settings);
+    EXPECT_TRUE(curves) << to_string(curves.error());
+    return *curves;
+  }
+
+  static std::string refused(const Model& model, const ExportSettings& settings) {
+    const auto curves = exported_curves(model, settings);
+    EXPECT_FALSE(curves);
+    return curves ? "" : to_string(curves.error());
+  }
+
+  // The profile of a model with the curve of its cam replaced.
+  Model with_flank(const std::string& profile, const std::string& old_line, const std::string& table) const {
+    std::ifstream file(fmt::format("{}/profiles/{}.toml", HIGHERPAIR_SOURCE_DIR, profile));
+    std::ostringstream text;
+    text << file.rdbuf();
+    std::string changed = text.str();
+    const auto at = changed.find(old_line);
+    EXPECT_NE(at, std::string::npos);
+    changed.replace(at, changed.find('\n', at) - at, table);
+    const auto model = Model::from_text(changed, (folder_ / "test.toml").string());
+    EXPECT_TRUE(model) << to_string(model.error());
+    return *model;
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      fmt::format("higherpair_export_{}", ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::vector<std::vector<double>> rows;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::vector<double> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      row.push_back(cell.empty() ? NAN : std::stod(cell));
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+double worst_difference(const Model& a, const Model& b, const std::string& column) {
+  const auto run_a = a.run();
+  const auto run_b = b.run();
+  EXPECT_TRUE(run_a && run_b);
+  const ColumnValues left = run_a->column(column);
+  const ColumnValues right = run_b->column(column);
+  EXPECT_EQ(run_a->size(), run_b->size());
+  double worst = 0;
+  for (std::size_t i = 0; i < run_a->size(); ++i) {
+    worst = std::max(worst, std::abs(left[i] - right[i]));
+  }
+  return worst;
+}
+
+const std::string kFlankLine = "curves.flank = ";
+
+TEST_F(Export, AFlankAsADrawingGivesItsLawBack) {
+  const Model cam = shipped("law_cam_roller");
+  for (const double tolerance : {1e-5, 1e-7}) {  // m
+    const auto text = curves_dxf(cam, taken(cam, of("cam.flank")), {tolerance, {}}, cam.units());
+    ASSERT_TRUE(text) << to_string(text.error());
+    write("flank.dxf", *text);
+    const Model again =
+        with_flank("law_cam_roller", kFlankLine,
+                   "curves.flank = { type = \"dxf\", file = \"flank.dxf\", layer = \"cam-flank\" }");
+    // The follower rises by the distance over the cosine of the pressure angle, here below 45 degrees.
+    EXPECT_LE(worst_difference(cam, again, "slide.position"), 1.5e3 * tolerance) << tolerance;
+  }
+}
+
+TEST_F(Export, AFlankAsPointsGivesItsLawBackByASpline) {
+  const Model cam = shipped("law_cam_roller");
+  const auto text = curve_csv(cam, taken(cam, of("cam.flank")).front(), {{}, 720}, cam.units());
+  ASSERT_TRUE(text) << to_string(text.error());
+  write("flank.csv", *text);
+  EXPECT_EQ(rows_of(*text).size(), 720U);
+  const Model again =
+      with_flank("law_cam_roller", kFlankLine, "curves.flank = { type = \"spline\", file = \"flank.csv\" }");
+  EXPECT_LE(worst_difference(cam, again, "slide.position"), 1e-4);
+}
+
+TEST_F(Export, ThePitchCurveIsWhereTheRollersCentreIs) {
+  const Model cam = shipped("law_cam_roller");
+  const Boundary pitch = taken(cam, of("cam.flank", Path::kPitch)).front().boundary;
+  const auto motion = cam.run();
+  ASSERT_TRUE(motion);
+  const ColumnValues driver = motion->column("driver");
+  const ColumnValues x = motion->column("follower.x");
+  const ColumnValues y = motion->column("follower.y");
+  for (std::size_t i = 0; i < motion->size(); i += 7) {
+    const Vector2d p = Rotation<double>::from_angle(-driver[i] * kPi / 180) * Vector2d(x[i], y[i]) / 1000;
+    double least = 1;
+    for (const SpanPtr& span : pitch.spans()) {
+      const Bounds range = span->range();
+      // By Newton's method from the nearest of many points.
+      double at = range.low;
+      for (int k = 0; k <= 400; ++k) {
+        const double t = range.low + range.width() * k / 400;
+        if ((span->at(t).p_B - p).norm() < (span->at(at).p_B - p).norm()) at = t;
+      }
+      for (int k = 0; k < 20; ++k) {
+        const SpanPoint point = span->at(at);
+        at = std::clamp(at + perp(point.n_B).dot(p - point.p_B) / point.speed, range.low, range.high);
+      }
+      least = std::min(least, (span->at(at).p_B - p).norm());
+    }
+    EXPECT_LE(least, 1e-12) << i;
+  }
+}
+
+TEST_F(Export, ACutterAsLargeAsTheRollerGoesAlongThePitchCurve) {
+  const Model cam = shipped("law_cam_roller");
+  ExportSettings cutter = of("cam.flank", Path::kCutter);
+  cutter.cutter = 0.010;
+  const auto pitch = taken(cam, of("cam.flank", Path::kPitch));
+  const auto path = taken(cam, cutter);
+  EXPECT_EQ(*curve_csv(cam, path.front(), {{}, 100}, cam.units()),
+            *curve_csv(cam, pitch.front(), {{}, 100}, cam.units()));
+  // Half a millimetre smaller, half a millimetre nearer.
+  cutter.cutter = 0.0095;
+  const auto smaller = taken(cam, cutter);
+  const auto a = rows_of(*curve_csv(cam, pitch.front(), {1e-5, {}}, cam.units()));
+  for (const Boundary::Sample& sample : smaller.front().boundary.samples()) {
+    const Vector2d out = sample.point.p_B + 0.0005 * sample.point.n_B;
+    const SpanPoint same = pitch.front().boundary.at(sample.place);
+    EXPECT_NEAR((out - same.p_B).norm(), 0, 1e-15);
+  }
+}
+
+TEST_F(Export, RowsOfACsvHaveNormalCurvatureAndArc) {
+  const Model cam = *Model::from_text(testing::kCam, "cam.toml", std::vector<std::string>{"units.length=cm"});
+  const auto text = curve_csv(cam, taken(cam, of("cam.disc")).front(), {{}, 8}, cam.units());
+  ASSERT_TRUE(text);
+  EXPECT_THAT(*text, HasSubstr("x[cm],y[cm],nx[1],ny[1],curvature[1/cm],arc[cm]\n"));
+  const auto rows = rows_of(*text);
+  ASSERT_EQ(rows.size(), 8U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(rows[i][0], 10 + 30 * rows[i][2], 1e-13);
+    EXPECT_NEAR(rows[i][1], 30 * rows[i][3], 1e-13);
+    EXPECT_NEAR(std::hypot(rows[i][2], rows[i][3]), 1, 1e-15);
+    EXPECT_NEAR(rows[i][4], 1.0 / 30, 1e-16);
+    EXPECT_NEAR(rows[i][5], 30 * 2 * kPi * static_cast<double>(i) / 8, 1e-12);
+  }
+  // In other units, the same.
+  Units inches = cam.units();
+  inches.length = Unit::kInch;
+  EXPECT_NEAR(rows_of(*curve_csv(cam, taken(cam, of("cam.disc")).front(), {{}, 8}, inches))[0][5], 0, 1e-16);
+  EXPECT_NEAR(rows_of(*curve_csv(cam, taken(cam, of("cam.disc")).front(), {{}, 8}, inches))[3][4], 2.54 / 30,
+              1e-15);
+}
+
+TEST_F(Export, ACornerHasTwoRowsAndNoCurvature) {
+  const Model cam = *Model::from_text(std::string(testing::kCam) +
+                                      "[bodies.plate.curves.edge]\ntype = \"chain\"\nspans = [\n"
+                                      "{ type = \"segment\", from = [0, 0], to = [4, 0] },\n"
+                                      "{ type = \"segment\", from = [4, 0], to = [4, 3] },\n"
+                                      "{ type = \"segment\", from = [4, 3], to = [0, 0] } ]\n");
+  const auto rows = rows_of(*curve_csv(cam, taken(cam, of("plate.edge")).front(), {}, cam.units()));
+  ASSERT_EQ(rows.size(), 6U);
+  for (const auto& row : rows) {
+    EXPECT_TRUE(std::isnan(row[4]));
+  }
+}
+
+TEST_F(Export, OpenConicsAndFacesGoAsFarAsIsSaid) {
+  const Model cam = *Model::from_text(testing::kCam);
+  EXPECT_THAT(refused(cam, of("follower.face")),
+              HasSubstr("follower.face has no ends: say with a reach how far from its point it is to go"));
+  ExportSettings settings = of("follower.face");
+  settings.reach = 0.012;
+  const auto rows = rows_of(*curve_csv(cam, taken(cam, settings).front(), {}, cam.units()));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(std::abs(rows[0][0]), 12, 1e-14);
+  EXPECT_NEAR(std::abs(rows[1][0]), 12, 1e-14);
+  const Model parabola = shipped("parabola_cam");
+  const auto& body = parabola.mechanism().bodies;
+  std::string name;
+  for (const Body& b : body) {
+    for (const NamedCurve& c : b.curves) {
+      if (c.curve.kind == CurveKind::kParabola) name = b.name + "." + c.name;
+    }
+  }
+  EXPECT_THAT(refused(parabola, of(name)), HasSubstr("how far from its vertex"));
+  settings = of(name);
+  settings.reach = 0.02;
+  EXPECT_EQ(taken(parabola, settings).size(), 1U);
+}
+
+TEST_F(Export, EveryShippedCurveGoesOutAsDxfAndSvg) {
+  int curves = 0;
+  for (const auto& entry : fs::directory_iterator(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles")) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto model = Model::open(entry.path().string());
+    ASSERT_TRUE(model) << to_string(model.error());
+    for (const Body& body : model->mechanism().bodies) {
+      for (const NamedCurve& curve : body.curves) {
+        if (curve.copy_of >= 0 || is_point(curve.curve)) continue;
+        ExportSettings settings = of(body.name + "." + curve.name);
+        settings.reach = 0.05;
+        const auto taken_ones = taken(*model, settings);
+        const auto dxf = curves_dxf(*model, taken_ones, {}, model->units());
+        ASSERT_TRUE(dxf) << entry.path() << " " << to_string(dxf.error());
+        EXPECT_THAT(*dxf, Not(HasSubstr("nan")));
+        const auto svg = curves_svg(*model, taken_ones, {}, model->units());
+        ASSERT_TRUE(svg) << to_string(svg.error());
+        EXPECT_THAT(*svg, HasSubstr("data-role=\"outline\" data-name=\"" + body.name + "." + curve.name));
+        ++curves;
+      }
+    }
+  }
+  EXPECT_GT(curves, 20);
+}
+
+TEST_F(Export, SaysWhatIsWrong) {
+  const Model cam = *Model::from_text(testing::kCam, "cam.toml");
+  EXPECT_THAT(refused(cam, of("cam.disk")),
+              HasSubstr("cam.toml: there is no curve cam.disk; did you mean `cam.disc`?"));
+  EXPECT_THAT(refused(cam, {}), HasSubstr("say which curve goes out: cam.disc, follower.face"));
+  ExportSettings settings;
+  settings.body = "can";
+  EXPECT_THAT(refused(cam, settings), HasSubstr("there is no body can; did you mean `cam`?"));
+  settings.body = "ground";
+  EXPECT_THAT(refused(cam, settings), HasSubstr("the body ground has no curves to draw"));
+  settings.body = "cam";
+  EXPECT_EQ(taken(cam, settings).front().name, "cam.disc");
+  EXPECT_THAT(
+      refused(cam, of("cam.disc", Path::kPitch)),
+      HasSubstr("no circle or knife edge touches cam.disc, whose path would be the pitch curve: give the "
+                "radius of a cutter instead"));
+  const Model four_bar = shipped("four_bar");
+  EXPECT_THAT(refused(four_bar, {}), HasSubstr("there are no curves"));
+  const auto text = curve_csv(cam, taken(cam, of("cam.disc")).front(), {1e-12, {}}, cam.units());
+  ASSERT_FALSE(text);
+  EXPECT_THAT(
+      to_string(text.error()),
+      HasSubstr("a tolerance of 1e-09 mm is finer than cam.disc can be drawn: take at least 4.29e-08 mm"));
+  EXPECT_FALSE(curves_dxf(cam, taken(cam, of("cam.disc")), {1e-12, {}}, cam.units()));
+}
+
+TEST_F(Export, SaysHowLargeACutterMayBe) {
+  // A hole a little larger than 20.
+  const Model ring = testing::model_of(std::string(testing::kCam) +
+                                       "[bodies.ring]\ncurves.hole = { type = \"circle\", center = [10, 0], "
+                                       "radius = 20.00049, side = \"outside\" }\n");
+  ExportSettings settings = of("ring.hole", Path::kCutter);
+  settings.cutter = 0.025;
+  const std::string message = refused(ring, settings);
+  EXPECT_THAT(message, HasSubstr("a cutter or roller of radius 25 mm is too large for ring.hole: at ("));
+  EXPECT_THAT(message, HasSubstr("that is hollower than the cutter is round; up to 20 mm can"));
+  settings.cutter = 0.020;
+  EXPECT_EQ(taken(ring, settings).size(), 1U);
+}
+
+TEST_F(Export, SaysWhereNoCutterGets) {
+  const std::string plate = std::string(testing::kCam) +
+                            "[bodies.plate.curves.edge]\ntype = \"chain\"\nspans = [\n"
+                            "{ type = \"segment\", from = [1, 0], to = [0, -2] },\n"
+                            "{ type = \"segment\", from = [0, -2], to = [5, 0] },\n"
+                            "{ type = \"segment\", from = [5, 0], to = [0, 2] },\n"
+                            "{ type = \"segment\", from = [0, 2], to = [1, 0] } ]\n";
+  const Model cam = *Model::from_text(plate);
+  ExportSettings settings = of("plate.edge", Path::kCutter);
+  settings.cutter = 0.0001;
+  EXPECT_THAT(
+      refused(cam, settings),
+      HasSubstr("plate.edge has a hollow corner at (1, 0), which no round cutter can cut: round it first"));
+}
+
+TEST_F(Export, SaysWhereAPathCrossesItself) {
+  // A pocket of radius 10 with a mouth 6 wide.
+  const std::string jaw = std::string(testing::kCam) +
+                          "[bodies.jaw.curves.pocket]\ntype = \"chain\"\nclosed = false\nspans = [\n"
+                          "{ type = \"segment\", from = [30, -3], to = [9.539392014169456, -3] },\n"
+                          "{ type = \"arc\", center = [0, 0], radius = 10, from = 17.457603123722095, "
+                          "to = 342.5423968762779 },\n"
+                          "{ type = \"segment\", from = [9.539392014169456, 3], to = [30, 3] } ]\n";
+  const auto model = Model::from_text(jaw);
+  ASSERT_TRUE(model) << to_string(model.error());
+  ExportSettings settings = of("jaw.pocket", Path::kCutter);
+  settings.cutter = 0.0029;
+  const auto good = exported_curves(*model, settings);
+  EXPECT_TRUE(good) << to_string(good.error());
+  settings.cutter = 0.0035;
+  EXPECT_THAT(refused(*model, settings), HasSubstr("its path crosses itself at"));
+  EXPECT_THAT(refused(*model, settings), HasSubstr("where it cuts into another part; up to 2.999 mm can"));
+}
+
+TEST_F(Export, SaysWhichRollerItCannotChoose) {
+  const std::string two =
+      std::string(testing::kCam) +
+      "[bodies.r1]\npose = { x = 70 }\npoints.P = [0, 0]\n"
+      "curves.c = { type = \"circle\", center = [0, 0], radius = 5 }\n"
+      "[bodies.r2]\npose = { x = -70 }\npoints.P = [0, 0]\n"
+      "curves.c = { type = \"circle\", center = [0, 0], radius = 7 }\n"
+      "[joints.g1]\ntype = \"prismatic\"\nbetween = [\"ground.O\", \"r1.P\"]\ndirection = 0\n"
+      "[joints.g2]\ntype = \"prismatic\"\nbetween = [\"ground.O\", \"r2.P\"]\ndirection = 0\n"
+      "[contacts.k1]\nbetween = [\"cam.disc\", \"r1.c\"]\n"
+      "[contacts.k2]\nbetween = [\"r2.c\", \"cam.disc\"]\n";
+  const auto model = Model::from_text(two);
+  ASSERT_TRUE(model) << to_string(model.error());
+  EXPECT_THAT(
+      refused(*model, of("cam.disc", Path::kPitch)),
+      HasSubstr("rollers of different radii touch cam.disc (k1: 5 mm, k2: 7 mm): give the one that is "
+                "meant as the radius of a cutter"));
+}
+
+TEST_F(Export, AKnifeEdgeIsDrawnOnlyByItsCutter) {
+  const Model knife = shipped("knife_edge");
+  std::string name;
+  for (const Body& b : knife.mechanism().bodies) {
+    for (const NamedCurve& c : b.curves) {
+      if (is_point(c.curve)) name = b.name + "." + c.name;
+    }
+  }
+  EXPECT_THAT(refused(knife, of(name)), HasSubstr(name + " is a point, of which there is nothing to draw"));
+  ExportSettings settings = of(name, Path::kCutter);
+  settings.cutter = 0.003;
+  EXPECT_THAT(*curves_dxf(knife, taken(knife, settings), {}, knife.units()), HasSubstr("CIRCLE"));
+}
+
+TEST_F(Export, ACurveByItsSupportHasNoSpans) {
+  const testing::LobedCurve lobes(0.03, 0.002);
+  Mechanism mechanism = Model::from_text(testing::kCam)->mechanism();
+  add_curve(mechanism, 1, "lobes", make_curve(lobes));
+  const auto model = Model::from(mechanism);
+  ASSERT_TRUE(model) << to_string(model.error());
+  const std::string name = mechanism.bodies[1].name + ".lobes";
+  EXPECT_THAT(refused(*model, of(name)), HasSubstr(name + " is given by its support, not by spans"));
+}
+
+TEST_F(Export, APictureHasTheTrueSize) {
+  const Model cam = *Model::from_text(testing::kCam);
+  const auto svg = curves_svg(cam, taken(cam, of("cam.disc")), {}, cam.units());
+  ASSERT_TRUE(svg);
+  // 60 mm wide, at 96 px to the inch, and a margin of 10 px.
+  EXPECT_THAT(*svg, HasSubstr(fmt::format("width=\"{:.5f}\"", 60 / 25.4 * 96 + 20)));
+  EXPECT_THAT(*svg, HasSubstr("data-scale=\"3.77952755906\""));
+  EXPECT_THAT(*svg, HasSubstr("data-role=\"origin\""));
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,113 @@
+#include "higherpair/io/dxf_writer.hpp"
+
+#include "io/boundary_testing.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Codes and values, one pair a line.
+std::vector<std::string> pairs_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> pairs;
+  std::string code, value;
+  while (std::getline(stream, code) && std::getline(stream, value)) {
+    pairs.push_back(fmt::format("{} {}", std::stoi(code), value));
+  }
+  return pairs;
+}
+
+const ArcPolyline kSlot = {
+    {{{0.031, -0.0127}, 1}, {{0.031, 0.0127}, 0}, {{-0.031, 0.0127}, 1}, {{-0.031, -0.0127}, 0}}, true};
+
+TEST(DxfWriter, WritesPolylinesWithBulgesInReleaseTwelve) {
+  EXPECT_THAT(pairs_of(dxf_text({{"cam-slot", kSlot}}, Unit::kMillimetre)),
+              ElementsAre("0 SECTION", "2 HEADER", "9 $ACADVER", "1 AC1009", "9 $INSUNITS", "70 4",
+                          "9 $MEASUREMENT", "70 1", "9 $EXTMIN", "10 -31.0", "20 -12.7", "30 0.0",
+                          "9 $EXTMAX", "10 31.0", "20 12.7", "30 0.0", "0 ENDSEC",                         //
+                          "0 SECTION", "2 TABLES", "0 TABLE", "2 LAYER", "70 1", "0 LAYER", "2 cam-slot",  //
+                          "70 0", "62 7", "6 CONTINUOUS", "0 ENDTAB", "0 ENDSEC",                          //
+                          "0 SECTION", "2 ENTITIES", "0 POLYLINE", "8 cam-slot", "66 1",                   //
+                          "10 0.0", "20 0.0", "30 0.0", "70 1",                                            //
+                          "0 VERTEX", "8 cam-slot", "10 31.0", "20 -12.7", "30 0.0", "42 1.0",             //
+                          "0 VERTEX", "8 cam-slot", "10 31.0", "20 12.7", "30 0.0",                        //
+                          "0 VERTEX", "8 cam-slot", "10 -31.0", "20 12.7", "30 0.0", "42 1.0",             //
+                          "0 VERTEX", "8 cam-slot", "10 -31.0", "20 -12.7", "30 0.0", "0 SEQEND",          //
+                          "8 cam-slot", "0 ENDSEC", "0 EOF"));
+}
+
+TEST(DxfWriter, SaysInWhichUnitItsNumbersAre) {
+  const struct {
+    Unit unit;
+    const char* insunits;
+    const char* measurement;
+    const char* x;
+  } cases[] = {{Unit::kInch, "70 1", "70 0", "10 10.0"},
+               {Unit::kFoot, "70 2", "70 0", "10 0.8333333333333334"},
+               {Unit::kMillimetre, "70 4", "70 1", "10 254.0"},
+               {Unit::kCentimetre, "70 5", "70 1", "10 25.4"},
+               {Unit::kMetre, "70 6", "70 1", "10 0.254"},
+               {Unit::kKilometre, "70 7", "70 1", "10 0.000254"},
+               {Unit::kMicrometre, "70 13", "70 1", "10 254000.0"}};
+  for (const auto& one : cases) {
+    const auto pairs = pairs_of(dxf_text({{"a", {{{{0, 0}, 0}, {{0.254, 0}, 0}}, false}}}, one.unit));
+    EXPECT_EQ(pairs[5], one.insunits);
+    EXPECT_EQ(pairs[7], one.measurement);
+    EXPECT_THAT(pairs, ::testing::Contains(one.x));
+  }
+}
+
+TEST(DxfWriter, GivesEachOutlineItsLayerAndCirclesTheirType) {
+  const double b = std::tan(kPi / 8);
+  const ArcPolyline circle = {{{{0.03, 0.01}, b}, {{0.01, 0.03}, b}, {{-0.01, 0.01}, b}, {{0.01, -0.01}, b}},
+                              true};
+  const std::string text =
+      dxf_text({{"ground-with_a_name_that_is_too_long_for_R12", kSlot}, {"b", circle}}, Unit::kMillimetre);
+  const auto pairs = pairs_of(text);
+  EXPECT_THAT(pairs,
+              ::testing::IsSupersetOf({"2 ground-with_a_name_that_is_too_", "2 b", "0 CIRCLE", "8 b"}));
+  EXPECT_THAT(text, Not(HasSubstr("long")));
+  const auto at = std::find(pairs.begin(), pairs.end(), "0 CIRCLE") - pairs.begin();
+  const auto number = [&](std::ptrdiff_t i) {
+    return std::stod(pairs[static_cast<std::size_t>(at + i)].substr(3));
+  };
+  EXPECT_NEAR(number(2), 10, 1e-14);
+  EXPECT_NEAR(number(3), 10, 1e-14);
+  EXPECT_NEAR(number(5), 20, 1e-14);
+  // Three quarters of it are no circle, nor are four arcs of two.
+  ArcPolyline open = circle;
+  open.closed = false;
+  EXPECT_THAT(dxf_text({{"b", open}}, Unit::kMillimetre), Not(HasSubstr("CIRCLE")));
+  ArcPolyline two = circle;
+  two.vertices[0].p_B.x() += 1e-6;
+  EXPECT_THAT(dxf_text({{"b", two}}, Unit::kMillimetre), Not(HasSubstr("CIRCLE")));
+}
+
+class WrittenDxf : public testing::ProfileWithFiles {};
+
+TEST_F(WrittenDxf, IsReadBackAsItWas) {
+  for (const Unit unit : {Unit::kMillimetre, Unit::kInch, Unit::kMetre}) {
+    write("slot.dxf", dxf_text({{"other", {{{{1, 1}, 1}, {{1, 2}, 1}}, true}}, {"slot", kSlot}}, unit));
+    const NamedCurve read = curve("{ type = \"dxf\", file = \"slot.dxf\", layer = \"slot\" }");
+    ASSERT_TRUE(read.boundary);
+    EXPECT_EQ(read.boundary->spans().size(), 4U);
+    EXPECT_NEAR(read.boundary->size(), std::hypot(0.031 + 0.0127, 0.0127), 1e-15);
+    for (const Boundary::Sample& sample : read.boundary->samples()) {
+      const Vector2d p = sample.point.p_B;
+      const double beyond = std::max(std::abs(p.x()) - 0.031, 0.0);
+      EXPECT_NEAR(std::hypot(beyond, p.y()), 0.0127, 1e-16);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
