@@ -5,6 +5,7 @@
 #include "higherpair/cam/motion_law.hpp"   // IWYU pragma: export
 #include "higherpair/drawing/draw.hpp"     // IWYU pragma: export
 #include "higherpair/front/branches.hpp"   // IWYU pragma: export
+#include "higherpair/front/check.hpp"      // IWYU pragma: export
 #include "higherpair/front/drawing.hpp"    // IWYU pragma: export
 #include "higherpair/front/error.hpp"      // IWYU pragma: export
 #include "higherpair/front/export.hpp"     // IWYU pragma: export

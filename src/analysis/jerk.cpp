@@ -76,6 +76,13 @@ JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher) {
   return jerks;
 }
 
+Jerks true_jerks_of(const Run& run, std::span<const HigherRates> higher) {
+  if (run.row.status == RowStatus::kNotAssemblable) {
+    return Jerks(run.row.bodies.size());
+  }
+  return jerks_with(run, dimensions_of(run.mechanism), higher, true);
+}
+
 std::optional<double> joint_jerk(const Run& run, int joint, const Jerks& bodies) {
   const Dimensions<double> dimensions = dimensions_of(run.mechanism);
   const auto& at = dimensions.joints[static_cast<std::size_t>(joint)];

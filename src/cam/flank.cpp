@@ -1,6 +1,7 @@
 #include "higherpair/cam/flank.hpp"
 
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/roots.hpp"
 #include "higherpair/geometry/support.hpp"
 
 #include <algorithm>
@@ -16,7 +17,8 @@ using Longer = PowerSeries<double, 4>;
 using Vector = Vector2<Series>;
 
 constexpr int kPartsOfSpan = 48;
-constexpr int kProbes = 64;  // places of a span at which a cusp is looked for
+constexpr std::size_t kMostParts = 312;  // more than that, for the knots of a spline
+constexpr int kProbes = 64;              // places of a span at which a cusp is looked for
 constexpr int kMaxNewton = 50;
 constexpr double kSettled = 1e-14;   // of an angle
 constexpr double kNoMotion = 1e-12;  // of the size: a motion against the cam that is none
@@ -101,7 +103,7 @@ public:
   Envelope(CamMotion motion, const Curve& curve, bool outer)
       : motion_(std::move(motion)), curve_(curve), outer_(outer) {}
 
-  [[nodiscard]] const CamMotion& motion() const { return motion_; }
+  [[nodiscard]] FlankOrigin origin() const { return {motion_, curve_, outer_}; }
   void set_sense(double sense) { sense_ = sense; }
 
   // None where no point of the follower can touch.
@@ -266,11 +268,17 @@ private:
   double sense_ = 1;
 };
 
-// Between two breaks of the law.
+// A spline through many points may have a shape between any two of them, if hardly a large one.
+int parts_for(std::size_t knots) {
+  return kPartsOfSpan + static_cast<int>(std::min<std::size_t>(knots, kMostParts));
+}
+
+// Between two joins of the law: over the knots of a spline curvature and its rate are continuous.
 class FlankSpan final : public Span {
 public:
-  FlankSpan(std::shared_ptr<const Envelope> envelope, double sense, const Bounds& joint)
-      : envelope_(std::move(envelope)), sense_(sense), joint_(joint) {}
+  /// \param knots  of the law within
+  FlankSpan(std::shared_ptr<const Envelope> envelope, double sense, const Bounds& joint, std::size_t knots)
+      : envelope_(std::move(envelope)), sense_(sense), joint_(joint), parts_(parts_for(knots)) {}
 
   [[nodiscard]] SpanPoint at(double t) const override {
     const double x = std::clamp(sense_ * t, joint_.low, joint_.high);
@@ -280,25 +288,41 @@ public:
   [[nodiscard]] Bounds range() const override {
     return sense_ > 0 ? joint_ : Bounds{-joint_.high, -joint_.low};
   }
-  [[nodiscard]] int parts() const override { return kPartsOfSpan; }
+  [[nodiscard]] int parts() const override { return parts_; }
+  [[nodiscard]] FlankOrigin origin() const { return envelope_->origin(); }
 
 private:
   std::shared_ptr<const Envelope> envelope_;
   double sense_;
   Bounds joint_;
+  int parts_;
 };
 
+// Where the flank begins to run backwards: its speed is 0.
+double cusp_before(const Envelope& envelope, double from, double to, double speed_to) {
+  const auto speed = [&](double x) {
+    const auto point = envelope.at(x, LawSide::kAfter);
+    return point ? point->speed : std::nan("");
+  };
+  const auto root = root_between([&](double x) { return speed(from + x); }, speed(from), to - from, speed_to);
+  return root ? from + *root : to;
+}
+
 // The first place in a stretch at which the flank runs backwards, or cannot be.
-std::optional<FlankFault> fault_within(const Envelope& envelope, double from, double to) {
-  for (int i = 0; i <= kProbes; ++i) {
-    const double x = i == kProbes ? to : from + i * ((to - from) / kProbes);
-    const auto point = envelope.at(x, i == kProbes ? LawSide::kBefore : LawSide::kAfter);
+std::optional<FlankFault> fault_within(const Envelope& envelope, double from, double to, std::size_t knots) {
+  const int probes = kProbes + static_cast<int>(knots);
+  double last = from;
+  for (int i = 0; i <= probes; ++i) {
+    const double x = i == probes ? to : from + i * ((to - from) / probes);
+    const auto point = envelope.at(x, i == probes ? LawSide::kBefore : LawSide::kAfter);
     if (!point || !point->p_B.allFinite()) {
       return FlankFault{FlankFault::Kind::kNoNormal, x};
     }
     if (!(point->speed > 0)) {
-      return FlankFault{FlankFault::Kind::kUndercut, x};
+      return FlankFault{FlankFault::Kind::kUndercut,
+                        i == 0 ? x : cusp_before(envelope, last, x, point->speed)};
     }
+    last = x;
   }
   return std::nullopt;
 }
@@ -310,11 +334,10 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
   if (motion.cam.turns && motion.law.end() - motion.law.begin() > 2 * kPi * (1 + kSettled)) {
     return tl::unexpected(FlankFault{FlankFault::Kind::kTooLong, motion.law.end()});
   }
-  std::vector<double> ends{motion.law.begin()};
-  for (const double x : motion.law.breaks(motion.law.begin(), motion.law.end())) {
-    ends.push_back(x);
+  std::vector<double> ends;
+  for (const LawJoin& join : motion.law.joins()) {
+    ends.push_back(join.x);
   }
-  ends.push_back(motion.law.end());
   auto envelope = std::make_shared<Envelope>(motion, curve, outer);
   const double middle = (ends[0] + ends[1]) / 2;
   const auto first = envelope->at(middle, LawSide::kAfter);
@@ -328,15 +351,21 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
   envelope->set_sense(sense);
   std::vector<SpanPtr> spans;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    if (const auto fault = fault_within(*envelope, ends[i], ends[i + 1])) {
+    const std::size_t knots = motion.law.breaks(ends[i], ends[i + 1]).size();
+    if (const auto fault = fault_within(*envelope, ends[i], ends[i + 1], knots)) {
       return tl::unexpected(*fault);
     }
-    spans.push_back(std::make_shared<FlankSpan>(envelope, sense, Bounds{ends[i], ends[i + 1]}));
+    spans.push_back(std::make_shared<FlankSpan>(envelope, sense, Bounds{ends[i], ends[i + 1]}, knots));
   }
   if (sense < 0) {
     std::reverse(spans.begin(), spans.end());
   }
   return spans;
+}
+
+std::optional<FlankOrigin> flank_origin(const Span& span) {
+  const auto* flank = dynamic_cast<const FlankSpan*>(&span);
+  return flank != nullptr ? std::optional(flank->origin()) : std::nullopt;
 }
 
 bool closes(const CamMotion& motion) {

@@ -1,7 +1,7 @@
 #include "higherpair/dynamics/contact_forces.hpp"
 
-#include "chebyshev.hpp"
 #include "force_columns.hpp"
+#include "numeric/chebyshev.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,21 +75,6 @@ double parameter(const ForcePiece& piece, double t) {
   return t == -1  ? piece.from
          : t == 1 ? piece.to
                   : (piece.from + piece.to) / 2 + t * (piece.to - piece.from) / 2;
-}
-
-// The minimum that `t` is near, where the derivative vanishes: there the value does not feel t.
-double settled_minimum(const ForceSeries& p, double t) {
-  const ForceSeries first = derivative(p);
-  const ForceSeries second = derivative(first);
-  double best = t;
-  for (int i = 0; i < 4; ++i) {
-    const double step = -value_at(first, best) / value_at(second, best);
-    if (!(value_at(second, best) > 0) || !(std::abs(step) < 1e-3) || std::abs(best + step) > 1) {
-      return t;
-    }
-    best += step;
-  }
-  return best;
 }
 
 // The zero in front of `below`, where p < 0 for the first time after `from`.

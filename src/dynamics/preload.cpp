@@ -1,7 +1,8 @@
 #include "higherpair/dynamics/preload.hpp"
 
-#include "chebyshev.hpp"
+#include "higherpair/dynamics/contact_forces.hpp"
 #include "least_sum.hpp"
+#include "numeric/chebyshev.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -62,6 +62,7 @@ Profile read_root(TableReader& root) {
   read_springs(root, mechanism, joint_type_known);
   laws.finish();
   read_drawing(root, profile);
+  read_limits(root, profile);
   (void)root.take("extra");
   root.finish();
   return profile;

@@ -16,6 +16,7 @@
 namespace higherpair {
 namespace {
 
+using io_detail::DoubleDouble;
 using io_detail::UnitProduct;
 using Error = tl::unexpected<std::string>;
 
@@ -30,8 +31,15 @@ Dimension without_force(Dimension dimension) {
   return dimension;
 }
 
+// Units of pressure, in N/m^2.
+constexpr std::pair<std::string_view, double> kPressures[] = {
+    {"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
+
 std::vector<std::string> all_unit_names() {
   std::vector<std::string> names = {"rpm"};
+  for (const auto& [name, size] : kPressures) {
+    names.emplace_back(name);
+  }
   for (int i = 0; i <= static_cast<int>(Unit::kPoundForce); ++i) {
     names.emplace_back(name_of(static_cast<Unit>(i)));
   }
@@ -141,6 +149,12 @@ private:
       product_ = times_power(times_power(product_, Unit::kRevolution, power), Unit::kMinute, -power);
       return {};
     }
+    for (const auto& [pressure, size] : kPressures) {
+      if (name == pressure) {
+        multiply_pressure(size, power);
+        return {};
+      }
+    }
     const auto unit = find_unit(name);
     if (!unit) {
       const std::string parts = with_space(name);
@@ -149,6 +163,14 @@ private:
     }
     product_ = times_power(product_, *unit, power);
     return {};
+  }
+
+  void multiply_pressure(double size, int power) {
+    product_ = times_power(times_power(product_, Unit::kNewton, power), Unit::kMetre, -2 * power);
+    for (int i = 0; i < std::abs(power); ++i) {
+      DoubleDouble& part = power > 0 ? product_.numerator : product_.denominator;
+      part = part * DoubleDouble{size, 0};
+    }
   }
 
   std::string_view rest_;

@@ -1,4 +1,5 @@
 #include "higherpair/cam/flank.hpp"
+#include "higherpair/cam/sizing.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -134,7 +135,7 @@ private:
     const Curve& curve = curve_of(mechanism_, follower);
     auto spans = cam_flank(motion, curve, outer);
     if (!spans) {
-      report(reading_, late.law, explain(spans.error(), motion));
+      report(reading_, late.law, explain(spans.error(), {motion, curve, outer}));
       return;
     }
     auto boundary = Boundary::make(*std::move(spans), closes(motion), kMeets);
@@ -148,7 +149,8 @@ private:
     named.curve.vertex_B = named.boundary->middle_B();
   }
 
-  [[nodiscard]] std::string explain(const FlankFault& fault, const CamMotion& motion) const {
+  [[nodiscard]] std::string explain(const FlankFault& fault, const FlankOrigin& cam) const {
+    const CamMotion& motion = cam.motion;
     const Dimension& of = motion.cam.turns ? dimension::kAngle : dimension::kLength;
     const std::string at = fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(fault.coordinate),
                                        unit_text(of, reading_.units));
@@ -165,10 +167,34 @@ private:
       case FlankFault::Kind::kUndercut:
         break;
     }
-    return "at " + at +
-           " of the cam the flank would be undercut: put the follower's pose farther from the cam's pivot (a "
-           "larger "
-           "base circle), take a smaller roller, or a longer segment of the law";
+    return "from " + at + " of the cam on the flank would be undercut: " + remedies(cam);
+  }
+
+  // What would keep the flank from being undercut.
+  [[nodiscard]] std::string remedies(const FlankOrigin& cam) const {
+    const auto amount = [&](const Dimension& of, double value) {
+      return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(value),
+                         unit_text(of, reading_.units));
+    };
+    std::string text;
+    if (const auto size = smallest_for_radius(cam, {})) {
+      const bool turns = cam.motion.follower.turns;
+      const double moved = size->rest - cam.motion.follower_rest;
+      text +=
+          fmt::format("it takes a base circle of more than {} instead of {} (the follower's pose {} by {}), ",
+                      amount(dimension::kLength, size->base_radius),
+                      amount(dimension::kLength, size_of(cam)->base_radius), turns ? "turned" : "moved",
+                      amount(turns ? dimension::kAngle : dimension::kLength, moved));
+    }
+    const bool roller = is_conic(cam.curve) && cam.curve.side == Side::kInside;
+    const auto largest = roller ? largest_follower(cam, 0) : std::nullopt;
+    if (largest && largest->value > 0) {
+      text += fmt::format("a roller of less than {}, ", amount(dimension::kLength, largest->value));
+    }
+    return text.empty()
+               ? "put the follower's pose farther from the cam's pivot (a larger base circle), take a "
+                 "smaller roller, or a longer segment of the law"
+               : text + "or a longer segment of the law";
   }
 
   Reading& reading_;

@@ -103,6 +103,9 @@ void read_springs(TableReader& root, Mechanism& mechanism, const std::vector<boo
 /// How bodies, points and curves are drawn.
 void read_drawing(TableReader& root, Profile& profile);
 
+/// What `check` holds the mechanism to.
+void read_limits(TableReader& root, Profile& profile);
+
 /// Drivers and what they are to do; needs at least one.
 void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known,
                   LawBook& laws);

@@ -15,9 +15,9 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr std::array<std::string_view, 13> kTopLevelKeys = {
-    "format",   "title",  "description", "gravity", "units", "bodies", "joints",
-    "contacts", "driver", "drivers",     "laws",    "loads", "springs"};
+constexpr std::array<std::string_view, 14> kTopLevelKeys = {
+    "format",   "title",  "description", "gravity", "units", "bodies",  "joints",
+    "contacts", "driver", "drivers",     "laws",    "loads", "springs", "limits"};
 
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 

@@ -1,4 +1,5 @@
 #include "branches_command.hpp"
+#include "check_command.hpp"
 #include "draw_command.hpp"
 #include "export_command.hpp"
 #include "higherpair/analysis/derivatives.hpp"
@@ -123,6 +124,8 @@ int run(int argc, char** argv) {
   const CLI::App* polygon_command = higherpair::cli::add_polygon_command(app, polygon);
   higherpair::cli::ReportOptions report;
   const CLI::App* report_command = higherpair::cli::add_report_command(app, report);
+  higherpair::cli::CheckOptions check;
+  const CLI::App* check_command = higherpair::cli::add_check_command(app, check);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
   bool known = argc < 2 || argv[1][0] == '-';
@@ -165,6 +168,9 @@ int run(int argc, char** argv) {
   }
   if (report_command->parsed()) {
     return higherpair::cli::report_command(report);
+  }
+  if (check_command->parsed()) {
+    return higherpair::cli::check_command(check);
   }
   if (verify_command->parsed()) {
     return higherpair::cli::verify_command(verify);

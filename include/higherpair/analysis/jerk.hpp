@@ -22,6 +22,10 @@ struct JerkRow {
 /// their centres). Allocates. \param higher  of the drivers; none: their accelerations are constant
 [[nodiscard]] JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher = {});
 
+/// JerkRow::bodies alone.
+[[nodiscard]] std::vector<std::optional<BodyJerk>> true_jerks_of(const Run& run,
+                                                                 std::span<const HigherRates> higher = {});
+
 /// Third time derivative of a joint's coordinate in run.row [rad/s³ or m/s³]: the angle of the second body
 /// relative to the first, or the displacement of the second point along the line of the first.
 /// \param bodies one of the members of JerkRow; none where a body of the joint has none

@@ -5,6 +5,7 @@
 #include "higherpair/geometry/one_freedom.hpp"
 
 #include <memory>
+#include <optional>
 
 #include <tl/expected.hpp>
 
@@ -38,7 +39,7 @@ struct FlankFault {
 /// its turning,
 ///     w·n(φ) - ω h′(φ) = 0,
 /// of which Newton's method gives φ as a power series in the cam's coordinate, so that curvature and its rate
-/// are exact (Litvin, Theory of Gearing, 1989, on envelopes). Spans end where the law has breaks; their
+/// are exact (Litvin, Theory of Gearing, 1989, on envelopes). Spans end where the law has joins; their
 /// parameter is the coordinate of the cam's joint, or minus it. \param curve  of the follower, in its frame:
 /// a conic, line or point \param outer  the flank on the follower's far side from the cam's pivot, with its
 /// material there (a groove's
@@ -46,6 +47,16 @@ struct FlankFault {
 ///   the follower's coordinate grows
 [[nodiscard]] tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion,
                                                                        const Curve& curve, bool outer);
+
+/// What a span of a flank is shaped by.
+struct FlankOrigin {
+  CamMotion motion;
+  Curve curve;         ///< of the follower, in its frame
+  bool outer = false;  ///< as of cam_flank
+};
+
+/// The origin of a span that cam_flank has made; none of other spans.
+[[nodiscard]] std::optional<FlankOrigin> flank_origin(const Span& span);
 
 /// Whether the flank closes: a turning cam whose law repeats after one turn and ends where it began.
 [[nodiscard]] bool closes(const CamMotion& motion);

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "higherpair/dynamics/contact_forces.hpp"
-#include "higherpair/geometry/vector.hpp"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 namespace higherpair {
 
@@ -12,24 +15,27 @@ namespace higherpair {
 // they come to lie as near to these bounds as one likes when the interval is halved again and again: that is
 // how minima and signs are found without missing one.
 
-inline constexpr std::size_t kNodes = ForceSeries().size();
+inline constexpr std::size_t kNodes = 16;
+
+/// Coefficients c_0, c_1, …
+using ChebyshevSeries = std::array<double, kNodes>;
 
 /// The points at which a series is interpolated, ascending, none of them an end: zeros of T_16.
 [[nodiscard]] inline double node(std::size_t j) {
-  return -std::cos(kPi * (static_cast<double>(j) + 0.5) / kNodes);
+  return -std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / kNodes);
 }
 
 /// The series with these values at the nodes.
-[[nodiscard]] inline ForceSeries interpolate(const ForceSeries& values) {
+[[nodiscard]] inline ChebyshevSeries interpolate(const ChebyshevSeries& values) {
   // cos(k π (j + 1/2)/16) has 64 different values.
   static const auto cosines = [] {
     std::array<double, 4 * kNodes> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
-      table[i] = std::cos(kPi * static_cast<double>(i) / (2 * kNodes));
+      table[i] = std::cos(std::numbers::pi * static_cast<double>(i) / (2 * kNodes));
     }
     return table;
   }();
-  ForceSeries c{};
+  ChebyshevSeries c{};
   for (std::size_t k = 0; k < kNodes; ++k) {
     for (std::size_t j = 0; j < kNodes; ++j) {
       c[k] += values[j] * cosines[k * (2 * (kNodes - 1 - j) + 1) % cosines.size()];
@@ -40,7 +46,7 @@ inline constexpr std::size_t kNodes = ForceSeries().size();
 }
 
 /// p(t) by Clenshaw's recurrence.
-[[nodiscard]] inline double value_at(const ForceSeries& p, double t) {
+[[nodiscard]] inline double value_at(const ChebyshevSeries& p, double t) {
   double b1 = 0, b2 = 0;
   for (std::size_t k = kNodes; k-- > 1;) {
     const double b = p[k] + 2 * t * b1 - b2;
@@ -50,8 +56,8 @@ inline constexpr std::size_t kNodes = ForceSeries().size();
   return p[0] + t * b1 - b2;
 }
 
-[[nodiscard]] inline ForceSeries derivative(const ForceSeries& p) {
-  ForceSeries d{};
+[[nodiscard]] inline ChebyshevSeries derivative(const ChebyshevSeries& p) {
+  ChebyshevSeries d{};
   for (std::size_t k = kNodes; k-- > 1;) {
     d[k - 1] = (k + 1 < kNodes ? d[k + 1] : 0) + 2 * static_cast<double>(k) * p[k];
   }
@@ -60,8 +66,8 @@ inline constexpr std::size_t kNodes = ForceSeries().size();
 }
 
 /// The same function on the left (side -1) or right (+1) half of the interval.
-[[nodiscard]] inline ForceSeries half(const ForceSeries& p, double side) {
-  ForceSeries values;
+[[nodiscard]] inline ChebyshevSeries half(const ChebyshevSeries& p, double side) {
+  ChebyshevSeries values;
   for (std::size_t j = 0; j < kNodes; ++j) {
     values[j] = value_at(p, (node(j) + side) / 2);
   }
@@ -69,7 +75,7 @@ inline constexpr std::size_t kNodes = ForceSeries().size();
 }
 
 /// Σ_{k>0} |c_k|.
-[[nodiscard]] inline double spread(const ForceSeries& p) {
+[[nodiscard]] inline double spread(const ChebyshevSeries& p) {
   double sum = 0;
   for (std::size_t k = 1; k < kNodes; ++k) {
     sum += std::abs(p[k]);
@@ -78,7 +84,7 @@ inline constexpr std::size_t kNodes = ForceSeries().size();
 }
 
 /// The first t >= from with p(t) < level. The series is on the part [low, high] of its first interval.
-[[nodiscard]] inline std::optional<double> first_below(const ForceSeries& p, double level, double from,
+[[nodiscard]] inline std::optional<double> first_below(const ChebyshevSeries& p, double level, double from,
                                                        double low = -1, double high = 1) {
   constexpr double kNarrow = 1e-14;
   const double reach = spread(p);
@@ -99,7 +105,7 @@ struct LowestValue {
 };
 
 /// Takes a value of p below best.value - `tolerance` into `best`, if there is one, until none is left.
-inline void find_lower(const ForceSeries& p, double tolerance, LowestValue& best, double low = -1,
+inline void find_lower(const ChebyshevSeries& p, double tolerance, LowestValue& best, double low = -1,
                        double high = 1) {
   constexpr double kNarrow = 1e-9;
   if (!(p[0] - spread(p) < best.value - tolerance)) {
@@ -114,6 +120,21 @@ inline void find_lower(const ForceSeries& p, double tolerance, LowestValue& best
     find_lower(half(p, -1), tolerance, best, low, middle);
     find_lower(half(p, 1), tolerance, best, middle, high);
   }
+}
+
+/// The minimum that `t` is near, where the derivative vanishes: there the value does not feel t.
+[[nodiscard]] inline double settled_minimum(const ChebyshevSeries& p, double t) {
+  const ChebyshevSeries first = derivative(p);
+  const ChebyshevSeries second = derivative(first);
+  double best = t;
+  for (int i = 0; i < 4; ++i) {
+    const double step = -value_at(first, best) / value_at(second, best);
+    if (!(value_at(second, best) > 0) || !(std::abs(step) < 1e-3) || std::abs(best + step) > 1) {
+      return t;
+    }
+    best += step;
+  }
+  return best;
 }
 
 }  // namespace higherpair

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/dynamics/contact_forces.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// Which extremes of a quantity are wanted.
+struct Sought {
+  bool least = false;
+  bool greatest = false;
+};
+
+/// Quantities that are worked out together where a run stands.
+struct PathQuantities {
+  std::vector<Sought> sought;  ///< one for each
+  /// Writes their values for a run that has moved to a parameter of the path; it finds NaN there, which means
+  /// not defined.
+  std::function<void(const Run& run, double at, std::span<double> values)> values;
+};
+
+struct PathExtreme {
+  double value = 0;
+  double at = 0;      ///< parameter of the path
+  double driver = 0;  ///< coordinate of the first driven joint [rad or m]
+};
+
+/// Of one quantity; none where it is nowhere defined, or was not sought.
+struct PathRange {
+  std::optional<PathExtreme> least, greatest;
+};
+
+/// How closely a path is looked at.
+struct PathLook {
+  std::vector<double> breaks;  ///< ascending parameters at which derivatives are known to jump
+  double parts = 0;            ///< at least so many equal parts of the whole path are sampled
+};
+
+/// Smallest and largest values of quantities along a whole path, whatever its rows. Samples (two for each
+/// degree of a turning driver, or more) say near which places they can lie; there the quantity is
+/// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until
+/// the series has converged to within rounding. At jumps both one-sided limits count. Of equal extremes the
+/// first one on the path. What lies entirely between two samples may be missed. Ends early where
+/// is_stopped(start). \param start  the mechanism at the path's first positions, as start_run returns it
+/// \return for each block of quantities a range of each
+[[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
+                                                                const std::vector<PathQuantities>& blocks,
+                                                                const PathLook& look = {});
+
+}  // namespace higherpair

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "higherpair/front/model.hpp"
+#include "higherpair/io/check_limits.hpp"
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+struct CheckSettings {
+  bool in_time = false;                       ///< the motion in time, as RunSettings::in_time
+  double tolerance = 1e-9;                    ///< as RunSettings::tolerance
+  std::shared_ptr<const CheckLimits> limits;  ///< none: those of the profile
+  const std::atomic<bool>* stop = nullptr;    ///< as RunSettings::stop
+};
+
+/// How a figure stands to its limit.
+enum class Verdict {
+  kNoLimit,
+  kKept,
+  kExceeded,
+};
+
+/// One number that a cam or a mechanism is judged by, in the profile's units: an extreme on the whole path,
+/// or a size that would keep a limit.
+struct CheckFigure {
+  std::string item;             ///< "contacts.touch", "joints.guide", "cam.flank", "driver"
+  std::string quantity;         ///< "pressure_angle"; docs/check.md has all
+  std::string of;               ///< the curve that it is about, "cam.flank"; empty: the item itself
+  std::optional<double> value;  ///< none: without bounds
+  std::string unit;             ///< "1" of a pure number
+  std::optional<double> at;     ///< position of the (first) driver at which it is reached
+  std::optional<double> limit;
+  Verdict verdict = Verdict::kNoLimit;
+  std::string remark;  ///< what is special about it, or empty
+};
+
+struct CheckReport {
+  std::string title;
+  std::string driver_unit;           ///< of CheckFigure::at
+  std::vector<CheckFigure> figures;  ///< those of one item together
+  std::vector<Event> events;         ///< as Motion::events, for what makes the path not good
+  bool good = true;                  ///< no limit is exceeded, no contact opens, and the whole path is good
+  bool stopped = false;              ///< figures are missing
+  Diagnostics notes;                 ///< limits that apply to nothing, and those of Analysis::notes
+};
+
+/// Works out for every contact, follower and driver what a cam is judged by, and holds it to the limits:
+/// pressure angles, radii of curvature, the width of flat faces, sliding and rolling speeds, contact forces
+/// and Hertz's pressure, accelerations and jerks, driving efforts, the speed up to which no contact opens; of
+/// flanks that a law has shaped also the sizes that would keep the limits. Extremes are those of the whole
+/// path, whatever its rows. Fails as Model::run does.
+[[nodiscard]] Result<CheckReport> check(const Model& model, const CheckSettings& settings = {});
+
+/// "exceeded", "kept", "" as results print it.
+[[nodiscard]] std::string_view name_of(Verdict verdict);
+
+}  // namespace higherpair

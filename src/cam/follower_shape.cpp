@@ -1,0 +1,97 @@
+#include "follower_shape.hpp"
+
+#include "higherpair/geometry/curve_queries.hpp"
+
+#include <cmath>
+
+namespace higherpair {
+
+std::optional<Round> round_of(const FlankOrigin& cam) {
+  const auto centre = round_center(cam.curve);
+  if (!centre) {
+    return std::nullopt;
+  }
+  return Round{*centre, cam.curve.semi_latus * (cam.curve.side == Side::kInside ? 1 : -1)};
+}
+
+Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest) {
+  const CamMotion& motion = cam.motion;
+  const double q = motion.follower_sign * (rest + lift.s);
+  Centre centre;
+  const Vector2d c = pose_at(motion.follower, q) * round.centre_B;
+  const double q1 = motion.follower_sign * motion.cam_sign * lift.v;
+  centre.u = velocity_per_q(motion.follower, c);
+  centre.v = velocity_per_q(motion.cam, c);
+  centre.w = q1 * centre.u - centre.v;
+  centre.a = motion.follower_sign * lift.a * centre.u + q1 * q1 * acceleration_per_q(motion.follower, c);
+  centre.from_cam = c;
+  if (motion.cam.turns) {
+    centre.from_cam -= motion.cam.p_WO;
+    centre.a += centre.from_cam - 2 * perp(centre.w);
+  }
+  return centre;
+}
+
+Inclination inclination_of(const Centre& centre) {
+  const double speed = centre.u.norm();
+  return {centre.w.dot(centre.u) / speed, cross(centre.v, centre.u) / speed};
+}
+
+double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre) {
+  const Vector2d normal = perp(centre.w);
+  const Vector2d away =
+      cam.motion.cam.turns ? centre.from_cam : Vector2d(cam.motion.follower_sign * centre.u);
+  const double sense = (normal.dot(away) < 0) != cam.outer ? -1 : 1;
+  const double speed2 = centre.w.squaredNorm();
+  return -sense * normal.dot(centre.a) / (speed2 * std::sqrt(speed2));
+}
+
+SizeRange sizes_of_round(const FlankOrigin& cam, const Round& round) {
+  const CamMotion& motion = cam.motion;
+  const double rest = motion.follower_rest;
+  const Vector2d from_cam = centre_at(cam, round, {}, rest).from_cam;
+  if (!motion.follower.turns) {
+    const double height = from_cam.dot(motion.follower.direction_W);
+    const double sense = height < 0 ? -motion.follower_sign : motion.follower_sign;
+    return {rest - motion.follower_sign * height, sense, SizeRange().most, from_cam.norm() / 16};
+  }
+  const Vector2d to_cam = motion.cam.p_WO - motion.follower.p_WO;
+  const Vector2d arm = from_cam + to_cam;
+  const double angle = std::atan2(cross(to_cam, arm), to_cam.dot(arm));
+  return {rest - motion.follower_sign * angle, (angle < 0 ? -1 : 1) * motion.follower_sign, kPi, kPi / 64};
+}
+
+Face face_at(const FlankOrigin& cam, const Lift& lift, double rest) {
+  const CamMotion& motion = cam.motion;
+  const Pose<double> X = pose_at(motion.follower, motion.follower_sign * (rest + lift.s));
+  const Vector2d n = X.R_WB * cam.curve.axis_B;  // out of the cam, into the follower
+  const double q1 = motion.follower_sign * motion.cam_sign * lift.v;
+  const double q2 = motion.follower_sign * lift.a;
+  const double height = n.dot(X * cam.curve.vertex_B - motion.cam.p_WO);
+  if (!motion.follower.turns) {
+    return {height, height + q2 * n.dot(motion.follower.direction_W)};
+  }
+  const Vector2d pivots = motion.follower.p_WO - motion.cam.p_WO;
+  const double across = perp(n).dot(pivots);  // d(height)/dq
+  const double h1 = q1 * across, h2 = q2 * across - q1 * q1 * n.dot(pivots);
+  const double turn = q1 - 1;  // of the normal in the cam
+  return {height, height + (h2 * turn - h1 * q2) / (turn * turn * turn)};
+}
+
+SizeRange sizes_of_flat(const FlankOrigin& cam) {
+  const CamMotion& motion = cam.motion;
+  const double rest = motion.follower_rest;
+  if (!motion.follower.turns) {
+    const double rise =
+        (motion.follower.R_WB * cam.curve.axis_B).dot(motion.follower.direction_W) * motion.follower_sign;
+    const double height = face_at(cam, {}, rest).height;
+    return {rest - height / rise, rise < 0 ? -1.0 : 1.0, SizeRange().most, std::abs(height / rise) / 16};
+  }
+  const Vector2d n = pose_at(motion.follower, motion.follower_sign * rest).R_WB * cam.curve.axis_B;
+  const Vector2d pivots = motion.follower.p_WO - motion.cam.p_WO;
+  const double angle = std::atan2(cross(pivots, n), pivots.dot(n));
+  const double sense = (angle > 0 ? -1 : 1) * motion.follower_sign;
+  return {rest - sense * (kPi / 2 - std::abs(angle)), sense, kPi / 2, kPi / 128};
+}
+
+}  // namespace higherpair

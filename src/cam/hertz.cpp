@@ -1,0 +1,24 @@
+#include "higherpair/cam/hertz.hpp"
+
+#include "higherpair/geometry/vector.hpp"
+
+#include <cmath>
+
+namespace higherpair {
+
+double contact_modulus(const ElasticMaterial& first, const ElasticMaterial& second) {
+  const auto compliance = [](const ElasticMaterial& of) {
+    return (1 - of.poisson * of.poisson) / of.modulus;
+  };
+  return 1 / (compliance(first) + compliance(second));
+}
+
+LinePressure line_pressure(double load, double curvature, double modulus) {
+  if (!(load > 0)) {
+    return {};
+  }
+  const double greatest = std::sqrt(load * modulus * curvature / kPi);
+  return {greatest, 2 * load / (kPi * greatest)};
+}
+
+}  // namespace higherpair

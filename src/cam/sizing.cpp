@@ -1,0 +1,229 @@
+#include "higherpair/cam/sizing.hpp"
+
+#include "follower_shape.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMostExchanges = 60;
+constexpr double kSame = 4e-16;  // relative change of a size that is none
+constexpr double kNoCam = 1e12;  // of a condition where the cam has shrunk to a point
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct SizeAt {
+  double y = 0;
+  double at = 0;
+};
+
+// The y above this one from which on a condition g(y) <= 0 of one place holds.
+std::optional<double> size_above(const std::function<double(double)>& g, double y, const SizeRange& sizes) {
+  const bool bounded = std::isfinite(sizes.most);
+  double step = bounded ? sizes.most / 64 : sizes.step;
+  if (g(y) <= 0) {
+    return y;
+  }
+  for (double low = y, at_low = g(y); low < sizes.most && step < 1e12 * sizes.step; step *= bounded ? 1 : 2) {
+    const double high = std::min(low + step, sizes.most);
+    const double at_high = g(high);
+    if (at_high <= 0) {
+      const auto root = root_between([&](double t) { return g(low + t); }, at_low, high - low, at_high);
+      return root ? std::optional(low + *root) : std::nullopt;
+    }
+    low = high;
+    at_low = at_high;
+  }
+  return std::nullopt;
+}
+
+// The smallest size at which a condition holds on the whole law.
+std::optional<SizeAt> smallest_size(const MotionLaw& law, const SizeRange& sizes,
+                                    const std::function<double(const Lift&, double y)>& condition) {
+  SizeAt size{0, law.begin()};
+  for (int i = 0; i < kMostExchanges; ++i) {
+    const auto checked = [&](const Lift& lift, double y) {
+      const double value = condition(lift, y);
+      return std::isfinite(value) ? value : kNoCam;
+    };
+    const Worst worst = worst_of(law, [&](const Lift& lift) { return checked(lift, size.y); });
+    if (!(worst.peak.value > 0)) {
+      return size;
+    }
+    const auto next = size_above([&](double y) { return checked(worst.lift, y); }, size.y, sizes);
+    if (!next) {
+      return std::nullopt;
+    }
+    const bool settled = *next - size.y <= kSame * *next;
+    size = {*next, worst.peak.at};
+    if (settled) {
+      return size;
+    }
+  }
+  return size;
+}
+
+bool is_sized(const FlankOrigin& cam) {
+  return cam.motion.cam.turns && (is_line(cam.curve) || round_of(cam));
+}
+
+CamSize size_at(const FlankOrigin& cam, double rest, double at) {
+  if (is_line(cam.curve)) {
+    const double height = std::abs(face_at(cam, {}, rest).height);
+    return {rest, height, height, at};
+  }
+  const Round round = *round_of(cam);
+  const double radius = centre_at(cam, round, {}, rest).from_cam.norm();
+  return {rest, radius, cam.outer ? radius + round.radius : radius - round.radius, at};
+}
+
+std::optional<CamSize> sized(const FlankOrigin& cam, const SizeRange& sizes,
+                             const std::optional<SizeAt>& size) {
+  return size ? std::optional(size_at(cam, sizes.rest(size->y), size->at)) : std::nullopt;
+}
+
+// Whether the follower goes back towards the cam's pivot.
+bool returns(const Lift& lift, double away, double sense) {
+  return away * lift.v * sense < 0;
+}
+
+// d >= slope e + level, a half plane.
+struct HalfPlane {
+  double slope = 0, level = 0;
+};
+
+// The point (e, d) of all half planes next to the origin: on one border, or where two meet.
+Vector2d nearest_point(const std::vector<HalfPlane>& planes) {
+  Vector2d best(0, 0);
+  double least = kInfinity;
+  const auto consider = [&](double e) {
+    double d = 0;
+    for (const HalfPlane& plane : planes) {
+      d = std::max(d, plane.slope * e + plane.level);
+    }
+    if (std::hypot(e, d) < least) {
+      least = std::hypot(e, d);
+      best = {e, d};
+    }
+  };
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    consider(-planes[i].slope * planes[i].level / (1 + planes[i].slope * planes[i].slope));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (planes[i].slope != planes[j].slope) {
+        consider((planes[j].level - planes[i].level) / (planes[i].slope - planes[j].slope));
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<CamSize> size_of(const FlankOrigin& cam) {
+  return is_sized(cam) ? std::optional(size_at(cam, cam.motion.follower_rest, 0)) : std::nullopt;
+}
+
+std::optional<CamPlace> largest_center_pressure(const FlankOrigin& cam) {
+  const auto round = round_of(cam);
+  if (!round) {
+    return std::nullopt;
+  }
+  const Worst worst = worst_of(cam.motion.law, [&](const Lift& lift) {
+    const Inclination normal = inclination_of(centre_at(cam, *round, lift, cam.motion.follower_rest));
+    return std::atan2(std::abs(normal.along), std::abs(normal.across));
+  });
+  return CamPlace{worst.peak.value, worst.peak.at};
+}
+
+std::optional<PitchCurvature> pitch_curvature(const FlankOrigin& cam) {
+  const auto round = round_of(cam);
+  if (!round) {
+    return std::nullopt;
+  }
+  const auto extreme = [&](double sign) {
+    const Worst worst = worst_of(cam.motion.law, [&](const Lift& lift) {
+      return sign * pitch_curvature_at(cam, centre_at(cam, *round, lift, cam.motion.follower_rest));
+    });
+    return CamPlace{sign * worst.peak.value, worst.peak.at};
+  };
+  return PitchCurvature{extreme(1), extreme(-1)};
+}
+
+std::optional<CamSize> smallest_for_pressure(const FlankOrigin& cam, const PressureLimits& limits) {
+  const auto round = round_of(cam);
+  if (!round || !cam.motion.cam.turns) {
+    return std::nullopt;
+  }
+  const SizeRange sizes = sizes_of_round(cam, *round);
+  const double out = std::tan(limits.out), back = std::tan(limits.back);
+  return sized(cam, sizes, smallest_size(cam.motion.law, sizes, [&](const Lift& lift, double y) {
+                 const Inclination normal = inclination_of(centre_at(cam, *round, lift, sizes.rest(y)));
+                 const double steepest = returns(lift, sizes.sense, limits.sense) ? back : out;
+                 return std::abs(normal.along) - steepest * std::abs(normal.across);
+               }));
+}
+
+std::optional<CamSize> smallest_for_radius(const FlankOrigin& cam, const RadiusLimits& limits) {
+  if (!is_sized(cam)) {
+    return std::nullopt;
+  }
+  const MotionLaw& law = cam.motion.law;
+  if (is_line(cam.curve)) {
+    const SizeRange sizes = sizes_of_flat(cam);
+    return sized(cam, sizes, smallest_size(law, sizes, [&](const Lift& lift, double y) {
+                   return limits.convex - face_at(cam, lift, sizes.rest(y)).radius;
+                 }));
+  }
+  const Round round = *round_of(cam);
+  const SizeRange sizes = sizes_of_round(cam, round);
+  const double convex = limits.convex + round.radius, concave = limits.concave - round.radius;
+  const double most = convex > 0 ? 1 / convex : kInfinity, least = concave > 0 ? -1 / concave : -kInfinity;
+  return sized(cam, sizes, smallest_size(law, sizes, [&](const Lift& lift, double y) {
+                 const double curvature = pitch_curvature_at(cam, centre_at(cam, round, lift, sizes.rest(y)));
+                 return std::max(curvature - most, least - curvature);
+               }));
+}
+
+std::optional<CamPlace> largest_follower(const FlankOrigin& cam, double convex) {
+  const auto curvature = pitch_curvature(cam);
+  if (!curvature || !(curvature->greatest.value > 0)) {
+    return std::nullopt;
+  }
+  return CamPlace{1 / curvature->greatest.value - convex, curvature->greatest.at};
+}
+
+std::optional<OffsetSize> smallest_with_offset(const FlankOrigin& cam, const PressureLimits& limits) {
+  const auto round = round_of(cam);
+  if (!round || !cam.motion.cam.turns || cam.motion.follower.turns) {
+    return std::nullopt;
+  }
+  const SizeRange sizes = sizes_of_round(cam, *round);
+  const double rise = sizes.sense;  // of the height by the law
+  const double out = std::tan(limits.out), back = std::tan(limits.back);
+  const double turn = cam.motion.follower_sign * cam.motion.cam_sign;
+  std::vector<HalfPlane> planes;
+  Vector2d point(0, 0);
+  for (int i = 0; i < kMostExchanges; ++i) {
+    const auto asks = [&](const Lift& lift) {
+      const double steepest = returns(lift, rise, limits.sense) ? back : out;
+      return std::abs(turn * lift.v - point.x()) / steepest - rise * lift.s;
+    };
+    const Worst worst = worst_of(cam.motion.law, asks);
+    if (!(worst.peak.value - point.y() > kSame * (point.norm() + std::abs(worst.peak.value)))) {
+      break;
+    }
+    const double steepest = returns(worst.lift, rise, limits.sense) ? back : out;
+    const double side = turn * worst.lift.v < point.x() ? -1 : 1;
+    planes.push_back({-side / steepest, side * turn * worst.lift.v / steepest - rise * worst.lift.s});
+    point = nearest_point(planes);
+  }
+  return OffsetSize{point.norm(), point.x(), point.y()};
+}
+
+}  // namespace higherpair

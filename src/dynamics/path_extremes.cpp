@@ -1,0 +1,242 @@
+#include "higherpair/dynamics/path_extremes.hpp"
+
+#include "numeric/peaks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kLongestTurn = kPi / 360;   // between two samples [rad]
+constexpr double kLongestSlide = 1.0 / 360;  // relative to the size
+constexpr double kFewest = 48;               // parts of a path
+constexpr double kFewestInStretch = 3;       // parts between two breaks
+constexpr double kInside = 1e-6;             // of a stretch: so far from its ends are its outer samples
+constexpr double kShortest = 1e-12;          // of the path: where a jump lies is known to that
+constexpr double kRounding = 1e-11;          // of the largest value of a quantity
+constexpr double kMarks = 24;                // places from which the run can go on again
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Something may jump there.
+bool is_break(const RunEvent& event) {
+  return event.type != EventType::kStrokeEnd && event.type != EventType::kOverlap;
+}
+
+// A stretch of the path in which everything is smooth, as far as is known.
+struct Stretch {
+  double from = 0;
+  double to = 0;
+  std::vector<double> at;
+  std::vector<std::vector<double>> values;  // of every quantity, at those places
+};
+
+// A run that moves to places of the path.
+class Mover {
+public:
+  Mover(const Run& run, const DriverPath& path, double at) : path_(&path), run_(run), at_(at) {}
+
+  const Run& move(double at) {
+    path_->motion(at, drivers_);
+    move_to(run_, drivers_);
+    at_ = at;
+    return run_;
+  }
+  [[nodiscard]] double at() const { return at_; }
+  [[nodiscard]] const Run& run() const { return run_; }
+
+private:
+  const DriverPath* path_;
+  Run run_;
+  double at_;
+  std::vector<DriverMotion> drivers_;
+};
+
+class Search {
+public:
+  Search(const Run& start, const DriverPath& path, const std::vector<PathQuantities>& blocks,
+         const PathLook& look)
+      : start_(start), path_(path), blocks_(blocks), look_(look) {}
+
+  std::vector<std::vector<PathRange>> run() {
+    sample();
+    std::vector<std::vector<PathRange>> ranges;
+    std::size_t first = 0;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      ranges.emplace_back();
+      for (std::size_t k = 0; k < blocks_[b].sought.size(); ++k) {
+        const Sought& sought = blocks_[b].sought[k];
+        PathRange range;
+        if (sought.greatest) range.greatest = extreme(b, k, first + k, 1);
+        if (sought.least) range.least = extreme(b, k, first + k, -1);
+        ranges.back().push_back(range);
+      }
+      first += blocks_[b].sought.size();
+    }
+    return ranges;
+  }
+
+private:
+  void sample() {
+    for (const PathQuantities& block : blocks_) {
+      count_ += block.sought.size();
+    }
+    Mover mover(start_, path_, path_.knots.front());
+    if (path_.knots.size() == 1) {
+      begin(mover.at());
+      take(mover, mover.at());
+      end(mover.at());
+      return;
+    }
+    const double whole = path_.knots.back() - path_.knots.front();
+    for (std::size_t i = 1; i < path_.knots.size(); ++i) {
+      const double from = path_.knots[i - 1], to = path_.knots[i];
+      const double parts = std::max(parts_between(from, to), look_.parts * (to - from) / whole);
+      std::vector<double> ends{from};
+      for (const double at : look_.breaks) {
+        if (at > from && at < to) ends.push_back(at);
+      }
+      ends.push_back(to);
+      mark_every_ = parts / kMarks;
+      for (std::size_t k = 1; k < ends.size() && !is_stopped(start_); ++k) {
+        sample_between(mover, ends[k - 1], ends[k],
+                       std::max(kFewestInStretch, std::ceil(parts * (ends[k] - ends[k - 1]) / (to - from))));
+      }
+    }
+  }
+
+  [[nodiscard]] double parts_between(double from, double to) const {
+    std::vector<DriverMotion> first, last;
+    path_.motion(from, first);
+    path_.motion(to, last);
+    double parts = kFewest;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const auto joint = static_cast<std::size_t>(start_.mechanism.drivers[i].joint);
+      const double longest =
+          has_angle(start_.mechanism.joints[joint].type) ? kLongestTurn : kLongestSlide * start_.plan.size;
+      parts = std::max(parts, std::abs(last[i].position - first[i].position) / longest);
+    }
+    return std::ceil(parts);
+  }
+
+  void sample_between(Mover& mover, double from, double to, double parts) {
+    begin(from);
+    for (double k = 0; k <= parts && !is_stopped(start_); ++k) {
+      const double share = std::clamp(k / parts, kInside, 1 - kInside);
+      take(mover, std::lerp(from, to, share));
+    }
+    end(to);
+  }
+
+  void begin(double from) {
+    stretches_.push_back({from, from, {}, std::vector<std::vector<double>>(count_)});
+  }
+  void end(double to) { stretches_.back().to = to; }
+
+  void take(Mover& mover, double at) {
+    const double was = mover.at();
+    const Run& run = mover.move(at);
+    for (const RunEvent& event : run.events) {
+      const double place = std::lerp(was, at, event.share);
+      if (is_break(event) && place > stretches_.back().from && !stretches_.back().at.empty() && place < at) {
+        end(place);
+        begin(place);
+      }
+    }
+    stretches_.back().at.push_back(at);
+    std::size_t first = 0;
+    for (const PathQuantities& block : blocks_) {
+      const std::vector<double> values = values_of(block, run, at);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        stretches_.back().values[first + k].push_back(values[k]);
+      }
+      first += values.size();
+    }
+    if (since_mark_++ >= mark_every_ || marks_.empty()) {
+      marks_.push_back(mover);
+      since_mark_ = 0;
+    }
+  }
+
+  static std::vector<double> values_of(const PathQuantities& block, const Run& run, double at) {
+    std::vector<double> values(block.sought.size(), kNone);
+    if (run.row.status == RowStatus::kOk || run.row.status == RowStatus::kOverlap ||
+        run.row.status == RowStatus::kContactOpen) {
+      block.values(run, at, values);
+    }
+    return values;
+  }
+
+  [[nodiscard]] std::optional<PathExtreme> extreme(std::size_t b, std::size_t k, std::size_t index,
+                                                   double sign) const {
+    PeakFinder finder;
+    double largest = 0;
+    for (const Stretch& stretch : stretches_) {
+      std::vector<double> values = stretch.values[index];
+      for (double& value : values) {
+        value *= sign;
+        largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+      }
+      finder.add(stretch.at, values, stretch.from, stretch.to);
+    }
+    std::optional<Mover> mover;
+    const auto value = [&](double at) {
+      // From the last mark before the first place that is asked for, and from there on to and fro: between
+      // neighbouring samples nothing is lost.
+      if (!mover || !mover->run().held || std::abs(at - mover->at()) > near_) {
+        const auto after =
+            std::upper_bound(marks_.begin(), marks_.end(), at,
+                             [](double place, const Mover& mark) { return place < mark.at(); });
+        mover.emplace(after == marks_.begin() ? marks_.front() : after[-1]);
+      }
+      return sign * values_of(blocks_[b], mover->move(at), at)[k];
+    };
+    PeakLimits limits;
+    limits.shortest = kShortest * (path_.knots.back() - path_.knots.front());
+    limits.noise = kRounding * largest;
+    const auto peak = finder.largest(value, limits);
+    if (!peak || is_stopped(start_)) {
+      return std::nullopt;
+    }
+    const double at = settled(peak->at);
+    std::vector<DriverMotion> there;
+    path_.motion(at, there);
+    return PathExtreme{sign * peak->value, at, there.front().position};
+  }
+
+  // An outer sample of a stretch stands for its end; so does what is there but for rounding.
+  [[nodiscard]] double settled(double at) const {
+    const auto after =
+        std::upper_bound(stretches_.begin(), stretches_.end(), at,
+                         [](double place, const Stretch& stretch) { return place < stretch.from; });
+    const Stretch& stretch = after == stretches_.begin() ? stretches_.front() : after[-1];
+    const auto is_end = [&](double distance) {
+      const double share = distance / (stretch.to - stretch.from);
+      return share < kShortest * 10 || std::abs(share - kInside) < kShortest * 10;
+    };
+    return is_end(at - stretch.from) ? stretch.from : is_end(stretch.to - at) ? stretch.to : at;
+  }
+
+  const Run& start_;
+  const DriverPath& path_;
+  const std::vector<PathQuantities>& blocks_;
+  const PathLook& look_;
+  std::size_t count_ = 0;  // of quantities
+  std::vector<Stretch> stretches_;
+  std::vector<Mover> marks_;
+  double mark_every_ = 0;
+  double since_mark_ = 0;
+  double near_ = (path_.knots.back() - path_.knots.front()) / kFewest;
+};
+
+}  // namespace
+
+std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
+                                                  const std::vector<PathQuantities>& blocks,
+                                                  const PathLook& look) {
+  return Search(start, path, blocks, look).run();
+}
+
+}  // namespace higherpair

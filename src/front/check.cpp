@@ -1,0 +1,149 @@
+#include "higherpair/front/check.hpp"
+
+#include "check_parts.hpp"
+#include "higherpair/front/drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kSame = 1e-9;  // a value that differs from its limit by less is at it
+
+// All rows, for what happens between them. False where the run was stopped.
+bool run_through(Analysis& analysis, CheckReport& report) {
+  Row row;
+  while (analysis.next(row)) {
+  }
+  report.stopped = analysis.stopped();
+  report.events = analysis.events();
+  report.good = analysis.good();
+  report.notes = analysis.notes();
+  return !report.stopped;
+}
+
+void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, const CheckLimits& limits) {
+  const auto& contacts = analysis.impl().model->profile.mechanism.contacts;
+  if (!forces || contacts.empty()) {
+    return;
+  }
+  const auto& given = limits.all[static_cast<std::size_t>(LimitKey::kMinSpeedFactor)];
+  const std::optional<double> factor = analysis.highest_speed();
+  figures.about("mechanism");
+  if (!factor) {
+    if (given) {
+      figures.use(&*given);
+      figures.add("speed_factor", dimension::kNumber, 0.0, std::nullopt, &*given, CheckFigures::Bound::kLeast)
+          .remark = "a contact opens at rest already, or dampers act";
+    }
+    return;
+  }
+  const std::optional<double> value = std::isfinite(*factor) ? factor : std::nullopt;
+  figures
+      .add("speed_factor", dimension::kNumber, value, std::nullopt, given ? &*given : nullptr,
+           CheckFigures::Bound::kLeast)
+      .remark = value ? "so many times the drivers' speed opens a contact" : "no speed opens a contact";
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNoLimit:
+      break;
+    case Verdict::kKept:
+      return "kept";
+    case Verdict::kExceeded:
+      return "exceeded";
+  }
+  return "";
+}
+
+CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dimension,
+                               std::optional<double> value, std::optional<double> driver,
+                               std::string remark) {
+  CheckFigure figure;
+  figure.item = item_;
+  figure.of = of_;
+  figure.quantity = quantity;
+  figure.unit = unit_text(dimension, profile_.units);
+  if (value) {
+    figure.value = from_si(dimension, profile_.units).apply(*value);
+  }
+  if (driver) {
+    figure.at = from_si(driver_dimension(profile_.mechanism), profile_.units).apply(*driver);
+  }
+  figure.remark = std::move(remark);
+  report_.figures.push_back(std::move(figure));
+  return report_.figures.back();
+}
+
+CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dimension,
+                               std::optional<double> value, std::optional<double> driver,
+                               const GivenLimit* limit, Bound bound) {
+  CheckFigure& figure = add(quantity, dimension, value, driver);
+  if (limit == nullptr) {
+    return figure;
+  }
+  use(limit);
+  figure.limit = limit->profile.value_or(from_si(dimension, profile_.units).apply(limit->value));
+  const double slack = kSame * std::abs(limit->value);
+  const bool kept = !value || (bound == Bound::kMost ? std::abs(*value) <= limit->value + slack
+                                                     : *value >= limit->value - slack);
+  figure.verdict = kept ? Verdict::kKept : Verdict::kExceeded;
+  return figure;
+}
+
+void CheckFigures::note_unused() {
+  const auto note = [&](const LimitSet& set) {
+    for (const auto& limit : set) {
+      if (limit && used_.count(&*limit) == 0) {
+        report_.notes.push_back({limit->place, limit->path + ": nothing in this mechanism has this"});
+      }
+    }
+  };
+  note(limits_.all);
+  for (const auto* sets : {&limits_.contacts, &limits_.joints, &limits_.bodies}) {
+    std::for_each(sets->begin(), sets->end(), note);
+  }
+}
+
+Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
+  const Profile& profile = model.profile();
+  const CheckLimits none;
+  const CheckLimits& limits = settings.limits ? *settings.limits : profile.limits ? *profile.limits : none;
+  RunSettings run;
+  run.in_time = settings.in_time;
+  run.tolerance = settings.tolerance;
+  run.stop = settings.stop;
+  run.forces = has_forces(profile.mechanism);
+  run.columns = {"status"};
+  auto analysis = model.start(run);
+  if (!analysis) {
+    return tl::unexpected(std::move(analysis.error()));
+  }
+  const Run start = analysis->impl().run;
+  CheckReport report;
+  report.title = profile.mechanism.title;
+  report.driver_unit = unit_text(driver_dimension(profile.mechanism), profile.units);
+  if (!run_through(*analysis, report)) {
+    return report;
+  }
+  CheckFigures figures(profile, limits, report);
+  add_path_figures(
+      {profile, analysis->impl().schedule, start, run.forces ? &analysis->impl().contacts : nullptr},
+      figures);
+  add_speed(*analysis, run.forces, figures, limits);
+  add_size_figures(profile, figures);
+  figures.note_unused();
+  report.stopped = is_stopped(start);
+  report.good = report.good &&
+                std::none_of(report.figures.begin(), report.figures.end(),
+                             [](const CheckFigure& figure) { return figure.verdict == Verdict::kExceeded; });
+  return report;
+}
+
+}  // namespace higherpair

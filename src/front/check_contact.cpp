@@ -1,0 +1,254 @@
+// The geometry and the speeds of one contact along the path.
+#include "check_parts.hpp"
+#include "higherpair/contact/details.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+using Bound = CheckFigures::Bound;
+
+constexpr double kFlat = 1e-9;     // of the curvature 1/size: straight but for rounding
+constexpr double kAtRest = 1e-9;   // of the speed along a contact: rounding
+constexpr double kNoSpeed = 1e-9;  // of the largest entrainment speed: 0 but for rounding
+
+bool contains(const std::vector<int>& items, int item) {
+  return std::find(items.begin(), items.end(), item) != items.end();
+}
+
+// Whether the body that a contact moves is its second one: the later one in the order of solution.
+bool moves_second(const Run& run, int index) {
+  const Contact& contact = run.mechanism.contacts[static_cast<std::size_t>(index)];
+  for (const Group& group : run.plan.groups) {
+    if (contains(group.bodies, contact.first.body)) {
+      return true;
+    }
+    if (contains(group.bodies, contact.second.body)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// One contact: its geometry and its speeds.
+class CheckedContact {
+public:
+  /// \param split  whether pressure angles of the return have a limit of their own
+  CheckedContact(const Run& run, std::size_t index, bool split)
+      : index_(index),
+        split_(split),
+        second_(moves_second(run, static_cast<int>(index))),
+        contact_(run.mechanism.contacts[index]),
+        follower_(second_ ? contact_.second : contact_.first),
+        other_(second_ ? contact_.first : contact_.second),
+        freedom_(grounded_freedom(run.mechanism, follower_.body)),
+        size_(run.plan.size) {
+    const auto& idle = run.plan.idle_bodies;
+    idle_ = contains(idle, follower_.body) || contains(idle, other_.body);
+    idle_follower_ = contains(idle, follower_.body);
+    const Curve& curve = named_curve(run.mechanism, follower_).curve;
+    swings_roller_ = freedom_ && freedom_->turns && round_center(curve) && !is_point(curve);
+    for (const std::size_t side : {0U, 1U}) {
+      const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
+      const Curve& own = named_curve(run.mechanism, ref).curve;
+      names_[side] = name_of_curve(run.mechanism, ref);
+      flat_[side] = is_line(own);
+      point_[side] = is_point(own);
+    }
+  }
+
+  // In the order of Quantity.
+  [[nodiscard]] static std::vector<Sought> sought() {
+    return {kGreatest, kGreatest, kGreatest, kGreatest, kBoth, kBoth, kBoth, kBoth, kLeast, kBoth, kBoth};
+  }
+
+  void fill(const Run& run, std::span<double> out) const {
+    const MotionRow& row = run.row;
+    const ContactMotion& motion = row.contacts[index_];
+    if (!motion.touches) {
+      return;
+    }
+    fill_shape(run, motion, out);
+    if (row.has_rates[static_cast<std::size_t>(contact_.first.body)] &&
+        row.has_rates[static_cast<std::size_t>(contact_.second.body)]) {
+      out[kSliding] = motion.rates.sliding;
+      // Of a roller that turns freely the surface keeps up with that of the other body.
+      const double along = second_ == idle_follower_ ? motion.rates.along1 : motion.rates.along2;
+      out[kEntrainment] = idle_ ? along : (motion.rates.along1 + motion.rates.along2) / 2;
+      out[kLeastEntrainment] = std::abs(out[kEntrainment]);
+    }
+  }
+
+  void read(const PathRanges& ranges, CheckFigures& figures) const {
+    figures.about("contacts." + contact_.name);
+    read_pressure(ranges, figures);
+    read_speeds(ranges, figures);
+  }
+
+  void read_curves(const PathRanges& ranges, CheckFigures& figures) const {
+    for (const std::size_t side : {0U, 1U}) {
+      figures.about("contacts." + contact_.name, names_[side]);
+      read_curvature(side, ranges[side == 0 ? kCurvature1 : kCurvature2], figures);
+      if (flat_[side]) {
+        read_face(ranges[side == 0 ? kFace1 : kFace2], figures);
+      }
+    }
+  }
+
+private:
+  enum Quantity : std::size_t {
+    kOut,
+    kBack,
+    kCenterOut,
+    kCenterBack,
+    kCurvature1,
+    kCurvature2,
+    kSliding,
+    kEntrainment,
+    kLeastEntrainment,
+    kFace1,
+    kFace2,
+  };
+
+  void fill_shape(const Run& run, const ContactMotion& motion, std::span<double> out) const {
+    const MotionRow& row = run.row;
+    const CommonNormal at = second_ ? motion.at : motion.at.exchanged();
+    const BodyMotion& follower = row.bodies[static_cast<std::size_t>(follower_.body)];
+    const BodyMotion& other = row.bodies[static_cast<std::size_t>(other_.body)];
+    const ContactDetails details =
+        details_of({curve_of(run.mechanism, other_), other, nullptr},
+                   {curve_of(run.mechanism, follower_), follower, freedom_ ? &*freedom_ : nullptr}, at,
+                   second_ ? motion.phi : motion.phi + kPi);
+    const bool back = split_ && goes_back(row, at);
+    if (details.pressure) {
+      out[back ? kBack : kOut] = *details.pressure;
+    }
+    if (details.transmission) {
+      out[back ? kCenterBack : kCenterOut] = kPi / 2 - *details.transmission;
+    }
+    for (const std::size_t side : {0U, 1U}) {
+      const double rho = side == 0 ? motion.at.rho1 : motion.at.rho2;
+      const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
+      if (flat_[side]) {
+        const BodyMotion& body = row.bodies[static_cast<std::size_t>(ref.body)];
+        const Vector2d along = perp(named_curve(run.mechanism, ref).curve.axis_B);
+        out[side == 0 ? kFace1 : kFace2] = along.dot(body.X_WB.inverse_times(motion.at.p_W()));
+      } else if (rho != 0) {
+        out[side == 0 ? kCurvature1 : kCurvature2] = 1 / rho;
+      }
+    }
+  }
+
+  // Whether the follower moves against the normal out of the other body, at more than rounding.
+  [[nodiscard]] bool goes_back(const MotionRow& row, const CommonNormal& at) const {
+    const auto velocity = [&](int body) {
+      const BodyMotion& motion = row.bodies[static_cast<std::size_t>(body)];
+      return Vector2d(motion.v_WB + motion.omega * perp(Vector2d(at.p_W() - motion.X_WB.p_WB)));
+    };
+    if (!row.has_rates[static_cast<std::size_t>(follower_.body)]) {
+      return false;
+    }
+    const Vector2d v = velocity(follower_.body);
+    return v.dot(at.n_W) < -kAtRest * (v.norm() + velocity(other_.body).norm());
+  }
+
+  void read_pressure(const PathRanges& ranges, CheckFigures& figures) const {
+    const auto* most = figures.of_contact(index_, LimitKey::kMaxPressureAngle);
+    const auto* most_back = figures.of_contact(index_, LimitKey::kMaxReturnPressureAngle);
+    const auto read = [&](const std::string& name, std::size_t out, std::size_t back, bool limited) {
+      const auto add = [&](const std::string& quantity, const std::optional<PathExtreme>& extreme,
+                           const GivenLimit* limit) {
+        if (extreme) {
+          figures.add(quantity, dimension::kAngle, extreme->value, extreme->driver, limited ? limit : nullptr,
+                      Bound::kMost);
+        }
+      };
+      add(name, ranges[out].greatest, most);
+      add("return_" + name, ranges[back].greatest, most_back);
+    };
+    if (swings_roller_) {
+      read("pressure_angle", kCenterOut, kCenterBack, true);
+      read("pressure_angle_at_contact", kOut, kBack, false);
+    } else {
+      read("pressure_angle", kOut, kBack, true);
+    }
+  }
+
+  void read_curvature(std::size_t side, const PathRange& range, CheckFigures& figures) const {
+    if (flat_[side] || point_[side]) {
+      return;
+    }
+    const double straight = kFlat / size_;
+    if (range.greatest && range.greatest->value > straight) {
+      figures.add("convex_radius", dimension::kLength, 1 / range.greatest->value, range.greatest->driver,
+                  figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast);
+    }
+    if (range.least && range.least->value < -straight) {
+      figures.add("concave_radius", dimension::kLength, -1 / range.least->value, range.least->driver,
+                  figures.of_contact(index_, LimitKey::kMinConcaveRadius), Bound::kLeast);
+    }
+  }
+
+  void read_face(const PathRange& range, CheckFigures& figures) const {
+    if (!range.least || !range.greatest) {
+      return;
+    }
+    figures.add("face_width", dimension::kLength, range.greatest->value - range.least->value,
+                range.greatest->driver, figures.of_contact(index_, LimitKey::kMaxFaceWidth), Bound::kMost);
+  }
+
+  void read_speeds(const PathRanges& ranges, CheckFigures& figures) const {
+    const auto sliding = peak_of(ranges[kSliding]);
+    if (sliding && !idle_) {
+      figures.add("sliding_speed", dimension::kVelocity, std::abs(sliding->value), sliding->driver,
+                  figures.of_contact(index_, LimitKey::kMaxSlidingSpeed), Bound::kMost);
+    }
+    const auto fastest = peak_of(ranges[kEntrainment]);
+    const auto& slowest = ranges[kLeastEntrainment].least;
+    if (!fastest || !slowest) {
+      return;
+    }
+    figures.add("entrainment_speed", dimension::kVelocity, std::abs(fastest->value), fastest->driver);
+    const auto& [least, greatest] = ranges[kEntrainment];
+    const bool reverses = least->value < 0 && greatest->value > 0;
+    const bool none = reverses || slowest->value < kNoSpeed * std::abs(fastest->value);
+    figures.add("least_entrainment_speed", dimension::kVelocity, none ? 0 : slowest->value, slowest->driver,
+                figures.of_contact(index_, LimitKey::kMinEntrainmentSpeed), Bound::kLeast);
+  }
+
+  std::size_t index_;
+  bool split_;
+  bool second_;  // the follower is the contact's second body
+  Contact contact_;
+  CurveRef follower_, other_;
+  std::optional<OneFreedom> freedom_;  // of the follower
+  double size_;                        // of the mechanism
+  std::array<std::string, 2> names_;   // of the curves
+  bool idle_ = false;                  // one of the bodies turns freely
+  bool idle_follower_ = false;
+  bool swings_roller_ = false;
+  std::array<bool, 2> flat_{}, point_{};
+};
+
+}  // namespace
+
+ContactCheck contact_check(const Run& start, std::size_t index, bool split) {
+  const auto contact = std::make_shared<CheckedContact>(start, index, split);
+  ContactCheck check;
+  check.quantities = {CheckedContact::sought(),
+                      [contact](const Run& run, double, std::span<double> out) { contact->fill(run, out); }};
+  check.read = [contact](const PathRanges& ranges, CheckFigures& figures) { contact->read(ranges, figures); };
+  check.read_curves = [contact](const PathRanges& ranges, CheckFigures& figures) {
+    contact->read_curves(ranges, figures);
+  };
+  return check;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,56 @@
+// What a check follows along the path, part by part, and the figures in their order.
+#include "check_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kSame = 1e-9;  // of a value: equal but for rounding
+
+}  // namespace
+
+std::optional<PathExtreme> peak_of(const PathRange& range) {
+  const auto& [least, greatest] = range;
+  if (!least || !greatest) {
+    return least ? least : greatest;
+  }
+  const double low = std::abs(least->value), high = std::abs(greatest->value);
+  const bool same = std::abs(low - high) <= kSame * std::max(low, high);
+  return (same ? least->at < greatest->at : low > high) ? least : greatest;
+}
+
+void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
+  std::vector<ContactCheck> contacts;
+  std::vector<PathQuantities> blocks;
+  for (std::size_t i = 0; i < checked.start.mechanism.contacts.size(); ++i) {
+    const bool split = figures.of_contact(i, LimitKey::kMaxReturnPressureAngle) != nullptr;
+    contacts.push_back(contact_check(checked.start, i, split));
+    blocks.push_back(contacts.back().quantities);
+  }
+  const JointCheck joints = joint_check(checked);
+  blocks.push_back(joints.accelerations);
+  blocks.push_back(joints.jerks);
+  std::optional<ForceCheck> forces;
+  if (checked.forces != nullptr) {
+    forces = force_check(checked, figures);
+    blocks.push_back(forces->quantities);
+  }
+  const RowPath rows = path_of(checked.schedule);
+  const auto ranges = path_extremes(checked.start, rows.path, blocks, look_at(checked, rows.path));
+  const std::size_t count = contacts.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    contacts[i].read(ranges[i], figures);
+    if (forces) {
+      forces->read_contact(i, ranges[count + 2], figures);
+    }
+    contacts[i].read_curves(ranges[i], figures);
+  }
+  joints.read(ranges[count], ranges[count + 1], figures);
+  if (forces) {
+    forces->read_drivers(ranges[count + 2], figures);
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,203 @@
+#include "higherpair/io/check_limits.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "reading.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+using namespace io_detail;
+
+enum class Range { kPositive, kNotNegative, kSteepness, kPoisson };
+
+constexpr Dimension kPressure = dimension::kForce / (dimension::kLength * dimension::kLength);
+
+// In which tables a key may stand, besides [limits] itself.
+enum Scope { kContact = 1, kSlide = 2, kPivot = 4, kBody = 8 };
+
+struct KeyRow {
+  LimitKey key;
+  std::string_view name;
+  Dimension dimension;
+  Range range;
+  int scopes;
+};
+
+constexpr std::array<KeyRow, kLimitKeys> kKeys = {{
+    {LimitKey::kMaxPressureAngle, "max_pressure_angle", dimension::kAngle, Range::kSteepness, kContact},
+    {LimitKey::kMaxReturnPressureAngle, "max_return_pressure_angle", dimension::kAngle, Range::kSteepness,
+     kContact},
+    {LimitKey::kMinConvexRadius, "min_convex_radius", dimension::kLength, Range::kPositive, kContact},
+    {LimitKey::kMinConcaveRadius, "min_concave_radius", dimension::kLength, Range::kPositive, kContact},
+    {LimitKey::kMaxFaceWidth, "max_face_width", dimension::kLength, Range::kPositive, kContact},
+    {LimitKey::kMaxSlidingSpeed, "max_sliding_speed", dimension::kVelocity, Range::kPositive, kContact},
+    {LimitKey::kMinEntrainmentSpeed, "min_entrainment_speed", dimension::kVelocity, Range::kPositive,
+     kContact},
+    {LimitKey::kMaxContactForce, "max_contact_force", dimension::kForce, Range::kPositive, kContact},
+    {LimitKey::kMinContactForce, "min_contact_force", dimension::kForce, Range::kNotNegative, kContact},
+    {LimitKey::kMaxContactPressure, "max_contact_pressure", kPressure, Range::kPositive, kContact},
+    {LimitKey::kMaxAcceleration, "max_acceleration", dimension::kAcceleration, Range::kPositive, kSlide},
+    {LimitKey::kMaxAngularAcceleration, "max_angular_acceleration", dimension::kAngularAcceleration,
+     Range::kPositive, kPivot},
+    {LimitKey::kMaxJerk, "max_jerk", dimension::kAcceleration / dimension::kTime, Range::kPositive, kSlide},
+    {LimitKey::kMaxAngularJerk, "max_angular_jerk", dimension::kAngularAcceleration / dimension::kTime,
+     Range::kPositive, kPivot},
+    {LimitKey::kMaxDrivingTorque, "max_driving_torque", dimension::kTorque, Range::kPositive, kPivot},
+    {LimitKey::kMaxDrivingForce, "max_driving_force", dimension::kForce, Range::kPositive, kSlide},
+    {LimitKey::kMinSpeedFactor, "min_speed_factor", dimension::kNumber, Range::kPositive, 0},
+    {LimitKey::kElasticModulus, "elastic_modulus", kPressure, Range::kPositive, kBody},
+    {LimitKey::kPoissonRatio, "poisson_ratio", dimension::kNumber, Range::kPoisson, kBody},
+    {LimitKey::kWidth, "width", dimension::kLength, Range::kPositive, kContact},
+}};
+
+constexpr bool rows_follow_the_enum() {
+  for (std::size_t i = 0; i < kKeys.size(); ++i) {
+    if (static_cast<std::size_t>(kKeys[i].key) != i) return false;
+  }
+  return true;
+}
+static_assert(rows_follow_the_enum());
+
+// Why a number makes no sense; empty if it does.
+std::string objection_to(double value, Range range) {
+  switch (range) {
+    case Range::kPositive:
+      return value > 0 ? "" : "must be > 0";
+    case Range::kNotNegative:
+      return value >= 0 ? "" : "must be >= 0";
+    case Range::kSteepness:
+      return value > 0 && value < kPi / 2 ? ""
+                                          : "a pressure angle is limited to more than 0 and less than 90 deg";
+    case Range::kPoisson:
+      break;
+  }
+  return value >= 0 && value <= 0.5 ? "" : "Poisson's ratio is from 0 to 0.5";
+}
+
+// The keys of one table that belong there.
+LimitSet read_set(TableReader& table, const std::function<bool(const KeyRow&)>& belongs) {
+  LimitSet limits;
+  for (const KeyRow& row : kKeys) {
+    const auto item = belongs(row) ? table.take(std::string(row.name)) : std::nullopt;
+    const auto quantity = item ? as_quantity(table.reading(), *item, {row.dimension}) : std::nullopt;
+    if (!quantity) {
+      continue;
+    }
+    if (const std::string objection = objection_to(quantity->si, row.range); !objection.empty()) {
+      report(table.reading(), *item, objection);
+    }
+    limits[static_cast<std::size_t>(row.key)] =
+        GivenLimit{quantity->si, quantity->profile, item->path, place_of(table.reading(), item->value->mark)};
+  }
+  return limits;
+}
+
+int scope_of(const Joint& joint) {
+  return has_angle(joint.type) ? kPivot : kSlide;
+}
+
+// [limits.contacts], [limits.joints], [limits.bodies]: a set for each thing of that name.
+template <class Thing, class ScopeOf>
+std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std::string_view kind,
+                                const std::vector<Thing>& things, const ScopeOf& scope) {
+  std::vector<LimitSet> sets(things.size());
+  const auto item = limits.take(key);
+  if (!item) {
+    return sets;
+  }
+  std::vector<std::string> names;
+  for (const Thing& thing : things) {
+    names.push_back(thing.name);
+  }
+  for_each_table(limits.reading(), *item, fmt::format("limits of a {} (a table)", kind),
+                 [&](const std::string& name, TableReader& table) {
+                   const auto found = std::find(names.begin(), names.end(), name);
+                   if (found == names.end()) {
+                     limits.reading().mistakes.push_back(
+                         {table.mark(), fmt::format("{}: there is no {} `{}`; {}", table.path(), kind, name,
+                                                    suggestion(name, names))});
+                     return;
+                   }
+                   const auto index = static_cast<std::size_t>(found - names.begin());
+                   sets[index] = read_set(
+                       table, [&](const KeyRow& row) { return (row.scopes & scope(things[index])) != 0; });
+                   table.finish();
+                 });
+  return sets;
+}
+
+// A limit of the pressure says nothing where the pressure is not known.
+void require_materials(TableReader& table, const CheckLimits& limits, const Mechanism& mechanism) {
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    const GivenLimit* limit = limit_of(limits, limits.contacts, i, LimitKey::kMaxContactPressure);
+    if (limit == nullptr) {
+      continue;
+    }
+    const Contact& contact = mechanism.contacts[i];
+    std::vector<std::string> missing;
+    if (limit_of(limits, limits.contacts, i, LimitKey::kWidth) == nullptr) {
+      missing.push_back("limits.width");
+    }
+    for (const LimitKey key : {LimitKey::kElasticModulus, LimitKey::kPoissonRatio}) {
+      for (const int body : {contact.first.body, contact.second.body}) {
+        const auto name = fmt::format("limits.{}", name_of(key));
+        const bool known = limit_of(limits, limits.bodies, static_cast<std::size_t>(body), key) != nullptr;
+        if (!known && std::find(missing.begin(), missing.end(), name) == missing.end()) {
+          missing.push_back(name);
+        }
+      }
+    }
+    if (!missing.empty()) {
+      table.reading().mistakes.push_back(
+          {table.mark(), fmt::format("{}: the pressure of contacts.{} also needs {}", limit->path,
+                                     contact.name, fmt::join(missing, " and "))});
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(LimitKey key) {
+  return kKeys[static_cast<std::size_t>(key)].name;
+}
+
+Dimension dimension_of(LimitKey key) {
+  return kKeys[static_cast<std::size_t>(key)].dimension;
+}
+
+const GivenLimit* limit_of(const CheckLimits& limits, const std::vector<LimitSet>& own, std::size_t index,
+                           LimitKey key) {
+  const auto at = static_cast<std::size_t>(key);
+  if (index < own.size() && own[index][at]) {
+    return &*own[index][at];
+  }
+  return limits.all[at] ? &*limits.all[at] : nullptr;
+}
+
+namespace io_detail {
+
+void read_limits(TableReader& root, Profile& profile) {
+  const auto item = root.take("limits");
+  const Table* content = item ? as_table(root.reading(), *item, "a table of limits") : nullptr;
+  if (content == nullptr) {
+    return;
+  }
+  TableReader table(root.reading(), *content, item->value->mark, item->path);
+  const Mechanism& mechanism = profile.mechanism;
+  auto limits = std::make_shared<CheckLimits>();
+  limits->all = read_set(table, [](const KeyRow&) { return true; });
+  limits->contacts =
+      read_sets(table, "contacts", "contact", mechanism.contacts, [](const Contact&) { return kContact; });
+  limits->joints = read_sets(table, "joints", "joint", mechanism.joints, scope_of);
+  limits->bodies = read_sets(table, "bodies", "body", mechanism.bodies, [](const Body&) { return kBody; });
+  table.finish();
+  require_materials(table, *limits, mechanism);
+  profile.limits = std::move(limits);
+}
+
+}  // namespace io_detail
+}  // namespace higherpair

@@ -1,0 +1,109 @@
+#include "higherpair/io/row_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace higherpair {
+namespace {
+
+std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row) {
+  std::vector<DriverMotion> drivers;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const DriverValues si = schedule.state(row, i).si;
+    drivers.push_back({si.position, si.velocity, si.acceleration});
+  }
+  return drivers;
+}
+
+// Of positions that are given one by one the parameter is the way: the drivers' straight ways from row to row
+// added up, so that rows on the way in one direction make no difference.
+RowPath path_through(const DriverSchedule& schedule) {
+  const auto last = static_cast<std::size_t>(schedule.size() - 1);
+  std::vector<std::vector<DriverMotion>> rows;
+  std::vector<double> ways{0};
+  RowPath result;
+  result.path.knots = {0};
+  double sense = 0;
+  for (std::size_t k = 0; k <= last; ++k) {
+    rows.push_back(drivers_in(schedule, static_cast<std::int64_t>(k)));
+    if (k == 0) {
+      continue;
+    }
+    const double step = rows[k][0].position - rows[k - 1][0].position;
+    const bool single = schedule.driver_count() == 1;
+    const bool turns_back = single ? step * sense < 0 : k > 1;
+    if (turns_back && ways.back() > result.path.knots.back()) {
+      result.path.knots.push_back(ways.back());
+    }
+    sense = step != 0 ? step : sense;
+    ways.push_back(ways.back() + (single ? std::abs(step) : 1));
+  }
+  if (ways.back() > result.path.knots.back()) {
+    result.path.knots.push_back(ways.back());
+  }
+  result.row = [ways, last](double at) {
+    const auto after = std::lower_bound(ways.begin() + 1, ways.end(), at);
+    if (after == ways.end()) {
+      return static_cast<double>(last);
+    }
+    const double share = *after > after[-1] ? (at - after[-1]) / (*after - after[-1]) : 1;
+    return static_cast<double>(after - ways.begin() - 1) + share;
+  };
+  result.path.motion = [rows, row = result.row](double at, std::vector<DriverMotion>& drivers) {
+    const double place = row(at);
+    const auto k = static_cast<std::size_t>(place);
+    const std::size_t next = std::min(k + 1, rows.size() - 1);
+    straight_path(rows[k], rows[next]).motion(place - static_cast<double>(k), drivers);
+  };
+  return result;
+}
+
+// In time the parameter is the time [s].
+RowPath path_in_time(const DriverSchedule& schedule) {
+  const double end = schedule.time_si(schedule.size() - 1);
+  RowPath result;
+  result.path.knots = schedule.breaks();
+  result.path.knots.insert(result.path.knots.begin(), 0);
+  if (end > 0) {
+    result.path.knots.push_back(end);
+  }
+  result.path.motion = [schedule](double t, std::vector<DriverMotion>& drivers) {
+    drivers.resize(schedule.driver_count());
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+      const DriverValues si = schedule.at_time(t, i);
+      drivers[i] = {si.position, si.velocity, si.acceleration};
+    }
+  };
+  result.row = [schedule](double t) {
+    std::int64_t low = 0, high = schedule.size() - 1;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (schedule.time_si(middle) < t ? low : high) = middle;
+    }
+    const double step = schedule.time_si(high) - schedule.time_si(low);
+    return static_cast<double>(low) + (step > 0 ? (t - schedule.time_si(low)) / step : 0);
+  };
+  return result;
+}
+
+}  // namespace
+
+RowPath path_of(const DriverSchedule& schedule) {
+  if (schedule.is_timed()) {
+    return path_in_time(schedule);
+  }
+  if (schedule.is_listed()) {
+    return path_through(schedule);
+  }
+  const std::int64_t last = schedule.size() - 1;
+  RowPath result{
+      straight_path(drivers_in(schedule, 0), drivers_in(schedule, last), static_cast<double>(last)),
+      [](double at) { return at; }};
+  if (last == 0) {
+    result.path.knots = {0};
+  }
+  return result;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "numeric/chebyshev.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+// The largest value of a function of one variable that is smooth but for jumps and kinks, to rounding:
+// samples say near which places it can be, and there the function is resolved by Chebyshev series.
+
+/// A place and the value there.
+struct Peak {
+  double at = 0;
+  double value = -std::numeric_limits<double>::infinity();
+};
+
+/// What a search may cost, and what it does not look at.
+struct PeakLimits {
+  double shortest = 0;  ///< interval: where a jump lies is known to that
+  double noise = 0;     ///< of values: smaller differences are rounding
+  int calls = 3000;     ///< of the function, between two neighbouring samples
+};
+
+/// The largest value of f strictly between two places, its one-sided limits at jumps and ends included. Where
+/// f is a NaN it is not defined. Intervals are halved until the series of each has converged, or its last
+/// terms are small and no longer fall: they are rounding then. First come those next to the larger values.
+/// \param last  terms of the interval that this one is a half of
+template <class F>
+void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
+           double last = std::numeric_limits<double>::infinity()) {
+  constexpr double kFalls = 1.4;
+  constexpr double kRough = 1e5;  // times the noise: more is no rounding
+  ChebyshevSeries values;
+  const auto place = [&](double t) { return (from + to) / 2 + t * (to - from) / 2; };
+  bool whole = true;
+  double left = -std::numeric_limits<double>::infinity(), right = left;
+  for (std::size_t j = 0; j < kNodes; ++j) {
+    const double at = place(node(j));
+    const double value = f(at);
+    values[j] = -value;
+    if (!std::isfinite(value)) {
+      whole = false;
+      continue;
+    }
+    (j < kNodes / 2 ? left : right) = std::max(value, j < kNodes / 2 ? left : right);
+    best = value > best.value ? Peak{at, value} : best;
+  }
+  limits.calls -= static_cast<int>(kNodes);
+  double tail = std::numeric_limits<double>::infinity();
+  if (whole) {
+    const ChebyshevSeries series = interpolate(values);
+    tail = std::abs(series[kNodes - 1]) + std::abs(series[kNodes - 2]) + std::abs(series[kNodes - 3]);
+    if (tail <= limits.noise || (tail <= kRough * limits.noise && tail * kFalls >= last)) {
+      LowestValue lowest{0, std::numeric_limits<double>::infinity()};
+      find_lower(series, std::max(1e-3 * limits.noise, 0.1 * tail), lowest);
+      const double t = settled_minimum(series, lowest.t);
+      if (-value_at(series, t) > best.value) {
+        best = {t == -1 ? from : t == 1 ? to : place(t), -value_at(series, t)};
+      }
+      return;
+    }
+  }
+  if (!(to - from > limits.shortest) || std::max(left, right) == -std::numeric_limits<double>::infinity() ||
+      limits.calls <= 0) {
+    return;
+  }
+  const double middle = (from + to) / 2;
+  for (const bool first : {left >= right, left < right}) {
+    first ? raise(f, from, middle, limits, best, tail) : raise(f, middle, to, limits, best, tail);
+  }
+}
+
+/// Collects samples of stretches in which a function is continuous, and finds the largest value of all.
+class PeakFinder {
+public:
+  /// Ascending places and the values there; a NaN: not defined. Values of two stretches may differ where they
+  /// meet.
+  /// \param from, to  ends of the stretch: the first and the last place, or beyond them
+  void add(std::span<const double> at, std::span<const double> values, double from, double to) {
+    const auto level = [&](std::size_t i) { return i < values.size() ? values[i] : std::nan(""); };
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double before = level(i - 1), after = level(i + 1);  // level(-1) is beyond the end: a NaN
+      scale_ = std::isfinite(values[i]) ? std::max(scale_, std::abs(values[i])) : scale_;
+      if (!std::isfinite(values[i]) || before >= values[i] || after > values[i]) {
+        continue;
+      }
+      const auto rise = [&](double beside) {
+        return std::isfinite(beside) ? values[i] - beside : std::numeric_limits<double>::infinity();
+      };
+      const double open = std::max(i > 0 ? rise(before) : 0.0, i + 1 < values.size() ? rise(after) : 0.0);
+      const double low = i > 0 ? at[i - 1] : from, high = i + 1 < values.size() ? at[i + 1] : to;
+      candidates_.push_back({low, high, {at[i], values[i]}, open});
+    }
+  }
+
+  /// The first of the places at which `f` is largest, to rounding; none where it is nowhere defined.
+  /// \param limits  its noise is raised to the rounding of the largest sample
+  template <class F>
+  [[nodiscard]] std::optional<Peak> largest(const F& f, PeakLimits limits) {
+    constexpr double kRounding = 1e-12;
+    limits.noise = std::max(limits.noise, kRounding * scale_);
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.peak.value > b.peak.value; });
+    double best = -std::numeric_limits<double>::infinity();
+    int left = kMostCalls;
+    std::vector<Peak> found;
+    for (const Candidate& candidate : candidates_) {
+      if (candidate.peak.value + candidate.open < best) {
+        continue;
+      }
+      Peak peak = candidate.peak;
+      if (candidate.open > limits.noise && left > 0) {
+        PeakLimits own = limits;
+        raise(f, candidate.from, candidate.to, own, peak);
+        left -= limits.calls - own.calls;
+      }
+      best = std::max(best, peak.value);
+      found.push_back(peak);
+    }
+    std::optional<Peak> first;
+    for (const Peak& peak : found) {
+      if (peak.value >= best - limits.noise && (!first || peak.at < first->at)) {
+        first = peak;
+      }
+    }
+    return first;
+  }
+
+private:
+  struct Candidate {
+    double from = 0;
+    double to = 0;
+    Peak peak;
+    double open = 0;  // how much higher the function may be between the samples
+  };
+  static constexpr int kMostCalls = 40000;
+
+  std::vector<Candidate> candidates_;
+  double scale_ = 0;  // largest absolute value
+};
+
+}  // namespace higherpair

@@ -1,0 +1,254 @@
+// The sizes of cams: worked examples that others have published, closed forms, and flanks made of the
+// sizes found, whose own angles and curvatures are at the limit.
+#include "higherpair/cam/sizing.hpp"
+
+#include "cam/law_testing.hpp"
+
+#include <cmath>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kDeg = kPi / 180;
+
+// Dwell, rise by 1, dwell, return, over 90 degrees each.
+MotionLaw four_quarters(LawType type) {
+  const double quarter = kPi / 2;
+  return testing::law_of(
+      {{LawType::kDwell, quarter}, {type, quarter, 1}, {LawType::kDwell, quarter}, {type, quarter, -1}},
+      true);
+}
+
+OneFreedom turning(const Vector2d& pivot = Vector2d::Zero()) {
+  OneFreedom freedom;
+  freedom.p_WO = pivot;
+  return freedom;
+}
+
+OneFreedom sliding(double offset = 0) {
+  OneFreedom freedom;
+  freedom.turns = false;
+  freedom.p_WO = {offset, 0};
+  freedom.direction_W = Vector2d::UnitY();
+  return freedom;
+}
+
+// Made first: a half-made cam would have to be taken down again.
+FlankOrigin cam_of(const OneFreedom& follower, double sign, double rest, const MotionLaw& law,
+                   const Curve& curve) {
+  return {{turning(), 1, follower, sign, rest, law}, curve, false};
+}
+
+FlankOrigin roller_cam(const MotionLaw& law, double rest, double radius, double offset = 0) {
+  return cam_of(sliding(offset), 1, rest, law, make_circle({0, 0}, radius).value());
+}
+
+FlankOrigin flat_cam(const MotionLaw& law, double rest) {
+  return cam_of(sliding(), 1, rest, law, make_line({0, 0}, {0, -1}).value());
+}
+
+// A roller at the end of an arm of 3 about a pivot that is 4 from the cam's.
+FlankOrigin swinging_cam(const MotionLaw& law, double rest, double radius) {
+  return cam_of(turning({4, 0}), -1, rest, law, make_circle({-3, 0}, radius).value());
+}
+
+// Largest and smallest curvature of a flank, at places so dense that they miss it by some 1e-6.
+Bounds curvatures_of(const FlankOrigin& cam) {
+  const auto spans = cam_flank(cam.motion, cam.curve, cam.outer);
+  if (!spans) {
+    ADD_FAILURE() << "undercut at " << spans.error().coordinate;
+    return {};
+  }
+  Bounds bounds{1e9, -1e9};
+  for (const SpanPtr& span : *spans) {
+    for (int i = 0; i <= 2000; ++i) {
+      const double kappa = span->at(std::lerp(span->range().low, span->range().high, i / 2000.0)).kappa;
+      bounds = {std::min(bounds.low, kappa), std::max(bounds.high, kappa)};
+    }
+  }
+  return bounds;
+}
+
+// Cam example of Norton, as worked in the package `mechanism` of gabemorris12.
+TEST(CamSizing, GivesThePublishedPrimeCircleOfACycloidalCam) {
+  const FlankOrigin cam = roller_cam(four_quarters(LawType::kCycloidal), 2, 0.5);
+  const auto size = smallest_for_pressure(cam, {30 * kDeg, 30 * kDeg});
+  ASSERT_TRUE(size);
+  EXPECT_NEAR(size->radius, 1.750944530, 5e-10);
+  EXPECT_NEAR(size->base_radius, 1.250944530, 5e-10);
+  EXPECT_NEAR(size->at / kDeg - 90, 40.893, 5e-4);
+  // d = s′/tan α - s there, with s″ = s′/... : the derivative of d along the law is 0.
+  const MotionLaw& law = cam.motion.law;
+  EXPECT_NEAR(law.derivative(2, size->at) / std::tan(30 * kDeg), law.derivative(1, size->at), 1e-11);
+  EXPECT_NEAR(law.derivative(1, size->at) / std::tan(30 * kDeg) - law(size->at), size->radius, 1e-14);
+
+  const FlankOrigin sized = roller_cam(law, size->rest, 0.5);
+  EXPECT_NEAR(largest_center_pressure(sized)->value / kDeg, 30, 1e-12);
+  EXPECT_NEAR(largest_center_pressure(sized)->at, size->at, 1e-9);
+  const PitchCurvature curvature = pitch_curvature(sized).value();
+  EXPECT_NEAR(1 / curvature.greatest.value, 1.394110, 5e-7);
+  EXPECT_NEAR(curvature.greatest.at / kDeg - 90, 66.423, 5e-4);
+}
+
+TEST(CamSizing, GivesThePublishedOffsetOfAFreeGuide) {
+  const FlankOrigin cam = roller_cam(four_quarters(LawType::kCycloidal), 2, 0.5);
+  const auto size = smallest_with_offset(cam, {30 * kDeg, 45 * kDeg});
+  ASSERT_TRUE(size);
+  EXPECT_NEAR(size->radius, 1.225614472, 5e-10);
+  EXPECT_NEAR(size->offset, 0.329322519, 5e-10);
+  EXPECT_NEAR(std::hypot(size->offset, size->rest), size->radius, 1e-15);
+  // A guide that stands there already asks for this height.
+  const auto there =
+      smallest_for_pressure(roller_cam(cam.motion.law, 2, 0.5, size->offset), {30 * kDeg, 45 * kDeg});
+  EXPECT_NEAR(there->radius, size->radius, 1e-12);
+  // A cam that turns the other way wants it on the other side, with rise and return exchanged.
+  const auto other = smallest_with_offset(cam, {30 * kDeg, 45 * kDeg, -1});
+  EXPECT_NEAR(other->offset, -size->offset, 1e-12);
+  EXPECT_NEAR(other->radius, size->radius, 1e-12);
+}
+
+TEST(CamSizing, GivesThePublishedBaseCircleOfAFlatFace) {
+  const auto size = smallest_for_radius(flat_cam(four_quarters(LawType::kCycloidal), 2), {0.25});
+  ASSERT_TRUE(size);
+  EXPECT_NEAR(size->base_radius, 1.892631279, 5e-10);
+  EXPECT_NEAR(size->rest, size->base_radius, 1e-15);
+}
+
+// s = h/2 (1 - cos 2x): ρ = r + s + s″ = r + h/2 + 3/2 h cos 2x, least r - h.
+TEST(CamSizing, OfAHarmonicLawUnderAFlatFaceIsTheClosedForm) {
+  const auto size = smallest_for_radius(flat_cam(four_quarters(LawType::kHarmonic), 7), {0.31});
+  EXPECT_NEAR(size->base_radius, 1.31, 1e-13);
+}
+
+// A harmonic rise over a half turn under a flat face: a circle about a point off the pivot.
+TEST(CamSizing, OfASimpleHarmonicLawGivesACircle) {
+  const MotionLaw law =
+      testing::law_of({{LawType::kHarmonic, kPi, 0.050}, {LawType::kHarmonic, kPi, -0.050}}, true);
+  const auto size = smallest_for_radius(flat_cam(law, 1), {0.025});
+  // ρ = r + h/2 everywhere: with a least radius of 25 the base circle may vanish.
+  EXPECT_NEAR(size->base_radius, 0, 1e-15);
+  const auto spans = cam_flank(flat_cam(law, 0.025).motion, make_line({0, 0}, {0, -1}).value(), false);
+  ASSERT_TRUE(spans);
+  for (const SpanPtr& span : *spans) {
+    for (const double share : {0.0, 0.21, 0.5, 0.83, 1.0}) {
+      const SpanPoint point = span->at(std::lerp(span->range().low, span->range().high, share));
+      EXPECT_NEAR(1 / point.kappa, 0.050, 1e-15);
+      EXPECT_NEAR((point.p_B - 0.050 * point.n_B - Vector2d(0, -0.025)).norm(), 0, 1e-15);
+    }
+  }
+}
+
+TEST(CamSizing, ForARadiusGivesAFlankThatHasIt) {
+  for (const LawType type : {LawType::kCycloidal, LawType::kModifiedSine, LawType::kPolynomial4567}) {
+    const RadiusLimits limits{0.25, 3.1};
+    FlankOrigin cam = roller_cam(four_quarters(type), 3, 0.5);
+    cam.motion.follower_rest = smallest_for_radius(cam, limits)->rest;
+    const Bounds bounds = curvatures_of(cam);
+    EXPECT_NEAR(std::max(bounds.high * limits.convex, -bounds.low * limits.concave), 1, 1e-5);
+    EXPECT_LE(bounds.high * limits.convex, 1 + 1e-12);
+    EXPECT_LE(-bounds.low * limits.concave, 1 + 1e-12);
+  }
+}
+
+TEST(CamSizing, WithoutUndercutGivesTheLastFlankThatCanBe) {
+  FlankOrigin cam = roller_cam(four_quarters(LawType::kCycloidal), 3, 0.9);
+  const double rest = smallest_for_radius(cam, {})->rest;
+  cam.motion.follower_rest = rest * (1 + 1e-6);
+  EXPECT_TRUE(cam_flank(cam.motion, cam.curve, false));
+  cam.motion.follower_rest = rest * (1 - 1e-3);
+  const auto fault = cam_flank(cam.motion, cam.curve, false);
+  ASSERT_FALSE(fault);
+  EXPECT_EQ(fault.error().kind, FlankFault::Kind::kUndercut);
+  // Where the flank begins to run back the pitch curve is as curved as the roller.
+  EXPECT_NEAR(fault.error().coordinate, smallest_for_radius(cam, {})->at, 0.1);
+}
+
+TEST(CamSizing, OfTheLargestRollerGivesTheRadiusAskedFor) {
+  const MotionLaw law = four_quarters(LawType::kCycloidal);
+  const auto largest = largest_follower(roller_cam(law, 1.75, 0.5), 0.2);
+  ASSERT_TRUE(largest);
+  const Bounds bounds = curvatures_of(roller_cam(law, 1.75, largest->value));
+  EXPECT_NEAR(1 / bounds.high, 0.2, 1e-6);
+  EXPECT_GE(1 / bounds.high, 0.2 * (1 - 1e-12));
+}
+
+TEST(CamSizing, OfASwingingRollerIsAtTheLimitAndNotSmaller) {
+  const MotionLaw law = testing::law_of({{LawType::kDwell, 1.5},
+                                         {LawType::kCycloidal, 1.6, 0.4},
+                                         {LawType::kDwell, 1.5},
+                                         {LawType::kCycloidal, 2 * kPi - 4.6, -0.4}},
+                                        true);
+  FlankOrigin cam = swinging_cam(law, 0.6, 0.3);
+  const auto size = smallest_for_pressure(cam, {32 * kDeg, 32 * kDeg});
+  ASSERT_TRUE(size);
+  cam.motion.follower_rest = size->rest;
+  EXPECT_NEAR(largest_center_pressure(cam)->value / kDeg, 32, 1e-11);
+  EXPECT_NEAR(size_of(cam)->radius, size->radius, 1e-15);
+  // Law of cosines between the pivots.
+  EXPECT_NEAR(size->radius, std::sqrt(25 - 24 * std::cos(size->rest)), 1e-14);
+  cam.motion.follower_rest = size->rest - 1e-3;
+  EXPECT_GT(largest_center_pressure(cam)->value / kDeg, 32);
+
+  const auto round = smallest_for_radius(cam, {0.2, 1.5});
+  ASSERT_TRUE(round);
+  cam.motion.follower_rest = round->rest;
+  const Bounds bounds = curvatures_of(cam);
+  EXPECT_NEAR(std::max(bounds.high * 0.2, -bounds.low * 1.5), 1, 1e-5);
+}
+
+TEST(CamSizing, OfASwingingFaceGivesAFlankThatHasTheRadius) {
+  const MotionLaw law = testing::law_of({{LawType::kDwell, 1.5},
+                                         {LawType::kCycloidal, 1.9, 0.2},
+                                         {LawType::kDwell, 1.1},
+                                         {LawType::kCycloidal, 2 * kPi - 4.5, -0.2}},
+                                        true);
+  FlankOrigin cam = cam_of(turning({4, 0}), -1, 0.35, law, make_line({0, -0.1}, {0, -1}).value());
+  const auto size = smallest_for_radius(cam, {0.15});
+  ASSERT_TRUE(size);
+  cam.motion.follower_rest = size->rest;
+  EXPECT_NEAR(1 / curvatures_of(cam).high, 0.15, 1e-6);
+}
+
+TEST(CamSizing, ScalesWithTheCam) {
+  for (const double scale : {1e-4, 1e3}) {
+    MotionLaw law = testing::law_of({{LawType::kDwell, kPi / 2},
+                                     {LawType::kCycloidal, kPi / 2, scale},
+                                     {LawType::kDwell, kPi / 2},
+                                     {LawType::kCycloidal, kPi / 2, -scale}},
+                                    true);
+    const FlankOrigin cam = roller_cam(law, 2 * scale, 0.5 * scale);
+    EXPECT_NEAR(smallest_for_pressure(cam, {30 * kDeg, 30 * kDeg})->radius / scale, 1.750944530030, 1e-11);
+    EXPECT_NEAR(smallest_with_offset(cam, {30 * kDeg, 45 * kDeg})->offset / scale, 0.329322519342, 1e-11);
+  }
+}
+
+TEST(CamSizing, IsNoneForOtherFollowersAndCamsThatSlide) {
+  const MotionLaw law = four_quarters(LawType::kCycloidal);
+  FlankOrigin ellipse = roller_cam(law, 2, 0.5);
+  ellipse.curve = make_ellipse({0, 0}, {0.5, 0.3}, 0).value();
+  EXPECT_FALSE(size_of(ellipse));
+  EXPECT_FALSE(largest_center_pressure(ellipse));
+  EXPECT_FALSE(smallest_for_radius(ellipse, {}));
+  EXPECT_FALSE(largest_follower(ellipse, 0));
+  FlankOrigin slide = roller_cam(law, 2, 0.5);
+  slide.motion.cam = sliding();
+  slide.motion.cam.direction_W = Vector2d::UnitX();
+  EXPECT_FALSE(smallest_for_pressure(slide, {0.5, 0.5}));
+  EXPECT_FALSE(smallest_with_offset(slide, {0.5, 0.5}));
+  EXPECT_FALSE(smallest_with_offset(swinging_cam(law, 1, 0.3), {0.5, 0.5}));
+  // tan of the angle is s′ where nothing turns.
+  EXPECT_NEAR(std::tan(largest_center_pressure(slide)->value), 4 / kPi, 1e-12);
+}
+
+TEST(CamSizing, IsNoneWhereNoSizeKeepsTheLimit) {
+  // An arm of 3 that swings by 0.9 rad within 0.9 rad.
+  const MotionLaw law =
+      testing::law_of({{LawType::kCycloidal, 0.9, 0.9}, {LawType::kCycloidal, 2 * kPi - 0.9, -0.9}}, true);
+  EXPECT_FALSE(smallest_for_pressure(swinging_cam(law, 0.6, 0.3), {5 * kDeg, 5 * kDeg}));
+}
+
+}  // namespace
+}  // namespace higherpair

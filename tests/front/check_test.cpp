@@ -1,0 +1,486 @@
+#include "higherpair/front/check.hpp"
+
+#include "front/cam_profile.hpp"
+#include "higherpair/cam/hertz.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::model_of;
+using testing::shipped_model;
+
+constexpr double kDeg = kPi / 180;
+
+CheckReport checked(const Model& model, const CheckSettings& settings = {}) {
+  auto report = check(model, settings);
+  if (!report) {
+    throw std::runtime_error(to_string(report.error()));
+  }
+  return *std::move(report);
+}
+
+CheckReport checked(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return checked(model_of(text, overrides));
+}
+
+const CheckFigure* find(const CheckReport& report, const std::string& item, const std::string& quantity,
+                        const std::string& of = "") {
+  for (const CheckFigure& figure : report.figures) {
+    if (figure.item == item && figure.quantity == quantity && (of.empty() || figure.of == of)) {
+      return &figure;
+    }
+  }
+  return nullptr;
+}
+
+const CheckFigure& figure(const CheckReport& report, const std::string& item, const std::string& quantity,
+                          const std::string& of = "") {
+  const CheckFigure* found = find(report, item, quantity, of);
+  if (found == nullptr) {
+    throw std::out_of_range(item + " has no " + quantity);
+  }
+  return *found;
+}
+
+double value(const CheckReport& report, const std::string& item, const std::string& quantity,
+             const std::string& of = "") {
+  return figure(report, item, quantity, of).value.value();
+}
+
+// A cam in millimetres and its translating follower; dwell, rise by 1, dwell, return over 90 degrees each.
+std::string four_quarters(const std::string& follower, double height, const std::string& more = "") {
+  return fmt::format(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = {{ type = "cam", law = "lift", contact = "touch" }}
+[bodies.follower]
+pose = {{ x = 0, y = {:.17g} }}
+points.P = [0, 0]
+curves.tip = {}
+[laws.lift]
+segments = [ {{ over = 90, law = "dwell" }}, {{ over = 90, law = "cycloidal", rise = 1 }},
+             {{ over = 90, law = "dwell" }}, {{ over = 90, law = "cycloidal", rise = -1 }} ]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.flank", "follower.tip"]
+[driver]
+joint = "pivot"
+end = 360
+velocity = "1 rad/s"
+{})",
+                     height, follower, more);
+}
+
+const char* const kFace = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
+const char* const kRoller = R"({ type = "circle", center = [0, 0], radius = 0.5 })";
+
+TEST(Check, OfAFlatFacedCamGivesThePublishedFaceAndRadius) {
+  const CheckReport report =
+      checked(four_quarters(kFace, 1.892631278649, "[limits]\nmin_convex_radius = 0.25\n"));
+  EXPECT_NEAR(value(report, "contacts.touch", "face_width"), 2.546479089, 5e-10);
+  EXPECT_NEAR(value(report, "contacts.touch", "face_width"), 8 / kPi, 1e-12);
+  EXPECT_NEAR(value(report, "contacts.touch", "convex_radius", "cam.flank"), 0.25, 1e-11);
+  EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.flank").verdict, Verdict::kKept);
+  EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"), 0, 1e-13);
+  EXPECT_NEAR(value(report, "cam.flank", "base_circle_for_radius"), 1.892631278649, 1e-11);
+  // Of the law: a = 2π h/T² and j = 4π² h/T³ with T = π/2 s.
+  EXPECT_NEAR(std::abs(value(report, "joints.guide", "acceleration")), 2 * kPi / (kPi * kPi / 4), 1e-11);
+  EXPECT_NEAR(std::abs(value(report, "joints.guide", "jerk")), 4 * kPi * kPi / (kPi * kPi * kPi / 8), 1e-9);
+  EXPECT_NEAR(figure(report, "joints.guide", "jerk").at.value(), 90, 1e-6);
+  EXPECT_TRUE(report.good);
+}
+
+TEST(Check, OfARollerCamGivesThePublishedAngleRadiusAndSizes) {
+  const CheckReport report = checked(
+      four_quarters(kRoller, 1.750944530030, "[limits]\nmax_pressure_angle = 30\nmin_convex_radius = 0.2\n"));
+  const CheckFigure& pressure = figure(report, "contacts.touch", "pressure_angle");
+  EXPECT_NEAR(pressure.value.value(), 30, 1e-9);
+  EXPECT_NEAR(pressure.at.value(), 130.893, 5e-4);
+  EXPECT_EQ(pressure.verdict, Verdict::kKept);
+  EXPECT_EQ(pressure.unit, "deg");
+  EXPECT_EQ(pressure.limit, 30);
+  const CheckFigure& radius = figure(report, "contacts.touch", "convex_radius", "cam.flank");
+  EXPECT_NEAR(radius.value.value(), 1.394109813 - 0.5, 5e-9);
+  EXPECT_NEAR(radius.at.value(), 156.423, 5e-4);
+  EXPECT_NEAR(value(report, "cam.flank", "prime_circle"), 1.750944530030, 1e-12);
+  EXPECT_NEAR(value(report, "cam.flank", "base_circle"), 1.250944530030, 1e-12);
+  EXPECT_NEAR(value(report, "cam.flank", "prime_circle_for_pressure_angle"), 1.750944530030, 1e-11);
+  EXPECT_NEAR(value(report, "cam.flank", "roller_for_radius"), 1.394109813 - 0.2, 5e-9);
+}
+
+TEST(Check, HoldsTheReturnToALimitOfItsOwn) {
+  const std::string limits = "[limits]\nmax_pressure_angle = 30\nmax_return_pressure_angle = 45\n";
+  const CheckReport report = checked(four_quarters(kRoller, 2, limits));
+  EXPECT_NEAR(value(report, "cam.flank", "prime_circle_with_offset"), 1.225614472, 5e-10);
+  EXPECT_THAT(figure(report, "cam.flank", "prime_circle_with_offset").remark,
+              HasSubstr("0.3293225193 mm to the side"));
+  // Radial and symmetric: both strokes have the same angle.
+  EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"),
+              value(report, "contacts.touch", "return_pressure_angle"), 1e-10);
+  EXPECT_LT(figure(report, "contacts.touch", "pressure_angle").at.value(), 180);
+  EXPECT_GT(figure(report, "contacts.touch", "return_pressure_angle").at.value(), 270);
+  EXPECT_EQ(figure(report, "contacts.touch", "return_pressure_angle").limit, 45);
+}
+
+// Harmonic 50 mm over half turns, least radius 25: the cam is a circle of radius 50.
+TEST(Check, OfASimpleHarmonicCamFindsACircle) {
+  const std::string text = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = { type = "cam", law = "lift", contact = "touch" }
+[bodies.follower]
+pose = { x = 0, y = 25 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[laws.lift]
+segments = [ { over = 180, law = "harmonic", rise = 50 }, { over = 180, law = "harmonic", rise = -50 } ]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.flank", "follower.face"]
+[driver]
+joint = "pivot"
+)";
+  const CheckReport report = checked(text);
+  EXPECT_NEAR(value(report, "contacts.touch", "convex_radius", "cam.flank"), 50, 1e-10);
+  EXPECT_NEAR(value(report, "contacts.touch", "face_width"), 50, 1e-10);  // from -25 to 25
+}
+
+// e = 10 under a flat face, 0.5 kg, 2 N/mm that presses by 5 mm at the lowest place: N is least at the top,
+// 2 (5 + 20) N - 0.5 kg 10 mm ω².
+std::string eccentric_profile(double speed, const std::string& limits = "") {
+  return fmt::format(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.disc = {{ type = "circle", center = [10, 0], radius = 30 }}
+[bodies.follower]
+pose = {{ x = 0, y = 30 }}
+points.P = [0, 0]
+curves.face = {{ type = "line", point = [0, 0], normal = [0, -1] }}
+mass = 0.5
+center_of_mass = [0, 0]
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.disc", "follower.face"]
+[springs]
+s = {{ joint = "guide", stiffness = 2, free_length = 15 }}
+[driver]
+joint = "O"
+end = 360
+velocity = "{} rad/s"
+{})",
+                     speed, limits);
+}
+
+TEST(Check, FindsTheSpeedAtWhichAnEccentricLosesItsFollower) {
+  const CheckReport report =
+      checked(eccentric_profile(40, "[limits]\nmin_speed_factor = 2.5\nmin_contact_force = 10\n"));
+  const CheckFigure& factor = figure(report, "mechanism", "speed_factor");
+  EXPECT_NEAR(factor.value.value(), 100.0 / 40, 1e-12);
+  EXPECT_EQ(factor.verdict, Verdict::kKept);
+  EXPECT_FALSE(factor.at);
+  // N = 2 (15 + 10 sin) - 8 sin: least at the bottom.
+  const CheckFigure& least = figure(report, "contacts.touch", "least_contact_force");
+  EXPECT_NEAR(least.value.value(), 2 * (15 - 10) + 8, 1e-11);
+  EXPECT_NEAR(least.at.value(), 270, 1e-6);
+  EXPECT_NEAR(value(report, "contacts.touch", "contact_force"), 50 - 8, 1e-11);
+  EXPECT_TRUE(report.good);
+}
+
+TEST(Check, FailsWhereAContactOpens) {
+  const CheckReport report = checked(eccentric_profile(110));
+  const CheckFigure& least = figure(report, "contacts.touch", "least_contact_force");
+  EXPECT_NEAR(least.value.value(), 50 - 0.5 * 0.010 * 110 * 110, 1e-11);
+  EXPECT_NEAR(least.at.value(), 90, 1e-6);
+  EXPECT_EQ(least.verdict, Verdict::kExceeded);
+  EXPECT_EQ(least.limit, 0);
+  EXPECT_THAT(least.remark, HasSubstr("opens"));
+  EXPECT_NEAR(value(report, "mechanism", "speed_factor"), 100.0 / 110, 1e-12);
+  EXPECT_FALSE(report.good);
+  EXPECT_THAT(report.events, ::testing::Contains(::testing::Field(&Event::type, EventType::kContactOpen)));
+}
+
+// The torque is N e cos θ, the sliding speed e ω sin θ + … of a flat face: y ω.
+TEST(Check, GivesTorqueAndSpeedsOfAnEccentric) {
+  const CheckReport report = checked(eccentric_profile(40, "[limits]\nmax_driving_torque = \"0.25 N m\"\n"));
+  double torque = 0;
+  for (int i = 0; i <= 200000; ++i) {
+    const double theta = 2 * kPi * i / 200000;
+    torque = std::max(torque, std::abs((30 + 12 * std::sin(theta)) * 10 * std::cos(theta)));
+  }
+  const CheckFigure& figure_of_torque = figure(report, "driver", "driving_torque");
+  EXPECT_NEAR(std::abs(figure_of_torque.value.value()), torque, 1e-7);
+  EXPECT_EQ(figure_of_torque.verdict, Verdict::kExceeded);
+  EXPECT_EQ(figure_of_torque.limit, 250);
+  EXPECT_FALSE(report.good);
+  EXPECT_NEAR(value(report, "contacts.touch", "sliding_speed"), 40 * 40, 1e-9);  // y ω at the top
+  EXPECT_NEAR(std::abs(value(report, "joints.guide", "acceleration")), 10 * 1600, 1e-8);
+  EXPECT_NEAR(std::abs(value(report, "joints.guide", "jerk")), 10 * 64000, 1e-5);
+  // Along the disc 30 ω, along the face 10 ω sin θ the other way round.
+  EXPECT_GT(value(report, "contacts.touch", "entrainment_speed"), 15 * 40);
+}
+
+// 1000 N on a roller over a disc: the normal force is 1000 N/cos φ, largest where sin φ = e/(r1 + r2).
+TEST(Check, GivesHertzsPressureOfARollerUnderLoad) {
+  const std::string text = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.disc = { type = "circle", center = [6, 0], radius = 20 }
+[bodies.follower]
+pose = { x = 0, y = 29 }
+points.P = [0, 0]
+curves.roller = { type = "circle", center = [0, 0], radius = 10 }
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.disc", "follower.roller"]
+[loads]
+push = { body = "follower", point = "P", force = [0, -1000] }
+[driver]
+joint = "O"
+end = 360
+velocity = 1
+[limits]
+max_contact_pressure = "740 MPa"
+elastic_modulus = "206 GPa"
+poisson_ratio = 0.3
+width = 10
+)";
+  const CheckReport report = checked(text);
+  const double normal = 1000 / std::sqrt(1 - 0.04);
+  const CheckFigure& pressure = figure(report, "contacts.touch", "contact_pressure");
+  EXPECT_NEAR(pressure.value.value(), 735.1375547 * std::sqrt(normal / 1000), 1e-6);
+  EXPECT_EQ(pressure.verdict, Verdict::kExceeded);
+  EXPECT_EQ(pressure.unit, "N/mm^2");
+  EXPECT_NEAR(value(report, "contacts.touch", "contact_force"), normal, 1e-9);
+  EXPECT_NEAR(value(report, "contacts.touch", "least_contact_force"), 1000, 1e-9);
+  EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"), std::asin(0.2) / kDeg, 1e-10);
+  EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.disc").value, 20);
+  EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "follower.roller").value, 10);
+  EXPECT_THAT(report.notes, IsEmpty());
+}
+
+// Cycloidal 10 mm in 120 degrees at 1000 rpm, 1.8 kg, 15 N/mm preloaded by 2.5 mm.
+TEST(Check, SeesTheLiftOffOfACycloidalCam) {
+  const std::string text = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = { type = "cam", law = "lift", contact = "touch" }
+[bodies.follower]
+pose = { x = 0, y = 60 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+mass = 1.8
+center_of_mass = [0, 0]
+[laws.lift]
+segments = [ { over = 120, law = "cycloidal", rise = 10 }, { over = 60, law = "dwell" },
+             { over = 120, law = "cycloidal", rise = -10 }, { over = 60, law = "dwell" } ]
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.flank", "follower.face"]
+[springs]
+s = { joint = "guide", stiffness = 15, free_length = 57.5 }
+[driver]
+joint = "O"
+end = 360
+velocity = "1000 rpm"
+)";
+  const Model model = model_of(text);
+  RunSettings at_100;
+  at_100.forces = true;
+  at_100.positions = {100};
+  const Motion motion = model.run(at_100).value();
+  EXPECT_NEAR(motion.column("guide.acceleration")[0] / 1000, -136.035, 5e-4);
+  EXPECT_NEAR(motion.column("touch.force")[0], -61.688, 5e-4);
+  const CheckReport report = checked(model);
+  const CheckFigure& least = figure(report, "contacts.touch", "least_contact_force");
+  EXPECT_LE(least.value.value(), -61.688);
+  EXPECT_EQ(least.verdict, Verdict::kExceeded);
+  EXPECT_LT(value(report, "mechanism", "speed_factor"), 1);
+  // At that speed it just holds.
+  const double held = 1000 * value(report, "mechanism", "speed_factor");
+  const CheckReport slower =
+      checked(text, {fmt::format("driver.velocity=\"{:.17g} rpm\"", held * (1 - 1e-9))});
+  EXPECT_TRUE(slower.good);
+  EXPECT_NEAR(value(slower, "contacts.touch", "least_contact_force"), 0, 1e-5);
+}
+
+TEST(Check, OfASwingingRollerTakesTheAngleAtItsCentre) {
+  const Model model = shipped_model("ellipse_cam_roller");
+  const CheckReport report = checked(model);
+  RunSettings settings;
+  settings.samples = 20001;
+  const Motion motion = model.run(settings).value();
+  double centre = 0, contact = 0, least = 1e9, concave = 1e9;
+  for (std::size_t row = 0; row < motion.size(); ++row) {
+    centre = std::max(centre, 90 - motion.column("touch.transmission")[row]);
+    contact = std::max(contact, motion.column("touch.pressure")[row]);
+    const double rho = motion.column("touch.rho1")[row];
+    (rho > 0 ? least : concave) = std::min(rho > 0 ? least : concave, std::abs(rho));
+  }
+  EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"), centre, 1e-6);
+  EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle_at_contact"), contact, 1e-6);
+  EXPECT_NEAR(value(report, "contacts.touch", "convex_radius"), least, 1e-6);
+  EXPECT_EQ(find(report, "contacts.touch", "concave_radius"), nullptr);
+  EXPECT_GE(value(report, "contacts.touch", "pressure_angle"), centre);
+}
+
+TEST(Check, DoesNotDependOnTheNumberOfRows) {
+  const Model model = shipped_model("checked_cam");
+  const CheckReport whole = checked(model);
+  for (const double samples : {2.0, 37.0, 1000.0}) {
+    const CheckReport other = checked(model.with({{"driver.samples", samples}}).value());
+    ASSERT_EQ(other.figures.size(), whole.figures.size());
+    for (std::size_t i = 0; i < whole.figures.size(); ++i) {
+      const CheckFigure &a = whole.figures[i], &b = other.figures[i];
+      EXPECT_EQ(a.quantity, b.quantity);
+      EXPECT_NEAR(a.value.value() / b.value.value(), 1, 1e-9) << a.item << " " << a.quantity;
+      EXPECT_EQ(a.verdict, b.verdict);
+    }
+  }
+}
+
+TEST(Check, OfAMirroredAndTurnedCamIsTheSame) {
+  const CheckReport forward = checked(shipped_model("checked_cam"));
+  const CheckReport backward = checked(
+      shipped_model("checked_cam", {"driver.start=360", "driver.end=0", "driver.velocity=\"-600 rpm\""}));
+  for (const CheckFigure& one : forward.figures) {
+    EXPECT_NEAR(std::abs(value(backward, one.item, one.quantity, one.of)), std::abs(one.value.value()),
+                1e-8 * std::abs(one.value.value()))
+        << one.item << " " << one.quantity;
+  }
+}
+
+TEST(Check, NotesLimitsThatApplyToNothing) {
+  const CheckReport report = checked(four_quarters(kRoller, 2, R"([limits]
+max_face_width = 3
+min_concave_radius = 1
+max_angular_jerk = 5
+max_driving_force = 9
+min_speed_factor = 1.5
+[limits.contacts.touch]
+max_contact_force = 100
+[limits.bodies.cam]
+poisson_ratio = 0.3
+)"));
+  std::string notes;
+  for (const Diagnostic& note : report.notes) {
+    notes += to_string(note) + "\n";
+  }
+  EXPECT_THAT(
+      notes, AllOf(HasSubstr("limits.max_face_width: nothing in this mechanism has this"),
+                   HasSubstr("limits.max_angular_jerk"), HasSubstr("limits.max_driving_force"),
+                   HasSubstr("limits.min_speed_factor"), HasSubstr("limits.contacts.touch.max_contact_force"),
+                   HasSubstr("limits.bodies.cam.poisson_ratio"), HasSubstr("test.toml:")));
+  EXPECT_THAT(notes, ::testing::Not(HasSubstr("min_concave_radius")));
+}
+
+TEST(Check, TakesLimitsOfAProgram) {
+  auto limits = std::make_shared<CheckLimits>();
+  limits->all[static_cast<std::size_t>(LimitKey::kMaxPressureAngle)] = GivenLimit{10 * kDeg, {}, "mine", {}};
+  CheckSettings settings;
+  settings.limits = limits;
+  const CheckReport report = checked(model_of(four_quarters(kRoller, 2)), settings);
+  EXPECT_EQ(figure(report, "contacts.touch", "pressure_angle").verdict, Verdict::kExceeded);
+  EXPECT_FALSE(report.good);
+}
+
+TEST(Check, OfAFreelyTurningRollerHasNoSliding) {
+  const CheckReport report = checked(shipped_model("roller_body"));
+  bool rolls = false;
+  for (const CheckFigure& one : report.figures) {
+    EXPECT_NE(one.quantity, "sliding_speed");
+    rolls = rolls || one.quantity == "entrainment_speed";
+  }
+  EXPECT_TRUE(rolls);
+}
+
+TEST(Check, OfALinkageHasAccelerationsAlone) {
+  const CheckReport report = checked(shipped_model("slider_crank"));
+  EXPECT_FALSE(report.figures.empty());
+  for (const CheckFigure& one : report.figures) {
+    EXPECT_THAT(one.item, HasSubstr("joints."));
+  }
+}
+
+TEST(Check, FailsAsARunDoes) {
+  const auto report = check(shipped_model("cam_with_return_spring", {"contacts.touch.rolling=true"}));
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().kind, ErrorKind::kMechanism);
+  CheckSettings settings;
+  settings.tolerance = -1;
+  EXPECT_EQ(check(model_of(four_quarters(kRoller, 2)), settings).error().kind, ErrorKind::kInput);
+}
+
+TEST(Check, EndsWhereItIsStopped) {
+  const std::atomic<bool> stop = true;
+  CheckSettings settings;
+  settings.stop = &stop;
+  const auto report = check(model_of(four_quarters(kRoller, 2)), settings);
+  EXPECT_TRUE(!report || report->stopped);
+}
+
+TEST(Check, OfTheValveTrainFindsOneSpeedForBothContacts) {
+  const Model model = shipped_model("valve_train");
+  const CheckReport report = checked(model);
+  EXPECT_TRUE(report.good);
+  const double factor = value(report, "mechanism", "speed_factor");
+  const auto at = [&](double share) {
+    return checked(model
+                       .with({{"driver.velocity", fmt::format("{:.17g} rpm", 2000 * factor * share)},
+                              {"limits", std::string("{}")}})
+                       .value());
+  };
+  EXPECT_TRUE(at(1 - 1e-9).good);
+  EXPECT_FALSE(at(1 + 1e-9).good);
+  for (const char* contact : {"contacts.cam_finger", "contacts.finger_valve"}) {
+    EXPECT_GT(value(report, contact, "least_contact_force"), 50) << contact;
+  }
+}
+
+}  // namespace
+}  // namespace higherpair

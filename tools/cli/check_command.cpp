@@ -1,0 +1,68 @@
+#include "check_command.hpp"
+
+#include "check_report.hpp"
+#include "json_text.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "run_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+int write(const CheckOptions& options, const Model& model, const CheckReport& report) {
+  if (report.stopped) {
+    return kExitInterrupted;
+  }
+  const Forms forms = {[&] { return check_csv(report); }, [&] { return text_of(check_json(report)) + "\n"; },
+                       [&] { return check_text(report); }};
+  if (!write_forms(options.csv, options.json, forms)) {
+    return kExitMachine;
+  }
+  print_notes(report.notes, options.quiet);
+  if (!options.quiet) {
+    std::vector<Event> bad;
+    for (const Event& event : report.events) {
+      const bool passing = event.type == EventType::kStrokeEnd || event.type == EventType::kCurvatureJump ||
+                           event.type == EventType::kCorner || event.type == EventType::kLawJump;
+      if (!passing) bad.push_back(event);
+    }
+    print_events(bad, model);
+  }
+  return report.good ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "pressure angles, radii of curvature, speeds, forces and sizes of cams and contacts, held to [limits]");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options.profile, {"the figures, one to a row,", options.csv},
+                     {"the figures", options.json});
+  add_set_option(*command, options.overrides);
+  add_tolerance_option(*command, options.tolerance);
+  add_unused_samples(*command);
+  command->add_flag("--time", options.timed, "the motion in time, as step has it");
+  command->add_flag("--quiet", options.quiet, "no events and notes on standard error");
+  return command;
+}
+
+int check_command(const CheckOptions& options) {
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  listen_to_signals();
+  CheckSettings settings;
+  settings.in_time = options.timed;
+  settings.tolerance = options.tolerance;
+  settings.stop = &interruption();
+  const auto report = check(*model, settings);
+  return report ? write(options, *model, *report) : report_error(report.error());
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,114 @@
+#include "check_report.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+constexpr std::size_t kWidth = 80;
+
+// "pressure_angle" as people read it.
+std::string words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.7g}", *value) : "";
+}
+
+std::string line_of(const CheckFigure& figure) {
+  const std::string verdict =
+      figure.verdict == Verdict::kExceeded ? "EXCEEDED" : std::string(name_of(figure.verdict));
+  std::string line =
+      fmt::format("  {:<29} {:>11} {:<9} {:>9} {:>9} {}", words(figure.quantity),
+                  figure.value ? number(figure.value) : "unbounded", figure.unit == "1" ? "" : figure.unit,
+                  figure.at ? fmt::format("{:.6g}", *figure.at) : "", number(figure.limit), verdict);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+// A sentence below a figure, broken between words.
+std::string remark_of(const CheckFigure& figure) {
+  std::string text, line = "     ";
+  std::string rest = figure.remark;
+  while (!rest.empty()) {
+    const std::size_t space = rest.find(' ');
+    const std::string word = rest.substr(0, space);
+    rest = space == std::string::npos ? "" : rest.substr(space + 1);
+    if (line.size() + 1 + word.size() > kWidth) {
+      text += std::exchange(line, "     ") + "\n";
+    }
+    line += " " + word;
+  }
+  return figure.remark.empty() ? "" : text + line + "\n";
+}
+
+}  // namespace
+
+std::string check_text(const CheckReport& report) {
+  std::string text = report.title.empty() ? "" : report.title + "\n";
+  std::string item, of;
+  for (const CheckFigure& figure : report.figures) {
+    if (figure.item != item) {
+      text += fmt::format("{}{:<31} {:>11} {:<9} {:>9} {:>9}\n", text.empty() ? "" : "\n", figure.item,
+                          "value", "", fmt::format("at [{}]", report.driver_unit), "limit");
+      of.clear();
+    }
+    if (!figure.of.empty() && figure.of != of) {
+      text += " " + figure.of + "\n";
+    }
+    item = figure.item;
+    of = figure.of;
+    text += line_of(figure) + remark_of(figure);
+  }
+  const auto exceeded =
+      std::count_if(report.figures.begin(), report.figures.end(),
+                    [](const CheckFigure& figure) { return figure.verdict == Verdict::kExceeded; });
+  const auto limited =
+      std::count_if(report.figures.begin(), report.figures.end(),
+                    [](const CheckFigure& figure) { return figure.verdict != Verdict::kNoLimit; });
+  text += limited == 0    ? "\nno limits\n"
+          : exceeded == 0 ? fmt::format("\n{} limits, all kept\n", limited)
+                          : fmt::format("\n{} of {} limits exceeded\n", exceeded, limited);
+  return report.good || exceeded > 0 ? text : text + "the path is not good\n";
+}
+
+std::string check_csv(const CheckReport& report) {
+  std::string text = fmt::format("item,of,quantity,value,unit,at[{}],limit,verdict\n", report.driver_unit);
+  const auto cell = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; };
+  for (const CheckFigure& figure : report.figures) {
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{}\n", figure.item, figure.of, figure.quantity, cell(figure.value),
+                    figure.unit, cell(figure.at), cell(figure.limit), name_of(figure.verdict));
+  }
+  return text;
+}
+
+nlohmann::ordered_json check_json(const CheckReport& report) {
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json json;
+  json["title"] = report.title;
+  json["good"] = report.good;
+  json["driver_unit"] = report.driver_unit;
+  json["figures"] = nlohmann::ordered_json::array();
+  for (const CheckFigure& figure : report.figures) {
+    json["figures"].push_back({{"item", figure.item},
+                               {"of", figure.of},
+                               {"quantity", figure.quantity},
+                               {"value", optional(figure.value)},
+                               {"unit", figure.unit},
+                               {"at", optional(figure.at)},
+                               {"limit", optional(figure.limit)},
+                               {"verdict", name_of(figure.verdict)},
+                               {"remark", figure.remark}});
+  }
+  return json;
+}
+
+}  // namespace higherpair::cli
