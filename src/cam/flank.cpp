@@ -278,12 +278,16 @@ class FlankSpan final : public Span {
 public:
   /// \param knots  of the law within
   FlankSpan(std::shared_ptr<const Envelope> envelope, double sense, const Bounds& joint, std::size_t knots)
-      : envelope_(std::move(envelope)), sense_(sense), joint_(joint), parts_(parts_for(knots)) {}
+      : envelope_(std::move(envelope)),
+        sense_(sense),
+        joint_(joint),
+        low_(*envelope_->at(joint.low, LawSide::kAfter)),
+        high_(*envelope_->at(joint.high, LawSide::kBefore)),
+        parts_(parts_for(knots)) {}
 
   [[nodiscard]] SpanPoint at(double t) const override {
-    const double x = std::clamp(sense_ * t, joint_.low, joint_.high);
-    const LawSide side = x == joint_.high ? LawSide::kBefore : LawSide::kAfter;
-    return *envelope_->at(x, side);
+    const double x = sense_ * t;
+    return x <= joint_.low ? low_ : x >= joint_.high ? high_ : *envelope_->at(x, LawSide::kAfter);
   }
   [[nodiscard]] Bounds range() const override {
     return sense_ > 0 ? joint_ : Bounds{-joint_.high, -joint_.low};
@@ -295,6 +299,7 @@ private:
   std::shared_ptr<const Envelope> envelope_;
   double sense_;
   Bounds joint_;
+  SpanPoint low_, high_;  // its ends, which steps along a boundary ask for again and again
   int parts_;
 };
 

@@ -11,7 +11,21 @@
 namespace higherpair {
 namespace {
 
+constexpr std::int64_t kMostRows = 37;
 constexpr double kSame = 1e-9;  // a value that differs from its limit by less is at it
+
+// Enough rows: what happens between them is found however far apart they are. None where they are given one
+// by one.
+std::optional<std::int64_t> few_rows(const Profile& profile, bool in_time) {
+  std::int64_t most = kMostRows;
+  for (const DriverProgram& program : profile.programs) {
+    if (in_time || !program.positions.empty()) {
+      return std::nullopt;
+    }
+    most = std::min(most, program.samples.value_or(kDefaultSamples));
+  }
+  return most;
+}
 
 // All rows, for what happens between them. False where the run was stopped.
 bool run_through(Analysis& analysis, CheckReport& report) {
@@ -121,6 +135,7 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   run.stop = settings.stop;
   run.forces = has_forces(profile.mechanism);
   run.columns = {"status"};
+  run.samples = few_rows(profile, settings.in_time);
   auto analysis = model.start(run);
   if (!analysis) {
     return tl::unexpected(std::move(analysis.error()));

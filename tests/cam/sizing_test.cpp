@@ -55,7 +55,7 @@ FlankOrigin swinging_cam(const MotionLaw& law, double rest, double radius) {
   return cam_of(turning({4, 0}), -1, rest, law, make_circle({-3, 0}, radius).value());
 }
 
-// Largest and smallest curvature of a flank, at places so dense that they miss it by some 1e-6.
+// Largest and smallest curvature of a flank, at places so dense that they miss it by some 1e-7.
 Bounds curvatures_of(const FlankOrigin& cam) {
   const auto spans = cam_flank(cam.motion, cam.curve, cam.outer);
   if (!spans) {
@@ -64,8 +64,8 @@ Bounds curvatures_of(const FlankOrigin& cam) {
   }
   Bounds bounds{1e9, -1e9};
   for (const SpanPtr& span : *spans) {
-    for (int i = 0; i <= 2000; ++i) {
-      const double kappa = span->at(std::lerp(span->range().low, span->range().high, i / 2000.0)).kappa;
+    for (int i = 0; i <= 20000; ++i) {
+      const double kappa = span->at(std::lerp(span->range().low, span->range().high, i / 20000.0)).kappa;
       bounds = {std::min(bounds.low, kappa), std::max(bounds.high, kappa)};
     }
   }
@@ -147,7 +147,7 @@ TEST(CamSizing, ForARadiusGivesAFlankThatHasIt) {
     FlankOrigin cam = roller_cam(four_quarters(type), 3, 0.5);
     cam.motion.follower_rest = smallest_for_radius(cam, limits)->rest;
     const Bounds bounds = curvatures_of(cam);
-    EXPECT_NEAR(std::max(bounds.high * limits.convex, -bounds.low * limits.concave), 1, 1e-5);
+    EXPECT_NEAR(std::max(bounds.high * limits.convex, -bounds.low * limits.concave), 1, 1e-6);
     EXPECT_LE(bounds.high * limits.convex, 1 + 1e-12);
     EXPECT_LE(-bounds.low * limits.concave, 1 + 1e-12);
   }
@@ -196,7 +196,7 @@ TEST(CamSizing, OfASwingingRollerIsAtTheLimitAndNotSmaller) {
   ASSERT_TRUE(round);
   cam.motion.follower_rest = round->rest;
   const Bounds bounds = curvatures_of(cam);
-  EXPECT_NEAR(std::max(bounds.high * 0.2, -bounds.low * 1.5), 1, 1e-5);
+  EXPECT_NEAR(std::max(bounds.high * 0.2, -bounds.low * 1.5), 1, 1e-6);
 }
 
 TEST(CamSizing, OfASwingingFaceGivesAFlankThatHasTheRadius) {

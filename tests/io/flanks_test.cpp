@@ -1,5 +1,6 @@
 #include "higherpair/io/profile_reader.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -83,6 +84,43 @@ curves.further = { type = "offset", of = "inner", by = -2 })";
   const SpanPoint flank = curves[0].boundary->spans()[0]->at(curves[0].boundary->spans()[0]->range().low);
   const SpanPoint further = curves[2].boundary->spans()[0]->at(curves[2].boundary->spans()[0]->range().low);
   EXPECT_NEAR((flank.p_B - further.p_B).norm(), 7e-3, 1e-15);
+}
+
+// The number behind these words of the message [mm].
+double number_behind(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
+}
+
+TEST(Flanks, ThatWouldBeUndercutSayWhatWouldDo) {
+  Parts flat;
+  flat.height = "5";
+  flat.follower = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
+  const std::string about_flat = mistakes_in(flat);
+  EXPECT_THAT(
+      about_flat,
+      HasSubstr("deg of the cam on the flank would be undercut: it takes a base circle of more than"));
+  EXPECT_THAT(about_flat, HasSubstr(" mm instead of 5 mm (the follower's pose moved by "));
+  EXPECT_THAT(about_flat, HasSubstr("or a longer segment of the law"));
+  const double circle = number_behind(about_flat, "more than ");
+  EXPECT_NEAR(number_behind(about_flat, "moved by "), circle - 5, 1e-4);
+  flat.height = fmt::format("{}", circle * 1.00001);
+  EXPECT_EQ(mistakes_in(flat), "");
+  flat.height = fmt::format("{}", circle * 0.999);
+  EXPECT_NE(mistakes_in(flat), "");
+
+  Parts roller;
+  roller.height = "46";
+  roller.follower = R"({ type = "circle", center = [0, 0], radius = 45 })";
+  const std::string about_roller = mistakes_in(roller);
+  const double largest = number_behind(about_roller, "a roller of less than ");
+  const double moved = number_behind(about_roller, "moved by ");
+  Parts smaller = roller;
+  smaller.follower = fmt::format(R"({{ type = "circle", center = [0, 0], radius = {} }})", largest * 0.99999);
+  EXPECT_EQ(mistakes_in(smaller), "");
+  Parts higher = roller;
+  higher.height = fmt::format("{}", 46 + moved + 1e-3);
+  EXPECT_EQ(mistakes_in(higher), "");
 }
 
 TEST(Flanks, SayWhatIsWrong) {
