@@ -10,6 +10,7 @@
 #include "higherpair/front/error.hpp"      // IWYU pragma: export
 #include "higherpair/front/export.hpp"     // IWYU pragma: export
 #include "higherpair/front/map.hpp"        // IWYU pragma: export
+#include "higherpair/front/measure.hpp"    // IWYU pragma: export
 #include "higherpair/front/mobility.hpp"   // IWYU pragma: export
 #include "higherpair/front/model.hpp"      // IWYU pragma: export
 #include "higherpair/front/motion.hpp"     // IWYU pragma: export

@@ -33,6 +33,8 @@ std::vector<double> some_positions(const DriverSchedule& schedule) {
   return positions;
 }
 
+}  // namespace
+
 Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
   const auto wrong = [&](std::string rule) {
     return tl::unexpected(error_about(model, ErrorKind::kInput, "RunSettings::" + std::move(rule)));
@@ -64,6 +66,8 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
   return made(other);
 }
 
+namespace {
+
 Result<Run> started(const Model::Data& model, const RunSettings& settings, const DriverSchedule& schedule) {
   const auto refuse = [&](std::string reason) {
     return tl::unexpected(error_about(model, ErrorKind::kMechanism, std::move(reason)));
@@ -85,6 +89,8 @@ Result<Run> started(const Model::Data& model, const RunSettings& settings, const
   return *std::move(run);
 }
 
+}  // namespace
+
 Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings, const Units& units) {
   ColumnSet columns(units, settings.columns);
   const Mechanism& mechanism = model.profile.mechanism;
@@ -105,6 +111,8 @@ Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settin
   return columns;
 }
 
+namespace {
+
 std::optional<Error> refuse_without_driver(const Model::Data& model) {
   if (!model.profile.mechanism.drivers.empty()) {
     return std::nullopt;
@@ -123,6 +131,14 @@ Result<DriverSchedule> first_schedule(const Model::Data& model) {
   return DriverSchedule::analyze(model.profile).map_error([](Diagnostics diagnostics) {
     return Error{ErrorKind::kInput, std::move(diagnostics)};
   });
+}
+
+std::optional<Error> refuse_to_start(const Model::Data& model) {
+  auto refusal = refuse_without_driver(model);
+  if (!refusal && !model.plan) {
+    refusal = error_about(model, ErrorKind::kMechanism, model.plan.error());
+  }
+  return refusal;
 }
 
 void Analysis::Impl::read_drivers() {
@@ -222,8 +238,8 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
   if (!schedule) {
     return tl::unexpected(std::move(schedule.error()));
   }
-  if (!data_->plan) {
-    return tl::unexpected(error_about(*data_, ErrorKind::kMechanism, data_->plan.error()));
+  if (auto refusal = refuse_to_start(*data_)) {
+    return tl::unexpected(*std::move(refusal));
   }
   const Units units = settings.units.value_or(data_->profile.units);
   auto columns = columns_of(*data_, settings, units);

@@ -14,6 +14,17 @@ namespace higherpair {
 /// Of the first driver: an angle or a length.
 [[nodiscard]] Dimension driver_dimension(const Mechanism& mechanism);
 
+/// Why the mechanism cannot be run at all: no driver, or no order of solution.
+[[nodiscard]] std::optional<Error> refuse_to_start(const Model::Data& model);
+
+/// The drivers' positions of a run, row by row. Fails for settings that are wrong. \pre the mechanism has a
+/// driver.
+[[nodiscard]] Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings);
+
+/// The columns of a run. \pre the mechanism has a plan.
+[[nodiscard]] Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings,
+                                           const Units& units);
+
 /// The row loop: from the schedule of the drivers to the row of a table, with what happens on the path.
 struct Analysis::Impl {
   std::shared_ptr<const Model::Data> model;

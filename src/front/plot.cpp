@@ -12,11 +12,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string driver_column(const Mechanism& mechanism) {
-  const std::string name = mechanism.drivers.empty() ? "" : mechanism.drivers.front().name;
-  return name.empty() ? "driver" : "driver." + name;
-}
-
 tl::unexpected<Error> refuse(std::string place, std::string rule) {
   return tl::unexpected(Error{ErrorKind::kInput, {about(std::move(place), std::move(rule))}});
 }
@@ -70,7 +65,7 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
 }  // namespace
 
 Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
-  const std::string driver_name = driver_column(model.mechanism());
+  const std::string driver_name = driver_column(model.mechanism(), 0);
   const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_name);
   if (settings.y.empty()) {
     return refuse("--y", "names no column; expected at least one, such as --y 'driver.velocity'");

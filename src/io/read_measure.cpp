@@ -1,0 +1,59 @@
+#include "read_measure.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+std::optional<std::string> read_column(TableReader& table, Measure& measure) {
+  const auto item = table.need("column", "the name of a column, such as \"follower.alpha\"");
+  if (!item) {
+    return std::nullopt;
+  }
+  measure.place = place_of(table.reading(), item->value->mark);
+  measure.path = item->path;
+  auto name = as_text(table.reading(), *item);
+  if (name && (name->empty() || name->find_first_of("*?[,") != std::string::npos)) {
+    report(table.reading(), *item, "expected the name of one column, without its unit");
+    return std::nullopt;
+  }
+  return name;
+}
+
+std::optional<MeasureKind> read_kind(TableReader& table) {
+  const std::vector<std::string> names(kMeasureNames.begin(), kMeasureNames.end());
+  const auto item = table.need("of", fmt::format("one of {}", fmt::join(names, ", ")));
+  const auto choice = item ? as_choice(table.reading(), *item, names) : std::nullopt;
+  return choice ? std::optional(static_cast<MeasureKind>(*choice)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Measure> read_measure(TableReader& table) {
+  Measure measure;
+  const auto column = read_column(table, measure);
+  const auto kind = read_kind(table);
+  std::optional<double> at = 0;
+  if (kind == MeasureKind::kAt) {
+    const auto item = table.need("at", "the driver's position (in time: the time), in the profile's unit");
+    const auto quantity =
+        item ? as_quantity(table.reading(), *item, {dimension::kNumber}) : std::optional<Quantity>();
+    at = quantity ? std::optional(quantity->si) : std::nullopt;
+  } else if (kind) {
+    table.refuse("at", "belongs to of = \"at\"");
+  } else {
+    (void)table.take("at");
+  }
+  if (!column || !kind || !at) {
+    return std::nullopt;
+  }
+  measure.column = *column;
+  measure.of = *kind;
+  measure.at = *at;
+  return measure;
+}
+
+}  // namespace higherpair::io_detail
