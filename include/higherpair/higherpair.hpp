@@ -2,19 +2,21 @@
 
 /// The library's front door: everything that a program needs to analyse a mechanism. See docs/library.md.
 
-#include "higherpair/cam/motion_law.hpp"   // IWYU pragma: export
-#include "higherpair/drawing/draw.hpp"     // IWYU pragma: export
-#include "higherpair/front/branches.hpp"   // IWYU pragma: export
-#include "higherpair/front/check.hpp"      // IWYU pragma: export
-#include "higherpair/front/drawing.hpp"    // IWYU pragma: export
-#include "higherpair/front/error.hpp"      // IWYU pragma: export
-#include "higherpair/front/export.hpp"     // IWYU pragma: export
-#include "higherpair/front/map.hpp"        // IWYU pragma: export
-#include "higherpair/front/measure.hpp"    // IWYU pragma: export
-#include "higherpair/front/mobility.hpp"   // IWYU pragma: export
-#include "higherpair/front/model.hpp"      // IWYU pragma: export
-#include "higherpair/front/motion.hpp"     // IWYU pragma: export
-#include "higherpair/front/plot.hpp"       // IWYU pragma: export
-#include "higherpair/front/polygon.hpp"    // IWYU pragma: export
-#include "higherpair/front/report.hpp"     // IWYU pragma: export
-#include "higherpair/mechanism/build.hpp"  // IWYU pragma: export
+#include "higherpair/cam/motion_law.hpp"        // IWYU pragma: export
+#include "higherpair/drawing/draw.hpp"          // IWYU pragma: export
+#include "higherpair/front/branches.hpp"        // IWYU pragma: export
+#include "higherpair/front/check.hpp"           // IWYU pragma: export
+#include "higherpair/front/drawing.hpp"         // IWYU pragma: export
+#include "higherpair/front/error.hpp"           // IWYU pragma: export
+#include "higherpair/front/export.hpp"          // IWYU pragma: export
+#include "higherpair/front/map.hpp"             // IWYU pragma: export
+#include "higherpair/front/measure.hpp"         // IWYU pragma: export
+#include "higherpair/front/mobility.hpp"        // IWYU pragma: export
+#include "higherpair/front/model.hpp"           // IWYU pragma: export
+#include "higherpair/front/model_variants.hpp"  // IWYU pragma: export
+#include "higherpair/front/motion.hpp"          // IWYU pragma: export
+#include "higherpair/front/plot.hpp"            // IWYU pragma: export
+#include "higherpair/front/polygon.hpp"         // IWYU pragma: export
+#include "higherpair/front/report.hpp"          // IWYU pragma: export
+#include "higherpair/front/sweep.hpp"           // IWYU pragma: export
+#include "higherpair/mechanism/build.hpp"       // IWYU pragma: export

@@ -124,28 +124,33 @@ std::string_view word_of(const Column& column, double value) {
   return is_word ? column.words[static_cast<std::size_t>(value)] : std::string_view();
 }
 
+std::string csv_head(const Column& column) {
+  return column.unit.empty() ? column.name : fmt::format("{}[{}]", column.name, column.unit);
+}
+
 void append_csv_header(const std::vector<Column>& columns, std::string& out) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     out += i > 0 ? "," : "";
-    out += columns[i].name;
-    if (!columns[i].unit.empty()) {
-      out += '[' + columns[i].unit + ']';
-    }
+    out += csv_head(columns[i]);
   }
   out += '\n';
 }
 
-void append_csv_row(const std::vector<Column>& columns, const Row& row, std::string& out) {
+void append_csv_cells(std::span<const Column> columns, std::span<const double> values, std::string& out) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (i > 0) {
       out += ',';
     }
     if (!columns[i].words.empty()) {
-      out += word_of(columns[i], row.values[i]);
-    } else if (!std::isnan(row.values[i])) {
-      append_number(row.values[i], out);
+      out += word_of(columns[i], values[i]);
+    } else if (!std::isnan(values[i])) {
+      append_number(values[i], out);
     }
   }
+}
+
+void append_csv_row(const std::vector<Column>& columns, const Row& row, std::string& out) {
+  append_csv_cells(columns, row.values, out);
   out += '\n';
 }
 

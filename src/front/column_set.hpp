@@ -82,6 +82,11 @@ private:
   std::vector<double> buffer_;
 };
 
+/// The cells of a row of CSV appended to `out`: no line end.
+void append_csv_cells(std::span<const Column> columns, std::span<const double> values, std::string& out);
+/// A column's name with its unit, as in the header of CSV.
+[[nodiscard]] std::string csv_head(const Column& column);
+
 /// Whether a name is one that the glob means: `*` is any text, `?` any character.
 [[nodiscard]] bool matches(std::string_view glob, std::string_view name);
 

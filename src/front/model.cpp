@@ -59,6 +59,8 @@ bool same_structure(const Mechanism& a, const Mechanism& b) {
          alike(a.contacts, b.contacts, contacts) && alike(a.drivers, b.drivers, drivers);
 }
 
+}  // namespace
+
 std::shared_ptr<const Model::Data> planned(std::string name, std::optional<ProfileDocument> document,
                                            Profile profile, const Model::Data* like) {
   auto data = std::make_shared<Model::Data>(
@@ -69,6 +71,8 @@ std::shared_ptr<const Model::Data> planned(std::string name, std::optional<Profi
   data->plan = known ? redimensioned(*like->plan, mechanism) : make_plan(mechanism);
   return data;
 }
+
+namespace {
 
 Result<std::shared_ptr<const Model::Data>> read(const ProfileDocument& document,
                                                 std::span<const std::string> overrides,

@@ -23,6 +23,11 @@ struct Model::Data {
   tl::expected<Plan, std::string> plan;  ///< or why the mechanism has none: only `mobility` is left then
 };
 
+/// A profile with its plan: that of `like` with other dimensions where only numbers differ; may be null.
+[[nodiscard]] std::shared_ptr<const Model::Data> planned(std::string name,
+                                                         std::optional<ProfileDocument> document,
+                                                         Profile profile, const Model::Data* like);
+
 /// An error of one diagnostic about the model as a whole.
 [[nodiscard]] Error error_about(const Model::Data& model, ErrorKind kind, std::string message);
 

@@ -48,6 +48,11 @@ struct Entry {
 /// Nothing if the table has no such key.
 [[nodiscard]] const Value* find(const Table& table, std::string_view key);
 
+/// The entry of a table, or the item of a list, that one part of a path names; nothing if there is none.
+[[nodiscard]] const Value* find_part(const Value& value, std::string_view part);
+/// The value at a path, "bodies.crank.points.A.0".
+[[nodiscard]] Value* find_path(Value& document, std::string_view path);
+
 /// "a string", "an integer", "a table", …
 [[nodiscard]] std::string_view kind_of(const Value& value);
 

@@ -72,6 +72,24 @@ Step descend(Value& value, const std::string& part, const Mark& mark) {
 
 }  // namespace
 
+const Value* find_part(const Value& value, std::string_view part) {
+  if (const auto* table = std::get_if<Table>(&value.content)) {
+    return find(*table, part);
+  }
+  const auto* items = std::get_if<Array>(&value.content);
+  const auto number = item_number(part);
+  return items != nullptr && number && *number < items->size() ? &(*items)[*number] : nullptr;
+}
+
+Value* find_path(Value& document, std::string_view path) {
+  Value* value = &document;
+  for (const std::string& part : split_path(path)) {
+    value = const_cast<Value*>(find_part(*value, part));  // of a document that is not const
+    if (value == nullptr) break;
+  }
+  return value;
+}
+
 tl::expected<Value, std::string> apply_override(Value document, std::string_view assignment, int number) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) {

@@ -37,7 +37,7 @@ bool read_format(TableReader& root) {
   return true;
 }
 
-Profile read_root(TableReader& root) {
+Profile read_root(TableReader& root, const Table& document) {
   Profile profile;
   if (!read_format(root)) {
     return profile;
@@ -63,6 +63,7 @@ Profile read_root(TableReader& root) {
   laws.finish();
   read_drawing(root, profile);
   read_limits(root, profile);
+  read_sweep(root, document, profile);
   (void)root.take("extra");
   root.finish();
   return profile;
@@ -81,17 +82,25 @@ Diagnostics diagnostics_of(Reading reading) {
 }  // namespace
 
 tl::expected<Profile, Diagnostics> ProfileDocument::read() const {
+  return read(true);
+}
+
+tl::expected<Profile, Diagnostics> ProfileDocument::read(bool with_notes) const {
   Reading reading;
   reading.sources = content_->sources;
   const Value& document = content_->root;
-  TableReader root(reading, std::get<Table>(document.content), document.mark, "");
-  Profile profile = read_root(root);
+  const Table& table = std::get<Table>(document.content);
+  note_varied(table, reading);
+  TableReader root(reading, table, document.mark, "");
+  Profile profile = read_root(root, table);
   if (!reading.mistakes.empty()) {
     return tl::unexpected(diagnostics_of(std::move(reading)));
   }
   profile.source = content_->sources.front();
   profile.files = reading.files;
-  profile.notes = io_detail::profile_notes(reading, document, profile);
+  if (with_notes) {
+    profile.notes = io_detail::profile_notes(reading, document, profile);
+  }
   use_boundaries(profile.mechanism);
   return profile;
 }

@@ -174,6 +174,9 @@ std::optional<std::int64_t> as_integer(Reading& reading, const Item& item) {
 }
 
 std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Expected& expected) {
+  if (const auto varied = reading.varied.find(item.path); varied != reading.varied.end()) {
+    varied->second = expected.dimension;
+  }
   const auto quantity = quantity_of_any_sign(reading, item, expected.dimension);
   if (quantity && !has_sign(quantity->si, expected.sign)) {
     report_sign(reading, item, expected);

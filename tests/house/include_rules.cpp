@@ -33,7 +33,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
         "design", "sweep"}},
       {"front",
        {"numeric", "geometry", "cam", "linkage", "contact", "mechanism", "analysis", "dynamics", "drawing",
-        "io"}},
+        "design", "sweep", "io"}},
   };
   return table;
 }
@@ -42,7 +42,8 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
 const std::map<std::string, std::string>& owned_libraries() {
   static const std::map<std::string, std::string> table = {
       {"CGAL", "contact"},     {"CLI", ""},      {"nlohmann", "io"}, {"nlopt.h", "design"},
-      {"nlopt.hpp", "design"}, {"toml++", "io"}, {"toml.hpp", "io"},
+      {"nlopt.hpp", "design"}, {"toml++", "io"}, {"toml.hpp", "io"}, {"Random123", "sweep"},
+      {"tbb", "front"},
   };
   return table;
 }

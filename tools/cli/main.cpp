@@ -11,6 +11,7 @@
 #include "positive_number.hpp"
 #include "report_command.hpp"
 #include "run_command.hpp"
+#include "sweep_command.hpp"
 #include "unknown_argument.hpp"
 #include "verify_command.hpp"
 
@@ -126,6 +127,8 @@ int run(int argc, char** argv) {
   const CLI::App* report_command = higherpair::cli::add_report_command(app, report);
   higherpair::cli::CheckOptions check;
   const CLI::App* check_command = higherpair::cli::add_check_command(app, check);
+  higherpair::cli::SweepOptions sweep;
+  const CLI::App* sweep_command = higherpair::cli::add_sweep_command(app, sweep);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
   bool known = argc < 2 || argv[1][0] == '-';
@@ -171,6 +174,9 @@ int run(int argc, char** argv) {
   }
   if (check_command->parsed()) {
     return higherpair::cli::check_command(check);
+  }
+  if (sweep_command->parsed()) {
+    return higherpair::cli::sweep_command(sweep);
   }
   if (verify_command->parsed()) {
     return higherpair::cli::verify_command(verify);

@@ -9,11 +9,10 @@
 #include <CLI/CLI.hpp>
 
 namespace higherpair::cli {
-namespace {
 
 namespace fs = std::filesystem;
 
-// Whether both name one regular file, which need not exist yet. Standard output may be sent into a file.
+// Standard output may be sent into a file.
 bool is_same_file(const std::string& a, const std::string& b) {
   const auto opened = [](const std::string& path) { return path == "-" ? "/dev/stdout" : target_of(path); };
   std::error_code code;
@@ -25,8 +24,6 @@ bool is_same_file(const std::string& a, const std::string& b) {
   };
   return place(a) == place(b);
 }
-
-}  // namespace
 
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {

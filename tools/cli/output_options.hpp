@@ -29,6 +29,9 @@ struct NamedFile {
   std::string path;  ///< "-": standard output
 };
 
+/// Whether both name one regular file, which need not exist yet, by whatever path or link.
+[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
+
 /// Throws CLI::ValidationError where an output is an input, or two outputs are one, by whatever path or link:
 /// writing would destroy what was to be read. Devices and pipes may be named twice.
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);

@@ -45,7 +45,8 @@ public:
   [[nodiscard]] Measured value(std::size_t measure) const;
   /// Of the value, "deg/s^2".
   [[nodiscard]] const std::string& unit(std::size_t measure) const { return units_[measure]; }
-  /// Of Measured::where, "deg".
+  /// The column of Measured::where in a row, and its unit, "deg".
+  [[nodiscard]] std::size_t where_slot() const { return where_slot_; }
   [[nodiscard]] const std::string& where_unit() const { return where_unit_; }
 
 private:

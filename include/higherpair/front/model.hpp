@@ -83,6 +83,7 @@ public:
   [[nodiscard]] const Data& data() const { return *data_; }
 
 private:
+  friend class ModelVariants;
   explicit Model(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
   std::shared_ptr<const Data> data_;

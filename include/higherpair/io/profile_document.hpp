@@ -32,7 +32,9 @@ public:
   void for_each_number(const std::function<void(const std::string& path, double value)>& found) const;
 
 private:
+  friend class ProfileVariants;
   struct Content;
+  [[nodiscard]] tl::expected<Profile, Diagnostics> read(bool with_notes) const;
   explicit ProfileDocument(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
   std::shared_ptr<const Content> content_;

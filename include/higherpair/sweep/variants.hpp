@@ -1,0 +1,95 @@
+#pragma once
+
+#include "higherpair/sweep/distribution.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+enum class SweepMethod {
+  kGrid,  ///< every value of each variable with every value of the others; the last variable changes fastest
+  kList,  ///< the first values of all variables, then the second ones, …
+  kRandom,  ///< independent draws
+  kSobol,   ///< the Sobol sequence, which fills the space evenly, shifted at random as a whole
+};
+
+/// A number of the profile that differs from variant to variant.
+struct SweepVariable {
+  std::string name;
+  std::vector<std::string> paths;  ///< of the keys that take its value, as of the option --set
+  Distribution distribution;       ///< of a list, and of a grid of values: `values`
+  std::int64_t count = 0;          ///< of a grid: so many values from low to high; 0: `values`
+};
+
+/// Two normal variables that do not vary independently of each other.
+struct Correlation {
+  std::size_t first = 0;  ///< of the variables
+  std::size_t second = 0;
+  double coefficient = 0;  ///< -1 < coefficient < 1
+};
+
+/// Which variants there are.
+struct VariantPlan {
+  SweepMethod method = SweepMethod::kGrid;
+  std::int64_t count = 0;  ///< of random and Sobol
+  std::uint64_t seed = 1;  ///< the same
+  std::vector<SweepVariable> variables;
+  std::vector<Correlation> correlations;
+};
+
+/// More variants than this are taken for a slip.
+inline constexpr std::int64_t kMostVariants = 100'000'000'000;
+/// More variables than this have no Sobol sequence.
+inline constexpr std::size_t kMostSobolVariables = 3667;
+
+/// How many variants a plan has, as a double: of a grid it may be any number.
+[[nodiscard]] double count_of(const VariantPlan& plan);
+
+/// The variables that occur in correlations, ascending.
+[[nodiscard]] std::vector<std::size_t> correlated_variables(const VariantPlan& plan);
+
+/// The lower factor L of Cholesky of their correlation matrix: L times independent normal numbers of
+/// deviation 1 are correlated ones. None where the coefficients contradict each other, so that the matrix is
+/// not positive definite.
+[[nodiscard]] std::optional<Eigen::MatrixXd> correlation_factor(const VariantPlan& plan);
+
+/// The values of the variables in every variant: a function of plan and number alone, whatever was asked for
+/// before, on whichever thread.
+///
+/// A random number is the word of Threefry-2x64-20 (Salmon et al., SC 2011) at (variant, variable) under the
+/// seed; Sobol points are those of Joe and Kuo (SIAM J. Sci. Comput. 30, 2635), all digits of each variable
+/// exchanged by one random word (a digital shift, which keeps their evenness). Either becomes a value by the
+/// quantile of the variable's distribution.
+class Variants {
+public:
+  /// \pre count_of(plan) <= kMostVariants, values and limits are finite, correlations are consistent, and
+  /// between variables that are normal and not truncated
+  explicit Variants(VariantPlan plan);
+
+  [[nodiscard]] const VariantPlan& plan() const { return plan_; }
+  [[nodiscard]] std::int64_t size() const { return size_; }
+
+  /// \pre 0 <= variant < size()
+  /// \param values  of all variables, in their order
+  void values(std::int64_t variant, std::span<double> values) const;
+
+private:
+  [[nodiscard]] double share(std::int64_t variant, std::size_t variable) const;
+  void take_grid(std::int64_t variant, std::span<double> values) const;
+  void correlate(std::int64_t variant, std::span<double> values) const;
+
+  VariantPlan plan_;
+  std::int64_t size_ = 0;
+  std::vector<std::uint64_t> directions_;  // of Sobol: of each variable one for each digit of the number
+  std::vector<std::uint64_t> shifts_;      // of Sobol: of each variable
+  std::vector<std::size_t> correlated_;
+  Eigen::MatrixXd factor_;  // of these
+};
+
+}  // namespace higherpair

@@ -1,0 +1,41 @@
+#include "higherpair/front/model_variants.hpp"
+
+#include "higherpair/io/profile_variants.hpp"
+#include "model_data.hpp"
+
+#include <utility>
+
+namespace higherpair {
+
+struct ModelVariants::Impl {
+  Model like;  // whose plan is kept
+  ProfileVariants profiles;
+};
+
+ModelVariants::ModelVariants(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ModelVariants::ModelVariants(ModelVariants&& other) noexcept = default;
+ModelVariants& ModelVariants::operator=(ModelVariants&& other) noexcept = default;
+ModelVariants::~ModelVariants() = default;
+
+Result<ModelVariants> ModelVariants::of(const Model& model, std::span<const std::string> paths) {
+  if (!model.data().document) {
+    return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
+                                      "was built and has no keys to set: change a copy of its mechanism()"));
+  }
+  auto profiles = ProfileVariants::of(*model.data().document, paths);
+  if (!profiles) {
+    return tl::unexpected(Error{ErrorKind::kInput, std::move(profiles.error())});
+  }
+  return ModelVariants(std::make_unique<Impl>(Impl{model, *std::move(profiles)}));
+}
+
+Result<Model> ModelVariants::with(std::span<const double> values) {
+  auto profile = impl_->profiles.read(values);
+  if (!profile) {
+    return tl::unexpected(Error{ErrorKind::kInput, std::move(profile.error())});
+  }
+  const Model::Data& like = impl_->like.data();
+  return Model(planned(like.name, std::nullopt, *std::move(profile), &like));
+}
+
+}  // namespace higherpair

@@ -1,0 +1,272 @@
+#include "higherpair/front/sweep.hpp"
+
+#include "analysis_impl.hpp"
+#include "sweep_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t kTried = 1000;  // variants that are read before a sweep is run
+
+// How bad a status is, in the order of RowStatus, and `not_started`.
+constexpr std::array<int, kSweepStatusCount> kSeverity = {0, 5, 1, 3, 4, 2, 6};
+
+bool ends_path(const Event& event) {
+  return event.type == EventType::kLimitPosition || event.type == EventType::kEnd ||
+         event.type == EventType::kOverlap || event.type == EventType::kContactOpen;
+}
+
+std::string text_of(const Event& event) {
+  return fmt::format("{} at driver = {}: {}", name_of(event.type), event.driver, event.cause);
+}
+
+std::int64_t cut(std::int64_t size, std::int64_t part, std::int64_t parts) {
+  // part size/parts without overflow
+  return size / parts * part + size % parts * part / parts;
+}
+
+// Works out one variant after the other; one for each block.
+class Worker {
+public:
+  explicit Worker(const Sweep::Data& data)
+      : data_(data),
+        models_(ModelVariants::of(data.model, data.paths).value()),
+        variables_(data.task.plan.variables.size()),
+        numbers_(data.paths.size()) {
+    if (!data.writes_rows()) measures_.emplace(data.measures, data.run_columns);
+  }
+
+  [[nodiscard]] Result<Model> model(std::int64_t variant) {
+    data_.variants.values(variant, variables_);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      for (std::size_t k = 0; k < data_.task.plan.variables[i].paths.size(); ++k) {
+        numbers_[next++] = variables_[i];
+      }
+    }
+    return models_.with(numbers_);
+  }
+
+  /// Its rows appended to the block; false where it was stopped.
+  [[nodiscard]] bool add(std::int64_t variant, SweepBlock& block) {
+    variant_ = variant;
+    const Result<Model> made = model(variant);
+    auto analysis = made ? made->start(data_.run) : Result<Analysis>(tl::unexpected(made.error()));
+    if (!analysis) {
+      add_not_started(analysis.error().diagnostics.front().message, block);
+      return data_.run.stop == nullptr || !data_.run.stop->load();
+    }
+    if (data_.writes_rows()) {
+      add_rows(*analysis, block);
+    } else {
+      add_results(*analysis, block);
+    }
+    block.good += analysis->good() ? 1 : 0;
+    return !analysis->stopped();
+  }
+
+private:
+  void begin_row(SweepBlock& block) const {
+    block.values.push_back(static_cast<double>(variant_));
+    block.values.insert(block.values.end(), variables_.begin(), variables_.end());
+  }
+
+  void end_row(int status, std::string cause, SweepBlock& block) const {
+    block.values.push_back(status);
+    block.causes.push_back(std::move(cause));
+  }
+
+  void add_not_started(std::string cause, SweepBlock& block) const {
+    begin_row(block);
+    const std::size_t empty = data_.columns.size() - variables_.size() - 2;
+    block.values.insert(block.values.end(), empty, kUndefined);
+    end_row(kNotStarted, std::move(cause), block);
+  }
+
+  void add_rows(Analysis& analysis, SweepBlock& block) {
+    const std::size_t first = block.causes.size();
+    while (analysis.next(row_)) {
+      begin_row(block);
+      for (const std::size_t slot : data_.row_slots) {
+        block.values.push_back(row_.values[slot]);
+      }
+      end_row(static_cast<int>(row_.status), "", block);
+    }
+    for (const Event& event : analysis.events()) {
+      const std::size_t row = first + static_cast<std::size_t>(event.row);
+      if (!analysis.good() && ends_path(event) && row < block.causes.size() && block.causes[row].empty()) {
+        block.causes[row] = text_of(event);
+      }
+    }
+  }
+
+  void add_results(Analysis& analysis, SweepBlock& block) {
+    measures_->clear();
+    std::array<std::int64_t, kNotStarted> counts{};
+    RowStatus worst = RowStatus::kOk;
+    double worst_at = kUndefined;
+    while (analysis.next(row_)) {
+      measures_->add(row_);
+      const auto status = static_cast<std::size_t>(row_.status);
+      ++counts[status];
+      if (kSeverity[status] > kSeverity[static_cast<std::size_t>(worst)]) {
+        worst = row_.status;
+        worst_at = row_.values[measures_->where_slot()];
+      }
+    }
+    begin_row(block);
+    put_results(block);
+    if (data_.task.counts) {
+      put_counts(counts, analysis.events(), block);
+    }
+    end_row(static_cast<int>(worst), analysis.good() ? "" : cause_of(analysis, worst, worst_at), block);
+  }
+
+  void put_results(SweepBlock& block) const {
+    for (std::size_t i = 0; i < measures_->size(); ++i) {
+      const Measured measured = measures_->value(i);
+      block.values.push_back(std::isfinite(measured.value) ? measured.value : kUndefined);
+      if (data_.task.results[i].where) block.values.push_back(measured.where);
+    }
+  }
+
+  static void put_counts(std::span<const std::int64_t> rows, const std::vector<Event>& events,
+                         SweepBlock& block) {
+    for (const std::int64_t count : rows) {
+      block.values.push_back(static_cast<double>(count));
+    }
+    const std::size_t first = block.values.size();
+    block.values.resize(first + static_cast<std::size_t>(EventType::kLawJump) + 1, 0.0);
+    for (const Event& event : events) {
+      block.values[first + static_cast<std::size_t>(event.type)] += 1;
+    }
+  }
+
+  [[nodiscard]] std::string cause_of(const Analysis& analysis, RowStatus worst, double worst_at) const {
+    const auto event = std::find_if(analysis.events().begin(), analysis.events().end(), ends_path);
+    if (event != analysis.events().end()) {
+      return text_of(*event);
+    }
+    return fmt::format("{} at {} = {}", name_of(worst), data_.task.in_time ? "time" : "driver", worst_at);
+  }
+
+  const Sweep::Data& data_;
+  ModelVariants models_;
+  std::optional<MeasureSet> measures_;  // where results are written
+  std::vector<double> variables_;
+  std::vector<double> numbers_;  // the same, one for each path
+  Row row_;
+  std::int64_t variant_ = 0;
+};
+
+SweepForecast forecast_of(const Sweep::Data& data) {
+  SweepForecast forecast;
+  Worker worker(data);
+  const std::int64_t size = data.end - data.begin;
+  forecast.tried = std::min(size, kTried);
+  for (std::int64_t k = 0; k < forecast.tried; ++k) {
+    const std::int64_t variant = data.begin + cut(size, k, forecast.tried);
+    const auto model = worker.model(variant);
+    if (!model && ++forecast.unreadable == 1) {
+      forecast.variant = variant;
+      forecast.cause = model.error().diagnostics.front().message;
+    }
+  }
+  return forecast;
+}
+
+Result<void> check(const Model& model, const SweepSettings& settings) {
+  const auto wrong = [&](std::string rule) {
+    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(rule)));
+  };
+  if (!model.profile().sweep) {
+    return wrong("there is no [sweep]: it says which variants there are, and what is wanted of each");
+  }
+  if (settings.parts < 1 || settings.part < 1 || settings.part > settings.parts) {
+    return wrong(fmt::format("part {} of {}: parts are counted from 1", settings.part, settings.parts));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Sweep> Sweep::of(const Model& model, const SweepSettings& settings) {
+  if (const auto good = check(model, settings); !good) {
+    return tl::unexpected(good.error());
+  }
+  auto data = sweep_table(model, settings);
+  if (!data) {
+    return tl::unexpected(std::move(data.error()));
+  }
+  data->begin = cut(data->variants.size(), settings.part - 1, settings.parts);
+  data->end = cut(data->variants.size(), settings.part, settings.parts);
+  data->forecast = forecast_of(*data);
+  const SweepForecast& forecast = data->forecast;
+  if (forecast.tried > 0 && forecast.unreadable == forecast.tried) {
+    return tl::unexpected(Error{
+        ErrorKind::kInput,
+        {Diagnostic{data->task.place, fmt::format("sweep: not one variant of {} that were tried can be read; "
+                                                  "variant {}: {}",
+                                                  forecast.tried, forecast.variant, forecast.cause)}}});
+  }
+  return Sweep(std::make_shared<const Data>(*std::move(data)));
+}
+
+std::int64_t Sweep::size() const {
+  return data_->end - data_->begin;
+}
+
+std::int64_t Sweep::first() const {
+  return data_->begin;
+}
+
+std::int64_t Sweep::blocks() const {
+  return (size() + data_->block_variants - 1) / data_->block_variants;
+}
+
+std::int64_t Sweep::variants_of(std::int64_t block) const {
+  return std::min(data_->block_variants, size() - block * data_->block_variants);
+}
+
+const std::vector<Column>& Sweep::columns() const {
+  return data_->columns;
+}
+
+std::size_t Sweep::first_result() const {
+  return 1 + data_->task.plan.variables.size();
+}
+
+std::size_t Sweep::result_count() const {
+  return data_->writes_rows() ? 0 : columns().size() - first_result() - 1;
+}
+
+const SweepForecast& Sweep::forecast() const {
+  return data_->forecast;
+}
+
+SweepBlock Sweep::block(std::int64_t number) const {
+  SweepBlock block;
+  block.number = number;
+  Worker worker(*data_);
+  const std::int64_t first = data_->begin + number * data_->block_variants;
+  const std::int64_t variants = variants_of(number);
+  for (std::int64_t k = 0; k < variants; ++k) {
+    if (!worker.add(first + k, block)) {
+      block.complete = false;
+      break;
+    }
+    ++block.variants;
+  }
+  return block;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,48 @@
+#include "column_set.hpp"
+#include "higherpair/front/sweep.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+// A cell of text, in quotes where it has to be.
+void append_text(const std::string& text, std::string& out) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    out += c;
+    if (c == '"') out += c;
+  }
+  out += '"';
+}
+
+}  // namespace
+
+std::string sweep_csv_header(const Sweep& sweep) {
+  std::string header;
+  for (const Column& column : sweep.columns()) {
+    header += csv_head(column) + ",";
+  }
+  return header + "cause\n";
+}
+
+void append_sweep_csv(const Sweep& sweep, const SweepBlock& block, std::string& out) {
+  const std::size_t width = sweep.columns().size();
+  const auto columns = std::span(sweep.columns()).subspan(1);
+  for (std::size_t row = 0; row < block.causes.size(); ++row) {
+    const auto values = std::span(block.values).subspan(row * width, width);
+    fmt::format_to(std::back_inserter(out), "{},", static_cast<std::int64_t>(values[0]));
+    append_csv_cells(columns, values.subspan(1), out);
+    out += ',';
+    append_text(block.causes[row], out);
+    out += '\n';
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,145 @@
+// The columns of a sweep's table, and how its variants are run.
+#include "analysis_impl.hpp"
+#include "sweep_data.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr int kEventTypes = static_cast<int>(EventType::kLawJump) + 1;
+
+Column number(std::string name, std::string unit = "1") {
+  return {std::move(name), std::move(unit), {}};
+}
+
+tl::unexpected<Error> wrong(const Place& place, std::string message) {
+  return tl::unexpected(Error{ErrorKind::kInput, {Diagnostic{place, std::move(message)}}});
+}
+
+// Columns of forces and of the jerk are worked out only where a glob means nothing else.
+Result<RunSettings> settings_for_rows(const Model& model, const SweepTask& task, RunSettings settings) {
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  settings.columns = task.rows;
+  std::optional<Error> first;
+  for (const auto& [forces, jerk] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+    settings.forces = forces;
+    settings.jerk = jerk;
+    auto set = columns_of(model.data(), settings, model.units());
+    if (set) {
+      return settings;
+    }
+    if (!first) first = std::move(set.error());
+  }
+  const std::string& message = first->diagnostics.front().message;
+  return wrong(task.place,
+               fmt::format("sweep.rows: {} ({})", message, first->diagnostics.front().place.source));
+}
+
+void add_results(Sweep::Data& data) {
+  const MeasureSet set(data.measures, data.run_columns);
+  for (std::size_t i = 0; i < data.task.results.size(); ++i) {
+    data.columns.push_back(number(data.task.results[i].name, set.unit(i)));
+    if (data.task.results[i].where) {
+      data.columns.push_back(number(data.task.results[i].name + ".where", set.where_unit()));
+    }
+  }
+  if (data.task.counts) {
+    for (int status = 0; status < kNotStarted; ++status) {
+      data.columns.push_back(number(fmt::format("rows.{}", name_of(static_cast<RowStatus>(status)))));
+    }
+    for (int type = 0; type < kEventTypes; ++type) {
+      data.columns.push_back(number(fmt::format("events.{}", name_of(static_cast<EventType>(type)))));
+    }
+  }
+}
+
+void add_row_columns(Sweep::Data& data) {
+  for (std::size_t i = 0; i < data.run_columns.size(); ++i) {
+    if (data.run_columns[i].name != "status") {
+      data.row_slots.push_back(i);
+      data.columns.push_back(data.run_columns[i]);
+    }
+  }
+}
+
+// A name that two columns have; none.
+std::optional<std::string> repeated(const std::vector<Column>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (columns[i].name == columns[k].name) return columns[i].name;
+    }
+  }
+  return std::nullopt;
+}
+
+// About as much work in every block, whatever the length of a run.
+std::int64_t variants_in_block(std::int64_t rows) {
+  constexpr std::int64_t kRows = std::int64_t{1} << 18;
+  constexpr std::int64_t kMost = 1024;
+  return std::clamp<std::int64_t>(kRows / std::max<std::int64_t>(rows, 1), 1, kMost);
+}
+
+}  // namespace
+
+std::span<const std::string_view> sweep_statuses() {
+  static const auto names = [] {
+    std::array<std::string_view, kSweepStatusCount> all;
+    for (std::size_t i = 0; i < kNotStarted; ++i) {
+      all[i] = name_of(static_cast<RowStatus>(i));
+    }
+    all[kNotStarted] = "not_started";
+    return all;
+  }();
+  return names;
+}
+
+Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& settings) {
+  const SweepTask& task = *model.profile().sweep;
+  Sweep::Data data = {model, task, Variants(task.plan), {}, {}, {}, {}, {}, {}, 0, 0, 1, {}};
+  for (const SweepVariable& variable : task.plan.variables) {
+    data.paths.insert(data.paths.end(), variable.paths.begin(), variable.paths.end());
+  }
+  for (const SweepResult& result : task.results) {
+    data.measures.push_back(result.measure);
+  }
+  RunSettings run;
+  run.in_time = task.in_time;
+  run.samples = settings.samples;
+  run.tolerance = settings.tolerance;
+  run.stop = settings.stop;
+  auto made =
+      data.writes_rows() ? settings_for_rows(model, task, run) : settings_for(model, data.measures, run);
+  if (!made) {
+    return tl::unexpected(std::move(made.error()));
+  }
+  data.run = *std::move(made);
+  const auto schedule = schedule_of(model.data(), data.run);
+  if (!schedule) {
+    return tl::unexpected(schedule.error());
+  }
+  data.block_variants = variants_in_block(schedule->size());
+  const auto set = columns_of(model.data(), data.run, model.units());
+  if (!set) {
+    return tl::unexpected(set.error());
+  }
+  data.run_columns = set->columns();
+  data.columns.push_back(number("variant"));
+  for (std::size_t i = 0; i < task.plan.variables.size(); ++i) {
+    data.columns.push_back(number(task.plan.variables[i].name, task.units[i]));
+  }
+  data.writes_rows() ? add_row_columns(data) : add_results(data);
+  data.columns.push_back({"status", "", sweep_statuses()});
+  if (const auto name = repeated(data.columns)) {
+    return wrong(task.place,
+                 fmt::format("sweep: two columns would be called `{}`; choose another name", *name));
+  }
+  return data;
+}
+
+}  // namespace higherpair

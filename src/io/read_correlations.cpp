@@ -1,0 +1,120 @@
+#include "higherpair/io/suggestion.hpp"
+#include "sweep_reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+std::optional<std::size_t> variable_named(TableReader& table, const Item& item, const VariantPlan& plan) {
+  const auto name = as_text(table.reading(), item);
+  if (!name) {
+    return std::nullopt;
+  }
+  std::vector<std::string> names;
+  for (const SweepVariable& variable : plan.variables) names.push_back(variable.name);
+  const auto found = std::find(names.begin(), names.end(), *name);
+  if (found == names.end()) {
+    report(table.reading(), item, "there is no such variable; " + suggestion(*name, names));
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  const Distribution& d = plan.variables[index].distribution;
+  if (d.kind != DistributionKind::kNormal || d.is_truncated()) {
+    report(table.reading(), item, "only variables with `normal`, without `min` and `max`, can be correlated");
+    return std::nullopt;
+  }
+  return index;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& table, const VariantPlan& plan) {
+  const auto item = table.need("between", "the names of two variables");
+  const auto* items = item ? std::get_if<Array>(&item->value->content) : nullptr;
+  if (!item) {
+    return std::nullopt;
+  }
+  if (items == nullptr || items->size() != 2) {
+    report(table.reading(), *item, "expected the names of two variables");
+    return std::nullopt;
+  }
+  const auto first = variable_named(table, {items->data(), item->path + ".0"}, plan);
+  const auto second = variable_named(table, {&(*items)[1], item->path + ".1"}, plan);
+  if (!first || !second) {
+    return std::nullopt;
+  }
+  const auto is_same = [&](const Correlation& other) {
+    return std::minmax(other.first, other.second) == std::minmax(*first, *second);
+  };
+  if (*first == *second) {
+    report(table.reading(), *item, "expected two different variables");
+  } else if (std::any_of(plan.correlations.begin(), plan.correlations.end(), is_same)) {
+    report(table.reading(), *item, "another correlation is between these two already");
+  } else {
+    return std::pair(*first, *second);
+  }
+  return std::nullopt;
+}
+
+void read_correlation(TableReader& table, VariantPlan& plan) {
+  const auto between = read_between(table, plan);
+  const auto covariance = table.take("covariance");
+  const auto coefficient = covariance
+                               ? table.take("coefficient")
+                               : table.need("coefficient", "a number between -1 and 1, or a `covariance`");
+  if (covariance && coefficient) {
+    report(table.reading(), *covariance, "this and `coefficient` say the same: leave one of the two out");
+    return;
+  }
+  const auto item = covariance ? covariance : coefficient;
+  const auto quantity = item ? as_quantity(table.reading(), *item, {dimension::kNumber}) : std::nullopt;
+  table.finish();
+  if (!between || !quantity) {
+    return;
+  }
+  const double number = quantity.value_or(Quantity{}).si;
+  const auto deviation = [&](std::size_t i) { return plan.variables[i].distribution.deviation; };
+  const double scale = covariance ? deviation(between->first) * deviation(between->second) : 1;
+  if (!(std::abs(number) < scale)) {
+    report(table.reading(), *item,
+           fmt::format("must lie between {} and {}{}; variables that are the same are one with several paths",
+                       -scale, scale, covariance ? ", the product of both deviations" : ""));
+    return;
+  }
+  plan.correlations.push_back({between->first, between->second, number / scale});
+}
+
+}  // namespace
+
+void read_correlations(TableReader& sweep, std::optional<SweepMethod> method, VariantPlan& plan) {
+  const auto item = sweep.take("correlations");
+  if (!item) {
+    return;
+  }
+  if (method == SweepMethod::kGrid || method == SweepMethod::kList) {
+    report(sweep.reading(), *item, "only draws (random, sobol) can be correlated");
+    return;
+  }
+  const auto* items = std::get_if<Array>(&item->value->content);
+  if (items == nullptr) {
+    report(sweep.reading(), *item, "expected a list of { between = [\"a\", \"b\"], coefficient = … }");
+    return;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const Item entry = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
+    if (const Table* table = as_table(sweep.reading(), entry, "a correlation (a table)")) {
+      TableReader reader(sweep.reading(), *table, entry.value->mark, entry.path);
+      read_correlation(reader, plan);
+    }
+  }
+  if (!correlation_factor(plan)) {
+    report(sweep.reading(), *item,
+           "these contradict each other: no variables can be correlated like this; make the coefficients "
+           "smaller");
+  }
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,157 @@
+#include "sweep_reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// Of a truncated normal distribution: less is rounding.
+constexpr double kLeastShare = 1e-9;
+
+std::optional<std::vector<double>> numbers(TableReader& table, const std::string& key, std::size_t count) {
+  const auto item = table.take(key);
+  const auto list = item ? as_list(table.reading(), *item, {dimension::kNumber}, count) : std::nullopt;
+  if (!list) {
+    return std::nullopt;
+  }
+  std::vector<double> values;
+  for (const Quantity& quantity : *list) values.push_back(quantity.si);
+  return values;
+}
+
+void wrong(TableReader& table, const std::string& key, std::string_view rule) {
+  const auto item = table.take(key);
+  if (item) report(table.reading(), *item, rule);
+}
+
+void read_values(TableReader& table, Distribution& d) {
+  d.kind = DistributionKind::kValues;
+  d.values = numbers(table, "values", 0).value_or(std::vector<double>{0});
+  if (d.values.empty()) {
+    wrong(table, "values", "expected at least one");
+    d.values.push_back(0);
+  }
+}
+
+void read_limits(TableReader& table, Distribution& d) {
+  for (const auto& [key, limit] : {std::pair("min", &d.low), std::pair("max", &d.high)}) {
+    if (table.take(key)) *limit = table.quantity(key, {dimension::kNumber});
+  }
+  if (!(d.low < d.high)) {
+    wrong(table, "max", fmt::format("must be larger than min = {}", d.low));
+  }
+}
+
+void read_normal(TableReader& table, Distribution& d) {
+  d.kind = DistributionKind::kNormal;
+  if (const auto list = numbers(table, "normal", 2)) {
+    d.mean = (*list)[0];
+    d.deviation = (*list)[1];
+    if (!(d.deviation > 0)) {
+      wrong(table, "normal", "expected [mean, standard deviation], and a deviation above 0");
+      d.deviation = 1;
+    }
+  }
+  read_limits(table, d);
+  if (d.deviation > 0 && d.low < d.high && share_within(d) < kLeastShare) {
+    wrong(table, "normal", "next to nothing of this distribution lies between min and max");
+  }
+}
+
+void read_triangular(TableReader& table, Distribution& d) {
+  d.kind = DistributionKind::kTriangular;
+  const auto list = numbers(table, "triangular", 3);
+  const std::vector<double> ends = list.value_or(std::vector<double>{0, 0.5, 1});
+  d.low = ends[0];
+  d.mode = ends[1];
+  d.high = ends[2];
+  if (!(d.low < d.high && d.low <= d.mode && d.mode <= d.high)) {
+    wrong(table, "triangular", "expected [least, most likely, largest value], in this order");
+  }
+}
+
+void read_uniform(TableReader& table, Distribution& d) {
+  if (const auto list = numbers(table, "uniform", 2)) {
+    d.low = (*list)[0];
+    d.high = (*list)[1];
+    if (!(d.low < d.high)) {
+      wrong(table, "uniform", "expected [least, largest value], in this order");
+    }
+  }
+}
+
+constexpr std::array kForms = {"values", "normal", "triangular", "uniform", "min"};
+
+// The key that says which values a variable takes; "" where none or several do.
+std::string form_of(TableReader& table, const Item& item) {
+  std::vector<std::string> forms;
+  for (const char* form : kForms) {
+    const bool limit_of_normal =
+        std::string_view(form) == "min" && !forms.empty() && forms.front() == "normal";
+    if (table.take(form) && !limit_of_normal) forms.emplace_back(form);
+  }
+  if (forms.size() == 1) {
+    return forms.front();
+  }
+  (void)table.take("max");
+  table.reading().mistakes.push_back(
+      {item.value->mark,
+       fmt::format("{}: expected {} `values`, `min` and `max`, `normal`, `triangular`, `uniform`", item.path,
+                   forms.empty() ? "one of" : "only one of")});
+  return "";
+}
+
+void read_grid_count(TableReader& table, SweepVariable& variable) {
+  const auto item = table.need("count", "how many values from min to max a grid takes");
+  const auto count = item ? as_integer(table.reading(), *item) : std::nullopt;
+  if (count && *count < 1) {
+    report(table.reading(), *item, "must be at least 1");
+  }
+  variable.count = std::max<std::int64_t>(count.value_or(1), 1);
+}
+
+}  // namespace
+
+void read_distribution(TableReader& table, const Item& item, std::optional<SweepMethod> method,
+                       SweepVariable& variable) {
+  const std::string form = form_of(table, item);
+  const bool values = form.empty() || form == "values";
+  std::string_view objection;
+  if (method == SweepMethod::kGrid && !values && form != "min") {
+    objection = "a grid takes `values`, or `min`, `max` and `count`; distributions are for random and sobol";
+  } else if (method == SweepMethod::kList && !values) {
+    objection = "a list takes `values`";
+  }
+  if (!objection.empty()) {
+    table.refuse(form, objection);
+    for (const char* key : {"min", "max", "count"}) (void)table.take(key);
+    return;
+  }
+  Distribution& d = variable.distribution;
+  if (form == "values") {
+    read_values(table, d);
+  } else if (form == "normal") {
+    read_normal(table, d);
+  } else if (form == "triangular") {
+    read_triangular(table, d);
+  } else if (form == "uniform") {
+    read_uniform(table, d);
+  } else if (form == "min" && table.need("max", "the largest value")) {
+    read_limits(table, d);
+  }
+  const bool spaced = method == SweepMethod::kGrid && form == "min";
+  if (spaced) {
+    read_grid_count(table, variable);
+  } else if (method) {
+    table.refuse("count", "belongs to `min` and `max` of a grid");
+  } else {
+    (void)table.take("count");
+  }
+}
+
+}  // namespace higherpair::io_detail

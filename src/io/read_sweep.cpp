@@ -1,0 +1,167 @@
+// [sweep]: which variants there are, and what is wanted of each.
+#include "higherpair/io/sweep_task.hpp"
+#include "read_measure.hpp"
+#include "reading.hpp"
+#include "sweep_reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+constexpr std::array kTakenNames = {"variant", "status", "cause", "row", "time"};
+
+std::optional<SweepMethod> read_method(TableReader& table) {
+  const auto item = table.need("method", "one of grid, list, random, sobol");
+  const auto choice =
+      item ? as_choice(table.reading(), *item, {"grid", "list", "random", "sobol"}) : std::nullopt;
+  return choice ? std::optional(static_cast<SweepMethod>(*choice)) : std::nullopt;
+}
+
+void read_count(TableReader& table, VariantPlan& plan) {
+  const auto item = table.need("count", "how many variants are drawn");
+  const auto count = item ? as_integer(table.reading(), *item) : std::nullopt;
+  if (count && *count < 1) {
+    report(table.reading(), *item, "must be at least 1");
+  } else if (count && *count > kMostVariants) {
+    report(table.reading(), *item, fmt::format("at most {} variants are possible", kMostVariants));
+  }
+  plan.count = count.value_or(1);
+}
+
+void read_seed(TableReader& table, VariantPlan& plan) {
+  const auto item = table.take("seed");
+  const auto seed = item ? as_integer(table.reading(), *item) : std::nullopt;
+  if (seed && *seed < 0) {
+    report(table.reading(), *item, "must be >= 0");
+  }
+  plan.seed = static_cast<std::uint64_t>(seed.value_or(1));
+}
+
+void read_results(TableReader& table, SweepTask& task) {
+  const auto item = table.take("results");
+  if (!item) {
+    return;
+  }
+  for_each_table(
+      table.reading(), *item, "a measure (a table)", [&](const std::string& name, TableReader& entry) {
+        SweepResult result;
+        result.name = name;
+        const auto measure = read_measure(entry);
+        result.where = entry.flag("where", false);
+        const bool has_place =
+            !measure || (measure->of != MeasureKind::kRange && measure->of != MeasureKind::kMean &&
+                         measure->of != MeasureKind::kRms);
+        if (result.where && !has_place) {
+          entry.refuse("where",
+                       fmt::format("\"{}\" is of all rows and stands at no place", name_of(measure->of)));
+        }
+        entry.finish();
+        result.measure = measure.value_or(Measure());
+        task.results.push_back(std::move(result));
+      });
+}
+
+void read_rows(TableReader& table, SweepTask& task) {
+  const auto item = table.take("rows");
+  if (!item) {
+    return;
+  }
+  const auto* items = std::get_if<Array>(&item->value->content);
+  if (items == nullptr || items->empty()) {
+    report(table.reading(), *item, "expected a list of columns, names or globs, such as [\"follower.*\"]");
+    return;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto glob = as_text(table.reading(), {&(*items)[i], fmt::format("{}.{}", item->path, i)});
+    task.rows.push_back(glob.value_or("*"));
+  }
+}
+
+void read_what(TableReader& table, SweepTask& task) {
+  task.in_time = table.flag("time", false);
+  task.counts = table.flag("counts", false);
+  read_results(table, task);
+  read_rows(table, task);
+  constexpr const char* kEither =
+      "where `rows` are written there is no row of results: leave one of the two out";
+  if (!task.rows.empty() && !task.results.empty()) {
+    table.refuse("results", kEither);
+  }
+  if (!task.rows.empty() && task.counts) {
+    table.refuse("counts", kEither);
+  }
+}
+
+// Every name that becomes a column is there once.
+void check_names(TableReader& table, const SweepTask& task) {
+  std::vector<std::string> names(kTakenNames.begin(), kTakenNames.end());
+  const auto check = [&](const std::string& part, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      table.reading().mistakes.push_back(
+          {table.mark(),
+           fmt::format("{}.{}.{}: there is another column `{}` in the table; choose another name",
+                       table.path(), part, name, name)});
+    }
+    names.push_back(name);
+  };
+  for (const SweepVariable& variable : task.plan.variables) check("variables", variable.name);
+  for (const SweepResult& result : task.results) check("results", result.name);
+}
+
+void check_size(TableReader& table, const VariantPlan& plan) {
+  const double count = count_of(plan);
+  if (plan.method == SweepMethod::kGrid && count > static_cast<double>(kMostVariants)) {
+    table.reading().mistakes.push_back(
+        {table.mark(),
+         fmt::format(
+             "{}: this grid has {:.15g} variants, and at most {} are possible: give the variables fewer "
+             "values, or let method = \"sobol\" with a `count` fill the same space evenly",
+             table.path(), count, kMostVariants)});
+  }
+}
+
+}  // namespace
+
+void read_sweep(TableReader& root, const Table& document, Profile& profile) {
+  const auto item = root.take("sweep");
+  const Table* keys = item ? as_table(root.reading(), *item, "a table") : nullptr;
+  if (keys == nullptr) {
+    return;
+  }
+  Reading& reading = root.reading();
+  const std::size_t mistakes = reading.mistakes.size();
+  TableReader table(reading, *keys, item->value->mark, item->path);
+  SweepTask task;
+  task.place = place_of(reading, item->value->mark);
+  const auto method = read_method(table);
+  task.plan.method = method.value_or(SweepMethod::kGrid);
+  if (method == SweepMethod::kRandom || method == SweepMethod::kSobol) {
+    read_count(table, task.plan);
+    read_seed(table, task.plan);
+  } else if (method) {
+    table.refuse("count", "only random and sobol have one; a variable of a grid has its own `count`");
+    table.refuse("seed", "only random and sobol have one");
+  } else {
+    (void)table.take("count");
+    (void)table.take("seed");
+  }
+  read_sweep_variables(table, document, method, task);
+  read_correlations(table, method, task.plan);
+  read_what(table, task);
+  table.finish();
+  check_names(table, task);
+  if (reading.mistakes.size() == mistakes) {
+    check_size(table, task.plan);
+  }
+  if (reading.mistakes.size() == mistakes) {
+    profile.sweep = std::make_shared<const SweepTask>(std::move(task));
+  }
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,116 @@
+#include "higherpair/io/suggestion.hpp"
+#include "reading.hpp"
+#include "sweep_reading.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+std::vector<std::string> keys_of(const Table& table) {
+  std::vector<std::string> keys;
+  for (const Entry& entry : table) keys.push_back(entry.key);
+  return keys;
+}
+
+// The keys of a table, or the numbers of a list's items.
+std::vector<std::string> parts_of(const Value& value) {
+  std::vector<std::string> parts;
+  if (const auto* table = std::get_if<Table>(&value.content)) {
+    parts = keys_of(*table);
+  } else if (const auto* items = std::get_if<Array>(&value.content)) {
+    for (std::size_t i = 0; i < items->size(); ++i) parts.push_back(fmt::format("{}", i));
+  }
+  return parts;
+}
+
+// Why no number of the profile has this path; empty: one has.
+std::string path_objection(const Table& document, std::string_view path) {
+  const Value* value = nullptr;
+  std::string done;
+  for (std::string_view rest = path; !rest.empty();) {
+    const std::string part(rest.substr(0, rest.find('.')));
+    const Value* next = value == nullptr ? find(document, part) : find_part(*value, part);
+    if (next == nullptr) {
+      return fmt::format("there is no `{}` in {}; {}", part, done.empty() ? "the profile" : done,
+                         suggestion(part, value == nullptr ? keys_of(document) : parts_of(*value)));
+    }
+    value = next;
+    done += done.empty() ? part : "." + part;
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+  }
+  if (value == nullptr) {
+    return "expected the path of a number";
+  }
+  const auto& content = value->content;
+  const bool number = std::holds_alternative<double>(content) ||
+                      std::holds_alternative<std::int64_t>(content) ||
+                      std::holds_alternative<std::string>(content);
+  return number ? ""
+                : fmt::format("this is {}; expected the path of a number, such as {}.{}", kind_of(*value),
+                              path, parts_of(*value).empty() ? "0" : parts_of(*value).front());
+}
+
+std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPaths& paths) {
+  const auto path = as_text(reading, item);
+  if (!path) {
+    return std::nullopt;
+  }
+  std::string objection = path->starts_with("sweep.") || *path == "sweep"
+                              ? "a sweep cannot vary itself"
+                              : path_objection(paths.document, *path);
+  if (objection.empty() && std::find(paths.taken.begin(), paths.taken.end(), *path) != paths.taken.end()) {
+    objection = "another variable sets this already";
+  }
+  paths.taken.push_back(*path);
+  if (!objection.empty()) {
+    report(reading, item, objection);
+  }
+  return path;
+}
+
+}  // namespace
+
+void note_varied(const Table& document, Reading& reading) {
+  const auto table_at = [](const Table* table, std::string_view key) {
+    const Value* value = table == nullptr ? nullptr : find(*table, key);
+    return value == nullptr ? nullptr : std::get_if<Table>(&value->content);
+  };
+  const auto note = [&](const Value& value) {
+    if (const auto* path = std::get_if<std::string>(&value.content))
+      reading.varied.emplace(*path, std::nullopt);
+  };
+  const Table* variables = table_at(table_at(&document, "sweep"), "variables");
+  for (std::size_t i = 0; variables != nullptr && i < variables->size(); ++i) {
+    const auto* variable = std::get_if<Table>(&(*variables)[i].value.content);
+    const Value* path = variable == nullptr ? nullptr : find(*variable, "path");
+    if (path == nullptr) continue;
+    note(*path);
+    if (const auto* items = std::get_if<Array>(&path->content))
+      std::for_each(items->begin(), items->end(), note);
+  }
+}
+
+void read_paths(TableReader& table, SweepPaths& paths, SweepVariable& variable) {
+  const auto item = table.need("path", "the path of a number of the profile, or a list of several");
+  if (!item) {
+    return;
+  }
+  const auto* items = std::get_if<Array>(&item->value->content);
+  if (items == nullptr) {
+    variable.paths.push_back(read_path(table.reading(), *item, paths).value_or(""));
+    return;
+  }
+  if (items->empty()) {
+    report(table.reading(), *item, "expected at least one path");
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
+    variable.paths.push_back(read_path(table.reading(), one, paths).value_or(""));
+  }
+}
+
+}  // namespace higherpair::io_detail

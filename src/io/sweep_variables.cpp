@@ -1,0 +1,63 @@
+#include "sweep_reading.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// Those without values have a mistake of their own.
+void check_lists(Reading& reading, const Item& item, const std::vector<SweepVariable>& variables) {
+  const SweepVariable* first = nullptr;
+  for (const SweepVariable& variable : variables) {
+    const std::size_t count = variable.distribution.values.size();
+    if (count > 0 && first == nullptr) first = &variable;
+    if (count > 0 && count != first->distribution.values.size()) {
+      reading.mistakes.push_back(
+          {item.value->mark,
+           fmt::format("{}.{}.values: {} values, but {} has {}; in a list all variables have equally many",
+                       item.path, variable.name, count, first->name, first->distribution.values.size())});
+    }
+  }
+}
+
+// Of the first path; others of the same variable have their own.
+std::string unit_of(const Reading& reading, const SweepVariable& variable) {
+  const auto found =
+      variable.paths.empty() ? reading.varied.end() : reading.varied.find(variable.paths.front());
+  return found == reading.varied.end() || !found->second ? "1" : unit_text(*found->second, reading.units);
+}
+
+}  // namespace
+
+void read_sweep_variables(TableReader& sweep, const Table& document, std::optional<SweepMethod> method,
+                          SweepTask& task) {
+  SweepPaths paths{document, {}};
+  const auto item = sweep.need("variables", "the variables (tables), each with `path` and its values");
+  if (!item) {
+    return;
+  }
+  for_each_table(sweep.reading(), *item, "a variable (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   SweepVariable variable;
+                   variable.name = name;
+                   read_paths(table, paths, variable);
+                   task.units.push_back(unit_of(sweep.reading(), variable));
+                   const Value* value = find(std::get<Table>(item->value->content), name);
+                   read_distribution(table, {value, table.path()}, method, variable);
+                   table.finish();
+                   task.plan.variables.push_back(std::move(variable));
+                 });
+  if (task.plan.variables.empty()) {
+    report(sweep.reading(), *item, "expected at least one variable");
+  } else if (method == SweepMethod::kList) {
+    check_lists(sweep.reading(), *item, task.plan.variables);
+  } else if (method == SweepMethod::kSobol && task.plan.variables.size() > kMostSobolVariables) {
+    report(sweep.reading(), *item,
+           fmt::format("a Sobol sequence has at most {} variables; method = \"random\" has no limit",
+                       kMostSobolVariables));
+  }
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,308 @@
+// The command sweep on the command line: its table, and that nothing is lost whatever ends it.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class SweepProgram : public ::testing::Test {
+protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/four_bar.toml", folder_ / "plain.toml",
+                  fs::copy_options::overwrite_existing);
+    write("four_bar.toml", read_file(folder_ / "plain.toml") + R"(
+[sweep]
+method = "sobol"
+count  = 3000
+[sweep.variables]
+coupler = { path = ["bodies.coupler.points.B.0"], normal = [3.5, 0.01] }
+rocker  = { path = "bodies.rocker.points.B.0", min = 3.9, max = 4.1 }
+[sweep.results]
+fast = { column = "rocker.omega", of = "max", where = true }
+peak = { column = "rocker.alpha", of = "maxabs" }
+)");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  [[nodiscard]] Outcome run_script(const std::string& script) const {
+    write("script.sh", script);
+    const std::string command = "cd " + folder_.string() + " && sh script.sh >out 2>err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return run_script(std::string(HIGHERPAIR_PROGRAM) + " sweep " + arguments);
+  }
+
+  [[nodiscard]] std::string table(const std::string& name) const { return read_file(folder_ / name); }
+
+  fs::path folder_ = fs::temp_directory_path() / ("higherpair-sweep-" + std::to_string(getpid()));
+};
+
+TEST_F(SweepProgram, WritesATableAndASummary) {
+  const Outcome outcome = run("four_bar.toml -o out.csv --set sweep.count=200");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  const std::string csv = table("out.csv");
+  EXPECT_THAT(
+      csv,
+      StartsWith("variant[1],coupler[cm],rocker[cm],fast[deg/s],fast.where[deg],peak[deg/s^2],status,cause\n"
+                 "0,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 201);
+  EXPECT_THAT(outcome.out, HasSubstr("200 variants: 200 ok\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("fast [deg/s]\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("50 %"));
+  EXPECT_THAT(outcome.out, HasSubstr("####"));
+  EXPECT_FALSE(fs::exists(folder_ / "out.csv.blocks"));
+  const Outcome quiet = run("four_bar.toml -o quiet.csv --quiet --set sweep.count=200");
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_EQ(table("quiet.csv"), csv);
+  EXPECT_EQ(run("four_bar.toml --set sweep.count=200").out, csv);
+}
+
+TEST_F(SweepProgram, WritesTheSameBytesOnAnyNumberOfThreads) {
+  for (const std::string name : {"one", "two", "five"}) {
+    const std::string threads = name == "one" ? "1" : name == "two" ? "2" : "5";
+    EXPECT_EQ(
+        run(fmt::format("four_bar.toml -o {}.csv --quiet --samples 37 --threads {}", name, threads)).code, 0);
+    EXPECT_EQ(table(name + ".csv"), table("one.csv"));
+  }
+}
+
+TEST_F(SweepProgram, OfItsPartsMakesTheWhole) {
+  EXPECT_EQ(run("four_bar.toml -o whole.csv --quiet --samples 37").code, 0);
+  const Outcome parts =
+      run_script(fmt::format("for k in 1 2 3; do {} sweep four_bar.toml -o part$k.csv --quiet --samples 37 "
+                             "--part $k/3 || exit 9; done\n"
+                             "cat part1.csv; tail -q -n +2 part2.csv part3.csv\n",
+                             HIGHERPAIR_PROGRAM));
+  EXPECT_EQ(parts.code, 0) << parts.err;
+  EXPECT_EQ(parts.out, table("whole.csv"));
+}
+
+// Killed at any moment, twenty times, and gone on with: the table is what it would have been.
+TEST_F(SweepProgram, GoesOnAfterItIsKilled) {
+  const std::string options = "four_bar.toml --quiet --samples 181 --set sweep.count=24000";
+  EXPECT_EQ(run(options + " -o whole.csv").code, 0);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> seconds(0.01, 0.12);
+  int killed = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Outcome outcome =
+        run_script(fmt::format("{0} sweep {1} -o killed.csv --resume & program=$!\n"
+                               "sleep {2:.3f}; kill -KILL $program 2>&1; wait $program\n",
+                               HIGHERPAIR_PROGRAM, options, seconds(random)));
+    killed += outcome.code == 137 ? 1 : 0;
+    if (outcome.code == 0) break;  // a fast machine has come to the end
+  }
+  EXPECT_GT(killed, 0);
+  const Outcome last = run(options + " -o killed.csv --resume");
+  EXPECT_EQ(last.code, 0) << last.err;
+  EXPECT_EQ(table("killed.csv"), table("whole.csv"));
+  EXPECT_FALSE(fs::exists(folder_ / "killed.csv.blocks"));
+}
+
+class InterruptedSweep : public SweepProgram {
+protected:
+  // A journal of some blocks: the program may write no more than this into a file.
+  void SetUp() override {
+    SweepProgram::SetUp();
+    EXPECT_EQ(run("four_bar.toml -o whole.csv --quiet --samples 37").code, 0);
+    full_ = run_script(fmt::format(
+        "trap '' XFSZ; ulimit -f 200\n{} sweep four_bar.toml -o out.csv --samples 37", HIGHERPAIR_PROGRAM));
+  }
+
+  void expect_the_rest() const {
+    const Outcome outcome = run("four_bar.toml -o out.csv --quiet --samples 37 --resume");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(table("out.csv"), table("whole.csv"));
+  }
+
+  Outcome full_;
+  fs::path blocks_ = folder_ / "out.csv.blocks";
+};
+
+TEST_F(InterruptedSweep, OnAFullDiskSaysSoAndGoesOn) {
+  EXPECT_EQ(full_.code, 1);
+  EXPECT_THAT(full_.err, HasSubstr("cannot write out.csv.blocks: File too large"));
+  EXPECT_THAT(full_.err,
+              HasSubstr("of 3000 variants are kept in out.csv.blocks: --resume goes on from there"));
+  EXPECT_FALSE(fs::exists(folder_ / "out.csv"));
+  expect_the_rest();
+}
+
+TEST_F(InterruptedSweep, WithATornBlockLosesThatAlone) {
+  fs::resize_file(blocks_, fs::file_size(blocks_) - 13);
+  expect_the_rest();
+}
+
+TEST_F(InterruptedSweep, WithABlockThatHasChangedGoesOnBeforeIt) {
+  std::fstream file(blocks_, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(fs::file_size(blocks_) / 2));
+  file.put('?').put('!');
+  file.close();
+  expect_the_rest();
+}
+
+TEST_F(InterruptedSweep, IsNotBegunAnewByMistake) {
+  const Outcome outcome = run("four_bar.toml -o out.csv --samples 37");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("out.csv.blocks: this holds what an interrupted run of this sweep has done: "
+                        "--resume goes on from there; remove it to begin anew"));
+  expect_the_rest();
+}
+
+TEST_F(InterruptedSweep, IsNotGoneOnWithByAnother) {
+  const auto refusal = [&](const std::string& options) {
+    const Outcome outcome = run("four_bar.toml -o out.csv --resume " + options);
+    EXPECT_EQ(outcome.code, 2) << options;
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal("--samples 38"),
+              HasSubstr("this is of another sweep: not the same --samples; remove it"));
+  EXPECT_THAT(refusal("--samples 37 --part 1/2"), HasSubstr("not the same --part;"));
+  EXPECT_THAT(refusal("--samples 37 --set sweep.seed=2"), HasSubstr("not the same --set;"));
+  EXPECT_THAT(refusal("--samples 37 --tolerance 1e-8"), HasSubstr("not the same --tolerance;"));
+  const std::string text = read_file(folder_ / "four_bar.toml");
+  write("four_bar.toml", text + "\n# another file\n");
+  EXPECT_THAT(refusal("--samples 37"), HasSubstr("not the same profile;"));
+  write("four_bar.toml", text);
+  expect_the_rest();
+}
+
+TEST_F(InterruptedSweep, LeavesAFileAloneThatIsNone) {
+  write("other.csv.blocks", "my own notes\n");
+  const Outcome outcome = run("four_bar.toml -o other.csv --resume");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("this is no journal of a sweep"));
+  EXPECT_EQ(table("other.csv.blocks"), "my own notes\n");
+}
+
+TEST_F(SweepProgram, HeedsItsSignals) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    const Outcome outcome = run_script(fmt::format(
+        "{} sweep four_bar.toml -o {}.csv --set sweep.count=100000000 & program=$!\n"
+        "while [ ! -s {}.csv.blocks ]; do sleep 0.05; done; sleep 0.3; kill -{} $program; wait $program\n",
+        HIGHERPAIR_PROGRAM, signal, signal, signal));
+    EXPECT_EQ(outcome.code, 130) << signal;
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted; "));
+    EXPECT_THAT(outcome.err, HasSubstr("--resume goes on from there"));
+    EXPECT_FALSE(fs::exists(folder_ / (signal + ".csv")));
+  }
+}
+
+TEST_F(SweepProgram, SaysThatADeviceIsFull) {
+  const Outcome outcome = run("four_bar.toml -o /dev/full --set sweep.count=9 --samples 5");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write /dev/full: No space left on device"));
+}
+
+TEST_F(SweepProgram, SaysBeforeTheStartWhatShareCannotBeRead) {
+  const Outcome outcome =
+      run("four_bar.toml -o out.csv --samples 5 --set sweep.count=1000 --set 'sweep.variables.w={ path = "
+          "\"driver.samples\", values = [5, 5, 5, -5] }'");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("of 1000 variants that were tried 250 cannot be read, about 25 % of all; they "
+                        "become rows with the status not_started. The first, variant "));
+  EXPECT_THAT(outcome.err, HasSubstr("driver.samples = -5"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("1000 variants: 750 ok 250 not_started\n250 variants: the path is not good"));
+  const std::string csv = table("out.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1001);
+}
+
+TEST_F(SweepProgram, RefusesWhatIsWrong) {
+  const auto message = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "w.csv")) << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "w.csv.blocks")) << arguments;
+    return outcome.err;
+  };
+  EXPECT_THAT(message("plain.toml -o w.csv"), HasSubstr("there is no [sweep]"));
+  EXPECT_THAT(message("four_bar.toml -o w.txt"),
+              HasSubstr("expected a name that ends in .csv, .h5 or .hdf5"));
+  EXPECT_THAT(message("four_bar.toml -o none/w.csv"), HasSubstr("there is no folder none; make it first"));
+  EXPECT_THAT(message("four_bar.toml -o . "), HasSubstr("is a folder"));
+  EXPECT_THAT(message("four_bar.toml -o ./four_bar.toml"), HasSubstr("is the file that is read as FILE"));
+  EXPECT_THAT(message("four_bar.toml -o w.csv --part 3/2"), HasSubstr("'3/2' is no part; expected K/N"));
+  EXPECT_THAT(message("four_bar.toml -o w.csv --part half"), HasSubstr("'half' is no part"));
+  EXPECT_THAT(message("four_bar.toml -o w.csv --threads 0"), HasSubstr("--threads"));
+  EXPECT_THAT(message("four_bar.toml -o - --resume"), HasSubstr("needs a regular file as --output"));
+  EXPECT_THAT(message("four_bar.toml -o w.csv --set sweep.results.peak.column=rocker.alfa"),
+              HasSubstr("there is no such column; did you mean `rocker.alpha`"));
+  EXPECT_THAT(message("four_bar.toml -o w.csv --set sweep.count=1000000000000"),
+              HasSubstr("at most 100000000000 variants are possible"));
+  EXPECT_THAT(message("none.toml -o w.csv"), HasSubstr("cannot be opened"));
+}
+
+TEST_F(SweepProgram, RefusesToWriteOverAFileThatTheProfileReads) {
+  fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/spline_cam.csv", folder_ / "spline_cam.csv");
+  write("spline.toml", read_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/spline_cam.toml") + R"(
+[sweep]
+method = "list"
+variables.v = { path = "driver.velocity", values = [1, 2] }
+)");
+  const std::string before = table("spline_cam.csv");
+  const Outcome outcome = run("spline.toml -o ./spline_cam.csv");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("is a file that the profile reads; give the output a name of its own"));
+  EXPECT_EQ(table("spline_cam.csv"), before);
+}
+
+TEST_F(SweepProgram, WritesHdf5TheSameWayEveryTime) {
+  const Outcome outcome = run("four_bar.toml -o one.h5 --quiet --samples 37 --threads 1");
+  if (outcome.err.find("built without HDF5") != std::string::npos) {
+    GTEST_SKIP() << "built without HDF5";
+  }
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(run("four_bar.toml -o two.h5 --quiet --samples 37 --threads 3").code, 0);
+  EXPECT_THAT(table("one.h5"), StartsWith("\x89HDF\r\n"));
+  EXPECT_TRUE(table("one.h5") == table("two.h5"));
+  const Outcome full = run_script(
+      fmt::format("trap '' XFSZ; ulimit -f 500\n{} sweep four_bar.toml -o three.h5 --quiet --samples 37",
+                  HIGHERPAIR_PROGRAM));
+  EXPECT_EQ(full.code, 1);
+  EXPECT_THAT(full.err, HasSubstr("cannot write three.h5: HDF5 failed at"));
+  EXPECT_FALSE(fs::exists(folder_ / "three.h5"));
+  EXPECT_EQ(run("four_bar.toml -o three.h5 --quiet --samples 37 --resume").code, 0);
+  EXPECT_TRUE(table("three.h5") == table("one.h5"));
+}
+
+}  // namespace

@@ -1,0 +1,254 @@
+// What [sweep] of a profile says, and every message about it.
+#include "higherpair/io/sweep_task.hpp"
+#include "io/profile_testing.hpp"
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kCamProfile;
+using testing::messages;
+using testing::Overrides;
+using testing::read;
+
+constexpr const char* kSweep = R"(
+[sweep]
+method = "random"
+count  = 100
+[sweep.variables]
+r = { path = "bodies.cam.curves.disc.radius", normal = [20, 0.1] }
+[sweep.results]
+peak = { column = "follower.alpha", of = "maxabs" }
+)";
+
+std::string cam(const std::string& sweep = kSweep) {
+  return std::string(kCamProfile) + sweep;
+}
+
+SweepTask task_of(const Overrides& overrides, const std::string& sweep = kSweep) {
+  const Profile profile = read(cam(sweep), overrides);
+  return profile.sweep ? *profile.sweep : SweepTask();
+}
+
+// What is said behind the place, of one mistake.
+std::string message(const Overrides& overrides, const std::string& sweep = kSweep) {
+  const auto all = messages(cam(sweep), overrides);
+  EXPECT_EQ(all.size(), 1U) << ::testing::PrintToString(all);
+  if (all.empty()) return "";
+  const std::size_t at = all[0].find(": sweep");
+  return at == std::string::npos ? all[0] : all[0].substr(at + 2);
+}
+
+TEST(SweepProfiles, AreReadInTheirOrder) {
+  const SweepTask task = task_of({}, R"(
+[sweep]
+method = "sobol"
+count = 1e4
+seed = 7
+variables.r = { path = "bodies.cam.curves.disc.radius", min = 18, max = 22 }
+variables.e = { path = ["bodies.cam.curves.disc.center.0", "bodies.ground.points.O1.0"], normal = [10, 0.1], min = 9.5 }
+variables.w = { path = "driver.velocity", triangular = [50, 60, 80] }
+variables.u = { path = "bodies.follower.mass", uniform = [0.3, 0.5] }
+variables.v = { path = "driver.end", values = [90, 180] }
+results.peak = { column = "follower.alpha", of = "max", where = true }
+results.rest = { column = "follower.angle", of = "at", at = 30 }
+counts = true
+)");
+  const auto& variables = task.plan.variables;
+  ASSERT_EQ(variables.size(), 5U);
+  EXPECT_EQ(task.plan.method, SweepMethod::kSobol);
+  EXPECT_EQ(task.plan.count, 10000);
+  EXPECT_EQ(task.plan.seed, 7U);
+  EXPECT_EQ(variables[0].name, "r");
+  EXPECT_EQ(variables[0].distribution.low, 18);
+  EXPECT_EQ(variables[0].distribution.high, 22);
+  EXPECT_THAT(variables[1].paths,
+              ElementsAre("bodies.cam.curves.disc.center.0", "bodies.ground.points.O1.0"));
+  EXPECT_TRUE(variables[1].distribution.is_truncated());
+  EXPECT_EQ(variables[1].distribution.low, 9.5);
+  EXPECT_EQ(variables[2].distribution.mode, 60);
+  EXPECT_EQ(variables[3].distribution.kind, DistributionKind::kUniform);
+  EXPECT_THAT(variables[4].distribution.values, ElementsAre(90, 180));
+  EXPECT_THAT(task.units, ElementsAre("mm", "mm", "deg/s", "kg", "deg"));
+  ASSERT_EQ(task.results.size(), 2U);
+  EXPECT_TRUE(task.results[0].where);
+  EXPECT_EQ(task.results[1].measure.of, MeasureKind::kAt);
+  EXPECT_EQ(task.results[1].measure.at, 30);
+  EXPECT_EQ(task.results[1].measure.path, "sweep.results.rest.column");
+  EXPECT_TRUE(task.counts);
+}
+
+TEST(SweepProfiles, MayWriteWholeRows) {
+  const SweepTask task = task_of({"sweep.rows=[\"follower.*\"]", "sweep.time=true", "sweep.results={}"});
+  EXPECT_THAT(task.rows, ElementsAre("follower.*"));
+  EXPECT_TRUE(task.in_time);
+}
+
+TEST(SweepProfiles, MayCorrelateNormalVariables) {
+  const std::string two =
+      std::string(kSweep) +
+      "[sweep.variables.s]\npath = \"bodies.follower.curves.roller.radius\"\nnormal = [15, 0.2]\n";
+  const SweepTask by_covariance =
+      task_of({"sweep.correlations=[{ between = [\"s\", \"r\"], covariance = 0.012 }]"}, two);
+  ASSERT_EQ(by_covariance.plan.correlations.size(), 1U);
+  EXPECT_EQ(by_covariance.plan.correlations[0].first, 1U);
+  EXPECT_NEAR(by_covariance.plan.correlations[0].coefficient, 0.6, 1e-12);
+  const auto says = [&](const std::string& list) { return message({"sweep.correlations=" + list}, two); };
+  EXPECT_THAT(says("[{ between = [\"s\", \"r\"], coefficient = 1 }]"),
+              HasSubstr("must lie between -1 and 1; variables that are the same are one with several paths"));
+  EXPECT_THAT(says("[{ between = [\"s\", \"r\"], covariance = 1 }]"),
+              HasSubstr("the product of both deviations"));
+  EXPECT_THAT(says("[{ between = [\"s\", \"q\"], coefficient = 0 }]"),
+              HasSubstr("there is no such variable"));
+  EXPECT_THAT(says("[{ between = [\"s\", \"s\"], coefficient = 0 }]"), HasSubstr("two different variables"));
+  EXPECT_THAT(says("[{ between = [\"s\"], coefficient = 0 }]"),
+              HasSubstr("expected the names of two variables"));
+  EXPECT_THAT(says("[{ between = [\"s\", \"r\"] }]"), HasSubstr("coefficient is missing"));
+  EXPECT_THAT(says("[{ between = [\"s\", \"r\"], coefficient = 0.1, covariance = 0.1 }]"),
+              HasSubstr("say the same"));
+  EXPECT_THAT(says("[{ between = [\"s\", \"r\"], coefficient = 0.1 }, { between = [\"r\", \"s\"], "
+                   "coefficient = 0.2 }]"),
+              HasSubstr("between these two already"));
+  EXPECT_THAT(says("3"), HasSubstr("expected a list of { between"));
+  EXPECT_THAT(message({"sweep.correlations=[{ between = [\"s\", \"r\"], coefficient = 0.1 }]",
+                       "sweep.variables.s.min=14"},
+                      two),
+              HasSubstr("only variables with `normal`, without `min` and `max`, can be correlated"));
+}
+
+TEST(SweepProfiles, ThatContradictThemselvesInCorrelationsAreRefused) {
+  const std::string three = std::string(kSweep) + R"(
+[sweep.variables.s]
+path = "bodies.follower.curves.roller.radius"
+normal = [15, 0.2]
+[sweep.variables.t]
+path = "bodies.ground.points.O2.0"
+normal = [80, 0.2]
+)";
+  EXPECT_THAT(message({"sweep.correlations=[{between=[\"r\",\"s\"],coefficient=0.9},{between=[\"s\",\"t\"],"
+                       "coefficient=0.9},"
+                       "{between=[\"r\",\"t\"],coefficient=-0.9}]"},
+                      three),
+              HasSubstr("these contradict each other"));
+}
+
+TEST(SweepProfiles, NameWhatDoesNotExist) {
+  const auto path = [](const std::string& text) { return message({"sweep.variables.r.path=" + text}); };
+  EXPECT_THAT(path("bodies.cam.curves.disk.radius"),
+              HasSubstr("there is no `disk` in bodies.cam.curves; did you mean `disc`?"));
+  EXPECT_THAT(path("body.cam"), HasSubstr("there is no `body` in the profile; did you mean `bodies`?"));
+  EXPECT_THAT(path("bodies.cam.curves.disc.center.2"),
+              HasSubstr("there is no `2` in bodies.cam.curves.disc.center; did you mean `0` or `1`?"));
+  EXPECT_THAT(
+      path("bodies.cam.curves.disc.center"),
+      HasSubstr("this is a list; expected the path of a number, such as bodies.cam.curves.disc.center.0"));
+  EXPECT_THAT(path("sweep.count"), HasSubstr("a sweep cannot vary itself"));
+  EXPECT_THAT(path("[]"), HasSubstr("expected at least one path"));
+  EXPECT_THAT(path("3"), HasSubstr("expected a string, found an integer"));
+  EXPECT_THAT(path("[\"driver.end\", \"driver.end\"]"), HasSubstr("another variable sets this already"));
+}
+
+TEST(SweepProfiles, SayWhatIsWrongWithValues) {
+  const auto with = [](const std::string& keys) {
+    return message({"sweep.variables.r={ path = \"bodies.cam.curves.disc.radius\", " + keys + " }"});
+  };
+  EXPECT_THAT(message({"sweep.variables.r={ path = \"bodies.cam.curves.disc.radius\" }"}),
+              HasSubstr("expected one of `values`"));
+  EXPECT_THAT(with("values = [1], uniform = [1, 2]"), HasSubstr("expected only one of `values`"));
+  EXPECT_THAT(with("values = []"), HasSubstr("expected at least one"));
+  EXPECT_THAT(with("min = 3"), HasSubstr("max is missing"));
+  EXPECT_THAT(with("min = 3, max = 2"), HasSubstr("must be larger than min = 3"));
+  EXPECT_THAT(with("normal = [20]"), HasSubstr("expected a list of 2 numbers, found 1"));
+  EXPECT_THAT(with("normal = [20, 0]"), HasSubstr("a deviation above 0"));
+  EXPECT_THAT(with("normal = [20, 0.1], min = 22"), HasSubstr("next to nothing of this distribution"));
+  EXPECT_THAT(with("triangular = [1, 3, 2]"), HasSubstr("in this order"));
+  EXPECT_THAT(with("uniform = [2, 1]"), HasSubstr("in this order"));
+  EXPECT_THAT(with("uniform = [1, 2], count = 3"), HasSubstr("belongs to `min` and `max` of a grid"));
+  EXPECT_THAT(with("uniform = [1, \"2 mm\"]"), HasSubstr("expected a number, found a string"));
+}
+
+TEST(SweepProfiles, SayWhatAMethodNeeds) {
+  EXPECT_THAT(message({"sweep.method=sobel"}),
+              HasSubstr("expected one of grid, list, random, sobol; did you mean `sobol`?"));
+  EXPECT_THAT(message({"sweep.count=0"}), HasSubstr("must be at least 1"));
+  EXPECT_THAT(message({"sweep.count=1000000000000"}),
+              HasSubstr("at most 100000000000 variants are possible"));
+  EXPECT_THAT(message({"sweep.seed=-1"}), HasSubstr("must be >= 0"));
+  EXPECT_THAT(message({}, "[sweep]\nmethod = \"random\"\ncount = 3\n"),
+              HasSubstr("sweep.variables is missing"));
+  EXPECT_THAT(message({}, "[sweep]\nmethod = \"random\"\ncount = 3\nvariables = {}\n"),
+              HasSubstr("expected at least one variable"));
+  const std::string grid = R"(
+[sweep]
+method = "grid"
+variables.r = { path = "bodies.cam.curves.disc.radius", min = 18, max = 22, count = 5 }
+)";
+  EXPECT_EQ(count_of(task_of({}, grid).plan), 5);
+  EXPECT_THAT(message({"sweep.count=3"}, grid), HasSubstr("a variable of a grid has its own `count`"));
+  EXPECT_THAT(message({"sweep.seed=3"}, grid), HasSubstr("only random and sobol have one"));
+  EXPECT_THAT(message({"sweep.variables.r.count=0"}, grid), HasSubstr("must be at least 1"));
+  EXPECT_THAT(message({"sweep.variables.s={ path = \"driver.end\", normal = [90, 1] }"}, grid),
+              HasSubstr("a grid takes `values`, or `min`, `max` and `count`"));
+  EXPECT_THAT(message({"sweep.correlations=[]"}, grid),
+              HasSubstr("only draws (random, sobol) can be correlated"));
+  const std::string list = R"(
+[sweep]
+method = "list"
+variables.r = { path = "bodies.cam.curves.disc.radius", values = [18, 19] }
+)";
+  EXPECT_EQ(count_of(task_of({}, list).plan), 2);
+  EXPECT_THAT(message({"sweep.variables.s={ path = \"driver.end\", values = [1, 2, 3] }"}, list),
+              HasSubstr("3 values, but r has 2; in a list all variables have equally many"));
+  EXPECT_THAT(message({"sweep.variables.s={ path = \"driver.end\", min = 1, max = 3 }"}, list),
+              HasSubstr("a list takes `values`"));
+}
+
+TEST(SweepProfiles, RefuseAGridBeyondAllMeasure) {
+  const std::string grid = R"(
+[sweep]
+method = "grid"
+[sweep.variables]
+a = { path = "bodies.cam.curves.disc.radius", min = 18, max = 22, count = 10000 }
+b = { path = "bodies.cam.curves.disc.center.0", min = 8, max = 12, count = 10000 }
+c = { path = "bodies.follower.curves.roller.radius", min = 14, max = 16, count = 10000 }
+)";
+  EXPECT_EQ(message({}, grid),
+            "sweep: this grid has 1000000000000 variants, and at most 100000000000 are possible: give the "
+            "variables "
+            "fewer values, or let method = \"sobol\" with a `count` fill the same space evenly");
+}
+
+TEST(SweepProfiles, SayWhatIsWrongWithResults) {
+  EXPECT_THAT(message({"sweep.results.peak.of=maximum"}),
+              HasSubstr("expected one of max, min, maxabs, range"));
+  EXPECT_THAT(message({"sweep.results.peak.of=at"}),
+              HasSubstr("peak.at is missing: expected the driver's position"));
+  EXPECT_THAT(message({"sweep.results.peak.at=3"}), HasSubstr("belongs to of = \"at\""));
+  EXPECT_THAT(message({"sweep.results.peak.column=follower.*"}),
+              HasSubstr("expected the name of one column"));
+  EXPECT_THAT(message({"sweep.results.peak.colum=3"}), HasSubstr("unknown key; did you mean `column`?"));
+  EXPECT_THAT(message({"sweep.results.other={ of = \"max\" }"}), HasSubstr("other.column is missing"));
+  EXPECT_THAT(message({"sweep.results.other={ column = \"driver\", of = \"rms\", where = true }"}),
+              HasSubstr("\"rms\" is of all rows and stands at no place"));
+  EXPECT_THAT(message({"sweep.results.r={ column = \"driver\", of = \"max\" }"}),
+              HasSubstr("there is another column `r` in the table"));
+  EXPECT_THAT(message({"sweep.results.status={ column = \"driver\", of = \"max\" }"}),
+              HasSubstr("there is another column `status`"));
+  EXPECT_THAT(message({"sweep.rows=[\"driver\"]"}), HasSubstr("leave one of the two out"));
+  EXPECT_THAT(message({"sweep.rows=driver", "sweep.results={}"}), HasSubstr("expected a list of columns"));
+  EXPECT_THAT(message({"sweep.resuls=3"}), HasSubstr("did you mean `results`?"));
+}
+
+TEST(SweepProfiles, SayAllMistakesAtOnce) {
+  EXPECT_THAT(messages(cam(), {"sweep.count=0", "sweep.variables.r.path=bodies.cam.nothing",
+                               "sweep.results.peak.of=most", "sweep.some=1"}),
+              ElementsAre(HasSubstr("--set sweep.count=0: sweep.count = 0: must be at least 1"),
+                          HasSubstr("there is no `nothing` in bodies.cam"), HasSubstr("expected one of max"),
+                          HasSubstr("sweep.some: unknown key")));
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,209 @@
+// The table of a sweep as HDF5. The only place where its library is seen.
+#include "sweep/table_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <hdf5.h>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+constexpr hsize_t kChunk = 65536;  // rows
+
+// Thrown within this file alone.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+hid_t checked(hid_t id, const char* what) {
+  if (id < 0) throw Failure(what);
+  return id;
+}
+
+void check(herr_t status, const char* what) {
+  if (status < 0) throw Failure(what);
+}
+
+// A thing of the library, closed where it is left.
+class Handle {
+public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close closing, const char* what) : id_(checked(id, what)), close_(closing) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  void close(const char* what) { check(close_(std::exchange(id_, hid_t{-1})), what); }
+  operator hid_t() const {
+    return id_;
+  }  // NOLINT(google-explicit-constructor): to be passed on to its functions
+
+private:
+  hid_t id_;
+  Close close_;
+};
+
+// Of `length` bytes, or of any length (H5T_VARIABLE).
+hid_t make_text_type(std::size_t length) {
+  const hid_t type = checked(H5Tcopy(H5T_C_S1), "a type of text");
+  check(H5Tset_size(type, length), "a type of text");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "a type of text");
+  if (length != H5T_VARIABLE) {
+    check(H5Tset_strpad(type, H5T_STR_NULLPAD), "a type of text");
+  }
+  return type;
+}
+
+void set_attribute(hid_t object, const char* name, const std::string& text) {
+  const Handle type(make_text_type(std::max<std::size_t>(text.size(), 1)), H5Tclose, "a type of text");
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "a space");
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         "an attribute");
+  const std::string padded = text.empty() ? std::string(1, '\0') : text;
+  check(H5Awrite(attribute, type, padded.data()), "an attribute");
+}
+
+// The words of a column, by their place.
+hid_t make_words(const Column& column) {
+  const hid_t type = checked(H5Tenum_create(H5T_NATIVE_INT8), "a type of words");
+  for (std::size_t i = 0; i < column.words.size(); ++i) {
+    const auto value = static_cast<std::int8_t>(i);
+    check(H5Tenum_insert(type, std::string(column.words[i]).c_str(), &value), "a type of words");
+  }
+  const std::int8_t undefined = -1;
+  check(H5Tenum_insert(type, "undefined", &undefined), "a type of words");
+  return type;
+}
+
+// One column: a list that grows by what its buffer holds. No times are kept, so that equal sweeps give equal
+// bytes.
+class Dataset {
+public:
+  Dataset(hid_t file, const std::string& name, hid_t type) {
+    const hsize_t none = 0;
+    const hsize_t any = H5S_UNLIMITED;
+    const Handle space(H5Screate_simple(1, &none, &any), H5Sclose, "a space");
+    const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a list of properties");
+    check(H5Pset_chunk(list, 1, &kChunk), "a chunk");
+    check(H5Pset_obj_track_times(list, false), "a property");
+    id_.emplace(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
+                "a dataset");
+  }
+
+  [[nodiscard]] hid_t id() const { return *id_; }
+
+  void append(hid_t type, const void* values, hsize_t count) {
+    const hsize_t size = size_ + count;
+    check(H5Dset_extent(*id_, &size), "a dataset");
+    const Handle in_file(H5Dget_space(*id_), H5Sclose, "a space");
+    check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, &size_, nullptr, &count, nullptr), "a space");
+    const Handle in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose, "a space");
+    check(H5Dwrite(*id_, type, in_memory, in_file, H5P_DEFAULT, values), "a dataset");
+    size_ = size;
+  }
+
+private:
+  std::optional<Handle> id_;
+  hsize_t size_ = 0;
+};
+
+// A column with what of it is not written yet.
+class ColumnFile {
+public:
+  ColumnFile(hid_t file, const Column& column)
+      : is_words_(!column.words.empty()),
+        type_(is_words_ ? make_words(column)
+                        : H5Tcopy(column.name == "variant" ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE),
+              H5Tclose, "a type"),
+        data_(file, column.name, type_) {
+    if (!is_words_) set_attribute(data_.id(), "unit", column.unit);
+  }
+
+  void add(double value) {
+    values_.push_back(value);
+    if (values_.size() == kChunk) flush();
+  }
+
+  void flush() {
+    if (is_words_) {
+      std::vector<std::int8_t> words;
+      words.reserve(values_.size());
+      for (const double value : values_)
+        words.push_back(std::isnan(value) ? std::int8_t{-1} : static_cast<std::int8_t>(value));
+      data_.append(type_, words.data(), words.size());
+    } else {
+      data_.append(H5T_NATIVE_DOUBLE, values_.data(), values_.size());
+    }
+    values_.clear();
+  }
+
+private:
+  bool is_words_;
+  Handle type_;
+  Dataset data_;
+  std::vector<double> values_;
+};
+
+// The texts of a block at a time.
+void append_causes(Dataset& data, const SweepBlock& block) {
+  const Handle type(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
+  std::vector<const char*> texts;
+  texts.reserve(block.causes.size());
+  for (const std::string& cause : block.causes) texts.push_back(cause.c_str());
+  if (!texts.empty()) data.append(type, texts.data(), texts.size());
+}
+
+void write_columns(hid_t file, const Sweep& sweep, const EachBlock& each) {
+  std::vector<std::unique_ptr<ColumnFile>> columns;
+  for (const Column& column : sweep.columns()) {
+    columns.push_back(std::make_unique<ColumnFile>(file, column));
+  }
+  const Handle text(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
+  Dataset causes(file, "cause", text);
+  const bool read = each([&](const SweepBlock& block) {
+    for (std::size_t i = 0; i < block.values.size(); ++i) {
+      columns[i % columns.size()]->add(block.values[i]);
+    }
+    append_causes(causes, block);
+  });
+  for (const auto& column : columns) column->flush();
+  if (!read) throw Failure("the blocks, which cannot be read");
+}
+
+void write_file(const std::string& path, const Sweep& sweep, const SweepTitle& title, const EachBlock& each) {
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "the file");
+  set_attribute(file, "title", title.title);
+  set_attribute(file, "profile", title.profile);
+  write_columns(file, sweep, each);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "the file");
+  file.close("the file");
+}
+
+}  // namespace
+
+bool has_hdf5() {
+  return true;
+}
+
+std::string write_hdf5(const std::string& path, const Sweep& sweep, const SweepTitle& title,
+                       const EachBlock& each) {
+  H5dont_atexit();  // once it has failed to write, its clearing up at exit would crash
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // it would print its errors
+  try {
+    write_file(path, sweep, title, each);
+  } catch (const Failure& failure) {
+    return fmt::format("HDF5 failed at {}; is the disk full?", failure.what());
+  }
+  return "";
+}
+
+}  // namespace higherpair::cli

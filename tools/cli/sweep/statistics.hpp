@@ -1,0 +1,78 @@
+#pragma once
+
+#include "higherpair/front/sweep.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace higherpair::cli {
+
+/// What a summary says of a column of numbers, in two passes over them and constant memory: least, largest
+/// value, mean and deviation by the first; by the second how they lie between.
+class ColumnStatistics {
+public:
+  /// First pass. NaN is left out.
+  void add(double value);
+  /// Second pass, over the same values.
+  void place(double value);
+
+  [[nodiscard]] std::int64_t count() const { return count_; }
+  [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] double mean() const;
+  /// With n - 1 in the denominator; 0 of a single value.
+  [[nodiscard]] double deviation() const;
+  /// The value below which a share of all lies, good to 1/65536 of the range. \pre count() > 0
+  [[nodiscard]] double quantile(double share) const;
+  /// How many values lie in each of `bars` equal parts of the range.
+  [[nodiscard]] std::vector<std::int64_t> histogram(std::size_t bars) const;
+
+private:
+  static constexpr std::size_t kBins = 65536;
+
+  std::int64_t count_ = 0;
+  double least_ = 0;
+  double largest_ = 0;
+  double first_ = 0;         // value: sums are of differences from it
+  long double sum_ = 0;      // of v - first
+  long double squares_ = 0;  // of (v - first)²
+  std::vector<std::int64_t> bins_;
+};
+
+/// What is said of a sweep when it is done.
+class SweepSummary {
+public:
+  explicit SweepSummary(const Sweep& sweep);
+
+  void add(const SweepBlock& block);    ///< first pass
+  void place(const SweepBlock& block);  ///< second pass
+
+  [[nodiscard]] std::int64_t variants() const { return variants_; }
+  [[nodiscard]] bool good() const { return good_ == variants_; }
+
+  /// Readable, at most 80 characters to a line.
+  [[nodiscard]] std::string text(const std::string& title) const;
+
+private:
+  struct Cause {
+    std::int64_t count = 0;
+    std::string example;  ///< the first
+  };
+
+  void add_cause(const std::string& cause);
+  [[nodiscard]] std::string causes_text() const;
+  template <class Use>
+  void for_each_value(const SweepBlock& block, const Use& use);
+
+  Sweep sweep_;
+  std::int64_t variants_ = 0;
+  std::int64_t good_ = 0;
+  std::int64_t rows_ = 0;
+  std::map<int, std::int64_t> statuses_;  ///< of rows, by their place in the words of the column
+  std::map<std::string, Cause> causes_;   ///< by the text before the first number
+  std::vector<ColumnStatistics> results_;
+};
+
+}  // namespace higherpair::cli

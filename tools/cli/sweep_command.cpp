@@ -1,0 +1,253 @@
+#include "sweep_command.hpp"
+
+#include "higherpair/higherpair.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "run_command.hpp"
+#include "sweep/checksum.hpp"
+#include "sweep/journal.hpp"
+#include "sweep/progress.hpp"
+#include "sweep/statistics.hpp"
+#include "sweep/table_file.hpp"
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Part {
+  int number = 1;
+  int of = 1;
+};
+
+// "3/8"; none where it is no part.
+std::optional<Part> part_of(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto number = [](std::string_view digits) {
+    int value = 0;
+    const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return status == std::errc() && end == digits.data() + digits.size() ? value : 0;
+  };
+  if (slash == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const Part part = {number(text.substr(0, slash)), number(text.substr(slash + 1))};
+  return part.number >= 1 && part.number <= part.of ? std::optional(part) : std::nullopt;
+}
+
+CLI::Validator part_option() {
+  return {[](const std::string& text) {
+            return part_of(text)
+                       ? std::string()
+                       : fmt::format("'{}' is no part; expected K/N, such as 3/8, K from 1 to N", text);
+          },
+          "K/N"};
+}
+
+void check_output(const SweepOptions& options) {
+  const std::string& path = options.output;
+  refuse_shared_files({{"FILE", options.profile}}, {{"--output", path}});
+  if (is_direct(path)) {
+    if (fs::is_directory(path)) throw CLI::ValidationError("--output", path + " is a folder");
+    if (is_hdf5(path)) throw CLI::ValidationError("--output", path + ": HDF5 needs a regular file");
+    if (options.resume) {
+      throw CLI::ValidationError("--resume",
+                                 "needs a regular file as --output: only beside it is kept what is done");
+    }
+    return;
+  }
+  const fs::path folder = fs::path(path).parent_path();
+  if (std::error_code code; !folder.empty() && !fs::is_directory(folder, code)) {
+    throw CLI::ValidationError(
+        "--output", fmt::format("{}: there is no folder {}; make it first", path, folder.string()));
+  }
+  if (is_hdf5(path) && !has_hdf5()) {
+    throw CLI::ValidationError("--output", path + ": this higherpair was built without HDF5; choose a .csv");
+  }
+  if (!is_hdf5(path) && !path.ends_with(".csv")) {
+    throw CLI::ValidationError("--output", path + ": expected a name that ends in .csv, .h5 or .hdf5");
+  }
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string sum_of(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) {
+    all += fmt::format("{} {}\n", text.size(), text);
+  }
+  return fmt::format("{:016x}", checksum(all));
+}
+
+// Whatever the table hangs on.
+SweepIdentity identity_of(const SweepOptions& options, const Model& model) {
+  std::vector<std::string> files;
+  for (const std::string& path : model.profile().files) {
+    files.push_back(content_of(path));
+  }
+  return {{"version", HIGHERPAIR_VERSION},
+          {"profile", sum_of({content_of(options.profile)})},
+          {"files", sum_of(files)},
+          {"--set", sum_of(options.overrides)},
+          {"--samples", options.samples ? fmt::format("{}", *options.samples) : "-"},
+          {"--tolerance", fmt::format("{}", options.tolerance)},
+          {"--part", options.part}};
+}
+
+// What can be said before hours are spent.
+void print_forecast(const SweepForecast& forecast) {
+  if (forecast.unreadable > 0) {
+    fmt::print(stderr,
+               "higherpair: of {} variants that were tried {} cannot be read, about {:.2g} % of all; they "
+               "become rows "
+               "with the status not_started. The first, variant {}: {}\n",
+               forecast.tried, forecast.unreadable,
+               100 * static_cast<double>(forecast.unreadable) / static_cast<double>(forecast.tried),
+               forecast.variant, forecast.cause);
+  }
+}
+
+int report_journal(const Journal& journal) {
+  fmt::print(stderr, "higherpair: {}\n", journal.error());
+  return journal.is_refused() ? kExitInput : kExitMachine;
+}
+
+std::string kept_text(const Journal& journal, const SweepSummary& summary, const Sweep& sweep) {
+  return fmt::format("{} of {} variants are kept in {}: --resume goes on from there", summary.variants(),
+                     sweep.size(), journal.path());
+}
+
+// All blocks that are not there yet; returns the exit code where it does not come to the end.
+std::optional<int> run_blocks(const SweepOptions& options, const Sweep& sweep, Journal& journal,
+                              SweepSummary& summary) {
+  SweepProgress progress(summary.variants(), sweep.size(), !options.quiet);
+  run_sweep(sweep, journal.blocks(), options.threads, [&](const SweepBlock& block) {
+    if (!journal.append(block)) {
+      return false;
+    }
+    summary.add(block);
+    progress.at(summary.variants());
+    return !interruption();
+  });
+  progress.clear();
+  const bool can_resume = !journal.path().empty();
+  if (!journal.error().empty()) {
+    fmt::print(stderr, "higherpair: {}\n", journal.error());
+    if (can_resume) fmt::print(stderr, "higherpair: {}\n", kept_text(journal, summary, sweep));
+    return kExitMachine;
+  }
+  if (summary.variants() < sweep.size()) {
+    if (can_resume) fmt::print(stderr, "higherpair: interrupted; {}\n", kept_text(journal, summary, sweep));
+    return kExitInterrupted;
+  }
+  return std::nullopt;
+}
+
+int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, Journal& journal,
+           SweepSummary& summary) {
+  const std::string& title = model.mechanism().title;
+  bool all = true;
+  const EachBlock each = [&](const std::function<void(const SweepBlock&)>& take) {
+    all = journal.read([&](const SweepBlock& block) {
+      summary.place(block);
+      take(block);
+      return !interruption();
+    });
+    return all;
+  };
+  const auto failure = write_table(options.output, sweep, {title, options.profile}, each);
+  if (failure || !all) {
+    const bool interrupted = !all && journal.error().empty();
+    const std::string why = interrupted ? "interrupted" : all ? *failure : journal.error();
+    if (!why.empty()) fmt::print(stderr, "higherpair: {}\n", why);
+    if (!journal.path().empty()) fmt::print(stderr, "higherpair: {}\n", kept_text(journal, summary, sweep));
+    return interrupted ? kExitInterrupted : kExitMachine;
+  }
+  journal.remove();
+  if (!options.quiet && !is_direct(options.output)) {
+    fmt::print("{}", summary.text(title));
+  }
+  return summary.good() ? kExitOk : kExitRows;
+}
+
+// A file that the profile names is an input as the profile is.
+bool refuse_inputs(const SweepOptions& options, const Model& model) {
+  for (const std::string& file : model.profile().files) {
+    if (!is_direct(options.output) && is_same_file(file, options.output)) {
+      fmt::print(stderr, "--output: {} is a file that the profile reads; give the output a name of its own\n",
+                 options.output);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "sweep", "many variants of the mechanism, as [sweep] of the profile says, on all cores");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("-o,--output", options.output,
+                      "table of the results: .csv or .h5 (-: standard output)");
+  add_set_option(*command, options.overrides);
+  command->add_option("--samples", options.samples, "number of rows of each variant");
+  add_tolerance_option(*command, options.tolerance);
+  command->add_option("--threads", options.threads, "so many at a time; otherwise as many as there are cores")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--resume", options.resume, "go on where an interrupted run of the same sweep has ended");
+  command->add_option("--part", options.part, "the Kth of N equal parts of the variants alone")
+      ->check(part_option());
+  command->add_flag("--quiet", options.quiet, "no summary, notes and progress");
+  command->final_callback([&options] { check_output(options); });
+  return command;
+}
+
+int sweep_command(const SweepOptions& options) {
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  if (refuse_inputs(options, *model)) {
+    return kExitInput;
+  }
+  listen_to_signals();
+  const Part part = part_of(options.part).value_or(Part());
+  const auto sweep =
+      Sweep::of(*model, {options.tolerance, options.samples, part.number, part.of, &interruption()});
+  if (!sweep) {
+    return report_error(sweep.error());
+  }
+  SweepSummary summary(*sweep);
+  Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".blocks");
+  if (!journal.open(identity_of(options, *model), sweep->columns().size(), options.resume,
+                    [&](const SweepBlock& block) {
+                      summary.add(block);
+                      return true;
+                    })) {
+    return report_journal(journal);
+  }
+  if (!options.quiet) {
+    print_forecast(sweep->forecast());
+  }
+  if (const auto code = run_blocks(options, *sweep, journal, summary)) {
+    return *code;
+  }
+  return finish(options, *model, *sweep, journal, summary);
+}
+
+}  // namespace higherpair::cli
