@@ -26,7 +26,6 @@ constexpr double kFirstNudge = 1e-13;  // of a step: a contact that closes besid
 constexpr int kMostNudges = 24;
 constexpr double kNoJump =
     1e-9;  // of a velocity [1, or of the size]: a mechanism whose dimensions are rounded
-constexpr double kSameNormal = 1e-14;  // [rad]
 
 const TouchingBody& touching_of(const Run& run, std::size_t g) {
   return std::get<TouchingBody>(run.plan.groups[g].kind);
@@ -36,31 +35,13 @@ const Contact& contact_of(const Run& run, const TouchingBody& touching) {
   return run.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
 }
 
-// The place of a boundary with an outward normal, the farthest out in that direction; none where no sample
-// leads to it.
-std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const Vector2d& n_B) {
+// The place of a boundary with an outward normal; none where the sample nearest to it does not lead there.
+std::optional<BoundaryPlace> facing_place(const Boundary& boundary, const Vector2d& n_B) {
   const auto& samples = boundary.samples();
   const auto best = std::max_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
     return a.point.n_B.dot(n_B) < b.point.n_B.dot(n_B);
   });
-  BoundaryPlace place = best->place;
-  for (int pass = 0; pass < 30; ++pass) {
-    const SpanPoint point = boundary.at(place);
-    const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
-    if (std::abs(turn) <= kSameNormal) {
-      return place;
-    }
-    const bool corner = boundary.is_corner(place);
-    if (!corner && point.kappa == 0) {
-      return std::nullopt;
-    }
-    const auto next = boundary.advance(place, corner ? 0 : turn / point.kappa, turn);
-    if (next.stopped) {
-      return std::nullopt;
-    }
-    place = next.place;
-  }
-  return place;
+  return place_with_normal(boundary, best->place, n_B);
 }
 
 // An end of an open boundary, and the other curve of the contact that may pass it.
@@ -83,7 +64,7 @@ std::optional<PassingAt> at(const Run& run, const Passing& passing, const State&
   const Pose<double>& X_WC = body_in(state, passing.other.body).X_WB;
   const SpanPoint end = own.at(passing.end);
   const Vector2d n_W = X_WO.R_WB * end.n_B;
-  const auto place = place_with_normal(other, X_WC.R_WB.inverse() * Vector2d(-n_W));
+  const auto place = facing_place(other, X_WC.R_WB.inverse() * Vector2d(-n_W));
   if (!place) {
     return std::nullopt;
   }

@@ -1,6 +1,7 @@
 #include "group_system.hpp"
 
 #include "group_kinds.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
 #include "series_motion.hpp"
 
 #include <algorithm>
@@ -42,11 +43,38 @@ void set_coordinates(const Planned& model, const Group& group, const State& from
   }
 }
 
+namespace {
+
 using Moving = PowerSeries<double, 1>;
+
+// Where a contact by_boundary has its normal, and the curves that are like its boundaries there; false where
+// there is no such place nearby.
+bool set_local_curves(const Planned& model, const Contact& contact, const State& state, ContactMotion& motion,
+                      Dimensions<double>::Contact& dimensions) {
+  const auto set = [&](const CurveRef& ref, const Vector2d& n_W, BoundaryPlace& place,
+                       CurveDimensions<double>& curve) {
+    const Boundary& boundary = boundary_of(model.mechanism, ref);
+    const bool face = !boundary.is_corner(place) && boundary.at(place).kappa == 0;
+    if (!face) {  // whose normal is a condition of its own
+      const auto found =
+          place_with_normal(boundary, place, body_in(state, ref.body).X_WB.R_WB.inverse() * n_W);
+      if (!found) {
+        return false;
+      }
+      place = *found;
+    }
+    curve = dimensions_of(local_curve(boundary.at(place), boundary.is_corner(place)));
+    return true;
+  };
+  return set(contact.first, motion.at.n_W, motion.place[0], dimensions.curve1) &&
+         set(contact.second, -motion.at.n_W, motion.place[1], dimensions.curve2);
+}
+
+}  // namespace
 
 bool group_system(const Planned& model, const Group& group, const std::vector<DriverMotion>& drivers,
                   State& state, Eigen::VectorXd& F, Eigen::MatrixXd& J, Eigen::VectorXd& F_s) {
-  const Dimensions<double> dimensions = dimensions_of(model.mechanism);
+  Dimensions<double> dimensions = dimensions_of(model.mechanism);
   Coordinates<double> at = coordinates_of(model.mechanism, state.bodies, state.contacts);
   Coordinates<Moving> known = constant<Moving>(at);
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
@@ -60,7 +88,14 @@ bool group_system(const Planned& model, const Group& group, const std::vector<Dr
   }
   for (const int index : group.contacts) {
     const auto i = static_cast<std::size_t>(index);
-    const auto& contact = dimensions.contacts[i];
+    auto& contact = dimensions.contacts[i];
+    const Contact& described = model.mechanism.contacts[i];
+    if (!state.contacts[i].touches) {
+      return false;
+    }
+    if (described.by_boundary && !set_local_curves(model, described, state, state.contacts[i], contact)) {
+      return false;
+    }
     const auto touch = facing_at(contact, at.bodies[static_cast<std::size_t>(contact.first)],
                                  at.bodies[static_cast<std::size_t>(contact.second)], at.phi[i]);
     if (!touch) {

@@ -13,6 +13,7 @@ constexpr double kLongestStep = 0.25;      // of the size of a pair: of one pass
 constexpr double kMostTurn = 0.5;          // of a follower or a corner's normal in one pass [rad]
 constexpr double kNoiseOfClosure = 1e-11;  // of the extent: what an error may stall at
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSameNormal = 1e-14;  // [rad]
 
 struct End {
   SpanPoint point;
@@ -183,6 +184,29 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
         pass > 3) {
       return std::nullopt;
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const BoundaryPlace& from,
+                                               const Vector2d& n_B) {
+  BoundaryPlace place = from;
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    const SpanPoint point = boundary.at(place);
+    const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
+    if (std::abs(turn) <= kSameNormal) {
+      return place;
+    }
+    const bool corner = boundary.is_corner(place);
+    if (!corner && point.kappa == 0) {
+      return std::nullopt;
+    }
+    const double step = corner ? 0 : limited(turn / point.kappa, kLongestStep * boundary.size());
+    const auto next = boundary.advance(place, step, limited(turn, kMostTurn));
+    if (next.stopped) {
+      return std::nullopt;
+    }
+    place = next.place;
   }
   return std::nullopt;
 }

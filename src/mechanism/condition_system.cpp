@@ -67,6 +67,12 @@ Dimensions<double> dimensions_of(const Mechanism& mechanism) {
   return make_dimensions<double>(mechanism, mechanism, [](double x, double /*dx*/) { return x; });
 }
 
+CurveDimensions<double> dimensions_of(const Curve& curve) {
+  return {curve.kind,       curve.side == Side::kInside ? 1.0 : -1.0,
+          curve.vertex_B,   curve.axis_B,
+          curve.semi_latus, curve.q};
+}
+
 Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism, const Mechanism& derivative) {
   return make_dimensions<Partials<double, 1>>(mechanism, derivative, [](double x, double dx) {
     Partials<double, 1> number(x);

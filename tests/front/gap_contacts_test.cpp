@@ -352,6 +352,33 @@ TEST(MistakesInGaps, AreSaidWithPlaceAndRemedy) {
   EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"can\", ")), HasSubstr("there is no body `can`"));
 }
 
+// The disc touches the tappet's face at x = 10 cos θ: within the face between 60° and 120°, and 240° and
+// 300°.
+TEST(FaceWithEnds, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
+  std::string text = replaced(kTappet, "{ type = \"line\", point = [0, 0], normal = [0, -1] }",
+                              "{ type = \"segment\", from = [-5, 0], to = [5, 0] }");
+  text = replaced(replaced(replaced(text, "keep = \"gap\"", ""), "from = 25", ""), "start = 0", "start = 90");
+  const Motion motion = motion_of(model_of(text, {"driver.end=450", "driver.samples=73"}));
+  EXPECT_FALSE(motion.good());
+  const auto y = motion.column("guide.position");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double theta = (90 + 5.0 * static_cast<double>(k)) * kDegree;
+    if (std::abs(std::abs(std::cos(theta)) - 0.5) > 1e-9) {
+      ASSERT_EQ(motion.statuses()[k] == RowStatus::kOk, std::abs(std::cos(theta)) < 0.5) << k;
+    }
+    if (motion.statuses()[k] == RowStatus::kOk) {
+      EXPECT_NEAR(y[k], 20 + 10 * std::sin(theta), 1e-9) << k;
+    }
+  }
+  const auto ends = events_of(motion, EventType::kEnd);
+  ASSERT_EQ(ends.size(), 4U);
+  EXPECT_NEAR(ends[0].driver, 120, 1e-9);
+  EXPECT_NEAR(ends[1].driver, 240, 1e-9);
+  EXPECT_NEAR(ends[2].driver, 300, 1e-9);
+  EXPECT_NEAR(ends[3].driver, 420, 1e-9);
+  EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of tappet"));
+}
+
 // Two discs on one body, far apart: the follower goes over from one to the other.
 TEST(WholeBodies, TouchWithWhicheverCurveIsThere) {
   const char* text = R"(

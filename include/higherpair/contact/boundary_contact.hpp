@@ -67,13 +67,18 @@ struct BoundaryResult {
 [[nodiscard]] std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u,
                                                                   const Bounds& range);
 
+/// The place with an outward normal, by Newton's method from another place; none where an end or a face is in
+/// the way, or no place near has this normal.
+[[nodiscard]] std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary,
+                                                             const BoundaryPlace& from, const Vector2d& n_B);
+
 /// Of the samples of both boundaries those that face each other best: near, with normals opposed.
 [[nodiscard]] std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
                                                           const Boundary& boundary2,
                                                           const Pose<double>& X_W2);
 
-/// How deep one body is in the other [m], at the common normal near the deepest samples of their boundaries; 0
-/// where they are free of each other to within `tolerance`.
+/// How deep one body is in the other [m], at the common normal near the deepest samples of their boundaries;
+/// 0 where they are free of each other to within `tolerance`.
 struct Penetration {
   double depth = 0;
   BoundaryPlace place1, place2;

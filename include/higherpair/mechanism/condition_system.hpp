@@ -56,6 +56,8 @@ template <class D, class F>
 
 [[nodiscard]] Dimensions<double> dimensions_of(const Mechanism& mechanism);
 
+[[nodiscard]] CurveDimensions<double> dimensions_of(const Curve& curve);
+
 /// With the derivative of every dimension by a parameter.
 /// \param derivative  the same mechanism, each number in it being its derivative
 [[nodiscard]] Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism,
