@@ -15,9 +15,10 @@ constexpr double kLongestSlide = 1.0 / 360;  // relative to the size
 constexpr double kFewest = 48;               // parts of a path
 constexpr double kFewestInStretch = 3;       // parts between two breaks
 constexpr double kInside = 1e-6;             // of a stretch: so far from its ends are its outer samples
-constexpr double kShortest = 1e-12;          // of the path: where a jump lies is known to that
-constexpr double kRounding = 1e-11;          // of the largest value of a quantity
-constexpr double kMarks = 24;                // places from which the run can go on again
+constexpr double kApart = 0.25;      // of the way between two samples: nearer to a singular position is none
+constexpr double kShortest = 1e-12;  // of the path: where a jump lies is known to that
+constexpr double kRounding = 1e-11;  // of the largest value of a quantity
+constexpr double kMarks = 24;        // places from which the run can go on again
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Something may jump there.
@@ -25,10 +26,17 @@ bool is_break(const RunEvent& event) {
   return event.type != EventType::kStrokeEnd && event.type != EventType::kOverlap;
 }
 
+// Next to it rates grow beyond all bounds, or are rounding.
+bool is_singular(const RunEvent& event) {
+  return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint;
+}
+
 // A stretch of the path in which everything is smooth, as far as is known.
 struct Stretch {
   double from = 0;
   double to = 0;
+  bool singular_from = false;  // something singular is before
+  bool singular_to = false;    // and behind
   std::vector<double> at;
   std::vector<std::vector<double>> values;  // of every quantity, at those places
 };
@@ -131,19 +139,27 @@ private:
   }
 
   void begin(double from) {
-    stretches_.push_back({from, from, {}, std::vector<std::vector<double>>(count_)});
+    stretches_.push_back({from, from, false, false, {}, std::vector<std::vector<double>>(count_)});
   }
   void end(double to) { stretches_.back().to = to; }
 
   void take(Mover& mover, double at) {
     const double was = mover.at();
     const Run& run = mover.move(at);
+    bool skip = false;
     for (const RunEvent& event : run.events) {
       const double place = std::lerp(was, at, event.share);
-      if (is_break(event) && place > stretches_.back().from && !stretches_.back().at.empty() && place < at) {
+      if (is_singular(event)) {
+        part_at(place, at, kApart * (at - was));
+        skip = skip || at - place < kApart * (at - was);
+      } else if (is_break(event) && place > stretches_.back().from && !stretches_.back().at.empty() &&
+                 place < at) {
         end(place);
         begin(place);
       }
+    }
+    if (skip) {
+      return;
     }
     stretches_.back().at.push_back(at);
     std::size_t first = 0;
@@ -158,6 +174,21 @@ private:
       marks_.push_back(mover);
       since_mark_ = 0;
     }
+  }
+
+  // Ends the stretch in front of a singular position and begins another one behind it.
+  void part_at(double place, double at, double apart) {
+    Stretch& before = stretches_.back();
+    while (!before.at.empty() && place - before.at.back() < apart) {
+      before.at.pop_back();
+      for (std::vector<double>& values : before.values) {
+        values.pop_back();
+      }
+    }
+    before.singular_to = true;
+    end(before.at.empty() ? before.from : before.at.back());
+    begin(at);
+    stretches_.back().singular_from = true;
   }
 
   static std::vector<double> values_of(const PathQuantities& block, const Run& run, double at) {
@@ -179,7 +210,10 @@ private:
         value *= sign;
         largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
       }
-      finder.add(stretch.at, values, stretch.from, stretch.to);
+      if (!values.empty()) {
+        finder.add(stretch.at, values, stretch.singular_from ? stretch.at.front() : stretch.from,
+                   stretch.singular_to ? stretch.at.back() : stretch.to);
+      }
     }
     std::optional<Mover> mover;
     const auto value = [&](double at) {
@@ -195,15 +229,24 @@ private:
     };
     PeakLimits limits;
     limits.shortest = kShortest * (path_.knots.back() - path_.knots.front());
-    limits.noise = kRounding * largest;
+    limits.noise = std::max(kRounding * largest, blocks_[b].sought[k].noise);
     const auto peak = finder.largest(value, limits);
     if (!peak || is_stopped(start_)) {
       return std::nullopt;
     }
+    const bool nothing = largest <= blocks_[b].sought[k].noise;
     const double at = settled(peak->at);
     std::vector<DriverMotion> there;
     path_.motion(at, there);
-    return PathExtreme{sign * peak->value, at, there.front().position};
+    return PathExtreme{nothing ? 0 : sign * peak->value, at, there.front().position,
+                       !nothing && grows_at(at)};
+  }
+
+  [[nodiscard]] bool grows_at(double at) const {
+    return std::any_of(stretches_.begin(), stretches_.end(), [&](const Stretch& stretch) {
+      return !stretch.at.empty() && ((stretch.singular_from && at == stretch.at.front()) ||
+                                     (stretch.singular_to && at == stretch.at.back()));
+    });
   }
 
   // An outer sample of a stretch stands for its end; so does what is there but for rounding.
@@ -216,7 +259,10 @@ private:
       const double share = distance / (stretch.to - stretch.from);
       return share < kShortest * 10 || std::abs(share - kInside) < kShortest * 10;
     };
-    return is_end(at - stretch.from) ? stretch.from : is_end(stretch.to - at) ? stretch.to : at;
+    return stretch.singular_from || stretch.singular_to ? at
+           : is_end(at - stretch.from)                  ? stretch.from
+           : is_end(stretch.to - at)                    ? stretch.to
+                                                        : at;
   }
 
   const Run& start_;

@@ -39,6 +39,16 @@ bool run_through(Analysis& analysis, CheckReport& report) {
   return !report.stopped;
 }
 
+// Where bodies never overlap elsewhere nobody needs to look out for it again.
+void spare_watches(const std::vector<Event>& events, Run& start) {
+  const bool quiet = std::none_of(events.begin(), events.end(), [](const Event& event) {
+    return event.type == EventType::kSecondContact || event.type == EventType::kOverlap;
+  });
+  for (OverlapWatch& watch : start.watches) {
+    watch.needed = watch.needed && (!quiet || watch.overlaps);
+  }
+}
+
 void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, const CheckLimits& limits) {
   const auto& contacts = analysis.impl().model->profile.mechanism.contacts;
   if (!forces || contacts.empty()) {
@@ -140,13 +150,14 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   if (!analysis) {
     return tl::unexpected(std::move(analysis.error()));
   }
-  const Run start = analysis->impl().run;
+  Run start = analysis->impl().run;
   CheckReport report;
   report.title = profile.mechanism.title;
   report.driver_unit = unit_text(driver_dimension(profile.mechanism), profile.units);
   if (!run_through(*analysis, report)) {
     return report;
   }
+  spare_watches(report.events, start);
   CheckFigures figures(profile, limits, report);
   add_path_figures(
       {profile, analysis->impl().schedule, start, run.forces ? &analysis->impl().contacts : nullptr},

@@ -207,15 +207,19 @@ private:
   void read_speeds(const PathRanges& ranges, CheckFigures& figures) const {
     const auto sliding = peak_of(ranges[kSliding]);
     if (sliding && !idle_) {
-      figures.add("sliding_speed", dimension::kVelocity, std::abs(sliding->value), sliding->driver,
-                  figures.of_contact(index_, LimitKey::kMaxSlidingSpeed), Bound::kMost);
+      mark_growing(
+          figures.add("sliding_speed", dimension::kVelocity, std::abs(sliding->value), sliding->driver,
+                      figures.of_contact(index_, LimitKey::kMaxSlidingSpeed), Bound::kMost),
+          *sliding);
     }
     const auto fastest = peak_of(ranges[kEntrainment]);
     const auto& slowest = ranges[kLeastEntrainment].least;
     if (!fastest || !slowest) {
       return;
     }
-    figures.add("entrainment_speed", dimension::kVelocity, std::abs(fastest->value), fastest->driver);
+    mark_growing(
+        figures.add("entrainment_speed", dimension::kVelocity, std::abs(fastest->value), fastest->driver),
+        *fastest);
     const auto& [least, greatest] = ranges[kEntrainment];
     const bool reverses = least->value < 0 && greatest->value > 0;
     const bool none = reverses || slowest->value < kNoSpeed * std::abs(fastest->value);

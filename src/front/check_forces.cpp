@@ -56,8 +56,9 @@ public:
   void read_contact(std::size_t i, const PathRanges& ranges, CheckFigures& figures) const {
     figures.about("contacts." + mechanism_.contacts[i].name);
     if (const auto& most = ranges[2 * i].greatest) {
-      figures.add("contact_force", dimension::kForce, most->value, most->driver,
-                  figures.of_contact(i, LimitKey::kMaxContactForce), Bound::kMost);
+      mark_growing(figures.add("contact_force", dimension::kForce, most->value, most->driver,
+                               figures.of_contact(i, LimitKey::kMaxContactForce), Bound::kMost),
+                   *most);
     }
     read_least(i, figures);
     const auto& pressure = ranges[2 * i + 1].greatest;
@@ -78,10 +79,12 @@ public:
       const auto peak = peak_of(ranges[2 * mechanism_.contacts.size() + i]);
       if (peak) {
         figures.about(driver.name.empty() ? "driver" : "drivers." + driver.name);
-        figures.add(turns ? "driving_torque" : "driving_force",
-                    turns ? dimension::kTorque : dimension::kForce, peak->value, peak->driver,
-                    figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),
-                    Bound::kMost);
+        CheckFigure& figure = figures.add(
+            turns ? "driving_torque" : "driving_force", turns ? dimension::kTorque : dimension::kForce,
+            peak->value, peak->driver,
+            figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),
+            Bound::kMost);
+        mark_growing(figure, *peak);
       }
     }
   }

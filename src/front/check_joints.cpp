@@ -3,6 +3,8 @@
 #include "higherpair/analysis/jerk.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -11,6 +13,8 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
+constexpr double kRounding = 1e-12;
+constexpr double kRoundingOfJerk = 1e-11;
 constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
 constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
 
@@ -47,13 +51,28 @@ private:
 class CheckedJoints {
 public:
   explicit CheckedJoints(const CheckedPath& checked)
-      : outputs_(checked.start.outputs), jerks_(checked.profile, checked.schedule) {
+      : outputs_(checked.start.outputs),
+        jerks_(checked.profile, checked.schedule),
+        size_(checked.start.plan.size) {
     for (const OutputJoint& output : outputs_) {
       names_.push_back(checked.start.mechanism.joints[static_cast<std::size_t>(output.joint)].name);
     }
+    for (std::size_t i = 0; i < checked.schedule.driver_count(); ++i) {
+      const auto joint = static_cast<std::size_t>(checked.start.mechanism.drivers[i].joint);
+      const double velocity = std::abs(checked.schedule.state(0, i).si.velocity);
+      rate_ = std::max(rate_,
+                       has_angle(checked.start.mechanism.joints[joint].type) ? velocity : velocity / size_);
+    }
   }
 
-  [[nodiscard]] std::vector<Sought> sought() const { return std::vector<Sought>(outputs_.size(), kBoth); }
+  /// \param order  of the derivative \param rounding  relative to what the drivers' speed makes of the size
+  [[nodiscard]] std::vector<Sought> sought(int order, double rounding) const {
+    std::vector<Sought> all;
+    for (const OutputJoint& output : outputs_) {
+      all.push_back({true, true, rounding * std::pow(rate_, order) * (output.turns ? 1 : size_)});
+    }
+    return all;
+  }
 
   void fill_accelerations(const Run& run, std::span<double> out) const {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
@@ -82,7 +101,9 @@ public:
       const auto add = [&](const std::string& quantity, const Dimension& of, const PathRange& range,
                            LimitKey key) {
         if (const auto peak = peak_of(range)) {
-          figures.add(quantity, of, peak->value, peak->driver, figures.of_joint(joint, key), Bound::kMost);
+          mark_growing(figures.add(quantity, of, peak->value, peak->driver, figures.of_joint(joint, key),
+                                   Bound::kMost),
+                       *peak);
         }
       };
       add("acceleration", turns ? dimension::kAngularAcceleration : dimension::kAcceleration,
@@ -96,6 +117,8 @@ private:
   std::vector<OutputJoint> outputs_;
   std::vector<std::string> names_;
   DriverJerks jerks_;
+  double size_;      // of the mechanism
+  double rate_ = 0;  // largest of the drivers, sliding ones relative to the size
 };
 
 }  // namespace
@@ -103,12 +126,12 @@ private:
 JointCheck joint_check(const CheckedPath& checked) {
   const auto joints = std::make_shared<CheckedJoints>(checked);
   JointCheck check;
-  check.accelerations = {joints->sought(), [joints](const Run& run, double, std::span<double> out) {
-                           joints->fill_accelerations(run, out);
-                         }};
-  check.jerks = {joints->sought(), [joints](const Run& run, double at, std::span<double> out) {
-                   joints->fill_jerks(run, at, out);
-                 }};
+  check.accelerations = {
+      joints->sought(2, kRounding),
+      [joints](const Run& run, double, std::span<double> out) { joints->fill_accelerations(run, out); }};
+  check.jerks = {
+      joints->sought(3, kRoundingOfJerk),
+      [joints](const Run& run, double at, std::span<double> out) { joints->fill_jerks(run, at, out); }};
   check.read = [joints](const PathRanges& accelerations, const PathRanges& jerks, CheckFigures& figures) {
     joints->read(accelerations, jerks, figures);
   };

@@ -67,12 +67,15 @@ struct CheckedPath {
 
 using PathRanges = std::vector<PathRange>;
 
-inline constexpr Sought kGreatest = {false, true};
-inline constexpr Sought kLeast = {true, false};
-inline constexpr Sought kBoth = {true, true};
+inline constexpr Sought kGreatest = {false, true, 0};
+inline constexpr Sought kLeast = {true, false, 0};
+inline constexpr Sought kBoth = {true, true, 0};
 
 /// The larger extreme by size, with its sign; of two that are the same but for rounding the first.
 [[nodiscard]] std::optional<PathExtreme> peak_of(const PathRange& range);
+
+/// Says of a figure that its extreme still grows towards a singular position.
+void mark_growing(CheckFigure& figure, const PathExtreme& extreme);
 
 /// \name Parts of a check: what each follows along the path, and how its figures are read off the ranges
 /// @{

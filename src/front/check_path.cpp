@@ -21,6 +21,12 @@ std::optional<PathExtreme> peak_of(const PathRange& range) {
   return (same ? least->at < greatest->at : low > high) ? least : greatest;
 }
 
+void mark_growing(CheckFigure& figure, const PathExtreme& extreme) {
+  if (extreme.grows) {
+    figure.remark = "it still grows there, towards a limit position or dead point";
+  }
+}
+
 void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
   std::vector<ContactCheck> contacts;
   std::vector<PathQuantities> blocks;

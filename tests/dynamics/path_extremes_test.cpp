@@ -28,7 +28,7 @@ joint = "O"
 PathRange range_of(const std::function<double(double)>& f, double from, double to,
                    const PathLook& look = {}) {
   const Analysis analysis(kCrank);
-  const PathQuantities quantity{{{true, true}},
+  const PathQuantities quantity{{{true, true, 0}},
                                 [&](const higherpair::Run& run, double, std::span<double> out) {
                                   out[0] = f(run.row.bodies[1].theta);
                                 }};
@@ -91,7 +91,7 @@ TEST(PathExtremes, OfEqualPeaksAreTheFirst) {
 
 TEST(PathExtremes, ComeOnlyWhereTheyAreSought) {
   const Analysis analysis(kCrank);
-  const PathQuantities quantity{{{false, true}, {true, false}, {false, false}},
+  const PathQuantities quantity{{{false, true, 0}, {true, false, 0}, {false, false, 0}},
                                 [](const higherpair::Run&, double at, std::span<double> out) {
                                   std::fill(out.begin(), out.end(), at);
                                 }};
@@ -107,7 +107,7 @@ TEST(PathExtremes, OfAPathOfOnePositionAreTheValueThere) {
   path.knots = {0};
   path.motion = [](double, std::vector<DriverMotion>& drivers) { drivers = {{0.4, 1, 0}}; };
   const PathQuantities quantity{
-      {{true, true}},
+      {{true, true, 0}},
       [](const higherpair::Run& run, double, std::span<double> out) { out[0] = run.row.bodies[1].theta; }};
   const auto range = path_extremes(analysis.run, path, {quantity}).at(0).at(0);
   EXPECT_EQ(range.greatest->value, 0.4);

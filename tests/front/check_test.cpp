@@ -447,6 +447,19 @@ TEST(Check, OfALinkageHasAccelerationsAlone) {
   }
 }
 
+TEST(Check, SaysWhatStillGrowsTowardsALimitPosition) {
+  const CheckReport report = checked(shipped_model("lock_up"));
+  EXPECT_FALSE(report.good);
+  EXPECT_THAT(figure(report, "contacts.touch", "sliding_speed").remark, HasSubstr("still grows"));
+}
+
+// Its right arm turns as its left one, through two change points, where derivatives are rounding.
+TEST(Check, OfAParallelogramFindsNoAcceleration) {
+  const CheckReport report = checked(shipped_model("parallelogram"));
+  EXPECT_NEAR(value(report, "joints.right_pivot", "acceleration"), 0, 1e-6);
+  EXPECT_NEAR(value(report, "joints.right_pivot", "jerk"), 0, 0.1);
+}
+
 TEST(Check, FailsAsARunDoes) {
   const auto report = check(shipped_model("cam_with_return_spring", {"contacts.touch.rolling=true"}));
   ASSERT_FALSE(report);

@@ -14,6 +14,7 @@ namespace higherpair {
 struct Sought {
   bool least = false;
   bool greatest = false;
+  double noise = 0;  ///< values up to this are rounding: 0
 };
 
 /// Quantities that are worked out together where a run stands.
@@ -26,8 +27,9 @@ struct PathQuantities {
 
 struct PathExtreme {
   double value = 0;
-  double at = 0;      ///< parameter of the path
-  double driver = 0;  ///< coordinate of the first driven joint [rad or m]
+  double at = 0;       ///< parameter of the path
+  double driver = 0;   ///< coordinate of the first driven joint [rad or m]
+  bool grows = false;  ///< it still grows towards a singular position, next to which nothing is known
 };
 
 /// Of one quantity; none where it is nowhere defined, or was not sought.
@@ -45,9 +47,10 @@ struct PathLook {
 /// degree of a turning driver, or more) say near which places they can lie; there the quantity is
 /// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until
 /// the series has converged to within rounding. At jumps both one-sided limits count. Of equal extremes the
-/// first one on the path. What lies entirely between two samples may be missed. Ends early where
-/// is_stopped(start). \param start  the mechanism at the path's first positions, as start_run returns it
-/// \return for each block of quantities a range of each
+/// first one on the path. What lies entirely between two samples may be missed. Nothing is looked at between
+/// a limit position or dead point and the samples beside it, where rates are rounding or without bounds. Ends
+/// early where is_stopped(start). \param start  the mechanism at the path's first positions, as start_run
+/// returns it \return for each block of quantities a range of each
 [[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                                 const std::vector<PathQuantities>& blocks,
                                                                 const PathLook& look = {});
