@@ -35,12 +35,27 @@ struct ShapedFlank {
   FlankOrigin origin;
 };
 
+// Both curves of a contact; of several that it takes as one each.
+std::vector<CurveRef> curves_of(const Mechanism& mechanism, const Contact& contact) {
+  std::vector<CurveRef> curves;
+  for (const CurveRef& ref : {contact.first, contact.second}) {
+    const std::vector<int>& parts = curve_named(mechanism, ref).parts;
+    if (parts.empty()) {
+      curves.push_back(ref);
+    }
+    for (const int part : parts) {
+      curves.push_back({ref.body, part});
+    }
+  }
+  return curves;
+}
+
 // Each once, with the first contact that it takes part in.
 std::vector<ShapedFlank> flanks_of(const Mechanism& mechanism) {
   std::vector<ShapedFlank> flanks;
   std::vector<const NamedCurve*> seen;
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
-    for (const CurveRef& ref : {mechanism.contacts[i].first, mechanism.contacts[i].second}) {
+    for (const CurveRef& ref : curves_of(mechanism, mechanism.contacts[i])) {
       const NamedCurve* named = &named_curve(mechanism, ref);
       auto origin = flank_of(mechanism, ref);
       if (origin && std::find(seen.begin(), seen.end(), named) == seen.end()) {
@@ -75,17 +90,20 @@ void add_passages(const DriverPath& path, double coordinate, bool turns, std::ve
 
 const NamedCurve& named_curve(const Mechanism& mechanism, const CurveRef& ref) {
   const NamedCurve& curve = curve_named(mechanism, ref);
-  return curve.copy_of < 0 ? curve : curve_named(mechanism, {ref.body, curve.copy_of});
+  return curve.copy_of < 0 || !curve.parts.empty() ? curve
+                                                   : curve_named(mechanism, {ref.body, curve.copy_of});
 }
 
 std::string name_of_curve(const Mechanism& mechanism, const CurveRef& ref) {
-  return fmt::format("{}.{}", mechanism.bodies[static_cast<std::size_t>(ref.body)].name,
-                     named_curve(mechanism, ref).name);
+  const std::string& body = mechanism.bodies[static_cast<std::size_t>(ref.body)].name;
+  const NamedCurve& curve = named_curve(mechanism, ref);
+  return curve.parts.empty() ? fmt::format("{}.{}", body, curve.name) : body;
 }
 
 std::optional<FlankOrigin> flank_of(const Mechanism& mechanism, const CurveRef& ref) {
   const auto& boundary = named_curve(mechanism, ref).boundary;
-  return boundary ? flank_origin(*boundary->spans().front()) : std::nullopt;
+  return boundary && named_curve(mechanism, ref).parts.empty() ? flank_origin(*boundary->spans().front())
+                                                               : std::nullopt;
 }
 
 PathLook look_at(const CheckedPath& checked, const DriverPath& path) {

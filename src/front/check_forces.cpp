@@ -28,6 +28,9 @@ public:
   // Of each contact force and pressure, of each driver the effort.
   [[nodiscard]] std::vector<Sought> sought() const {
     std::vector<Sought> all(2 * mechanism_.contacts.size(), kGreatest);
+    for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
+      all[2 * i] = mechanism_.contacts[i].both_sides ? kBoth : kGreatest;
+    }
     all.insert(all.end(), mechanism_.drivers.size(), kBoth);
     return all;
   }
@@ -55,7 +58,7 @@ public:
 
   void read_contact(std::size_t i, const PathRanges& ranges, CheckFigures& figures) const {
     figures.about("contacts." + mechanism_.contacts[i].name);
-    if (const auto& most = ranges[2 * i].greatest) {
+    if (const auto most = peak_of(ranges[2 * i])) {
       mark_growing(figures.add("contact_force", dimension::kForce, most->value, most->driver,
                                figures.of_contact(i, LimitKey::kMaxContactForce), Bound::kMost),
                    *most);
@@ -140,7 +143,7 @@ private:
 
   void read_least(std::size_t i, CheckFigures& figures) const {
     const auto& lowest = report_.lowest[i];
-    if (!lowest) {
+    if (!lowest || mechanism_.contacts[i].both_sides) {  // what is held may pull
       return;
     }
     CheckFigure& figure = figures.add("least_contact_force", dimension::kForce, lowest->force, lowest->driver,

@@ -1,56 +1,27 @@
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include "cli/program_testing.hpp"
+
+#include <cmath>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+namespace higherpair::testing {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string shipped(const std::string& name) {
-  return std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/" + name + ".toml";
+  return shipped_profile(name + ".toml");
 }
 
-class CheckCommand : public ::testing::Test {
+class CheckCommand : public ProgramTest {
 protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("higherpair-check-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = std::string(HIGHERPAIR_PROGRAM) + " check " + arguments + " >" +
-                                (folder_ / "out").string() + " 2>" + (folder_ / "err").string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
-  }
-
-  fs::path folder_;
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("check " + arguments); }
 };
 
 TEST_F(CheckCommand, PrintsATableThatFitsAScreen) {
@@ -121,7 +92,7 @@ TEST_F(CheckCommand, SaysWhatIsWrongWithLimits) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("did you mean `max_pressure_angle`"),
-                                 HasSubstr("limits.width = -1 mm: must be > 0")));
+                                 HasSubstr("limits.width = -1: must be > 0")));
 }
 
 TEST_F(CheckCommand, NotesALimitOfNothingUnlessQuiet) {
@@ -151,3 +122,4 @@ TEST_F(CheckCommand, ExitsWithThreeWhereNothingCanStart) {
 }
 
 }  // namespace
+}  // namespace higherpair::testing

@@ -12,6 +12,12 @@
 namespace higherpair::cli {
 namespace {
 
+// Why a path is not good.
+bool is_bad(EventType type) {
+  return type == EventType::kLimitPosition || type == EventType::kConforming || type == EventType::kOverlap ||
+         type == EventType::kContactOpen || type == EventType::kEnd;
+}
+
 int write(const CheckOptions& options, const Model& model, const CheckReport& report) {
   if (report.stopped) {
     return kExitInterrupted;
@@ -25,9 +31,7 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
   if (!options.quiet) {
     std::vector<Event> bad;
     for (const Event& event : report.events) {
-      const bool passing = event.type == EventType::kStrokeEnd || event.type == EventType::kCurvatureJump ||
-                           event.type == EventType::kCorner || event.type == EventType::kLawJump;
-      if (!passing) bad.push_back(event);
+      if (is_bad(event.type)) bad.push_back(event);
     }
     print_events(bad, model);
   }
