@@ -4,6 +4,7 @@
 #include "sweep_data.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,7 +16,9 @@ namespace higherpair {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int64_t kTried = 1000;  // variants that are read before a sweep is run
+// Before a sweep is run so many variants are read, or as many as can be in this time.
+constexpr std::int64_t kTried = 1000;
+constexpr std::chrono::seconds kTrying{2};
 
 // How bad a status is, in the order of RowStatus, and `not_started`.
 constexpr std::array<int, kSweepStatusCount> kSeverity = {0, 5, 1, 3, 4, 2, 6};
@@ -172,9 +175,10 @@ SweepForecast forecast_of(const Sweep::Data& data) {
   SweepForecast forecast;
   Worker worker(data);
   const std::int64_t size = data.end - data.begin;
-  forecast.tried = std::min(size, kTried);
-  for (std::int64_t k = 0; k < forecast.tried; ++k) {
-    const std::int64_t variant = data.begin + cut(size, k, forecast.tried);
+  const std::int64_t wanted = std::min(size, kTried);
+  const auto start = std::chrono::steady_clock::now();
+  for (; forecast.tried < wanted && std::chrono::steady_clock::now() - start < kTrying; ++forecast.tried) {
+    const std::int64_t variant = data.begin + cut(size, forecast.tried, wanted);
     const auto model = worker.model(variant);
     if (!model && ++forecast.unreadable == 1) {
       forecast.variant = variant;
