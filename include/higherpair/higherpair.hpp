@@ -6,6 +6,7 @@
 #include "higherpair/drawing/draw.hpp"          // IWYU pragma: export
 #include "higherpair/front/branches.hpp"        // IWYU pragma: export
 #include "higherpair/front/check.hpp"           // IWYU pragma: export
+#include "higherpair/front/design.hpp"          // IWYU pragma: export
 #include "higherpair/front/drawing.hpp"         // IWYU pragma: export
 #include "higherpair/front/error.hpp"           // IWYU pragma: export
 #include "higherpair/front/export.hpp"          // IWYU pragma: export

@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include "first_position.hpp"
+#include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 
 // More tries than this and only the nearer mode of each further group is looked at.
 constexpr int kMaxTries = 20000;
+
+constexpr int kMostModes = 16;  // of a branch: groups beyond are in mode +1
 
 constexpr std::size_t kMaxAssemblies = 4096;
 
@@ -106,15 +109,26 @@ private:
   int tries_ = 0;
 };
 
-void prepare(Run& run) {
-  run.state.bodies = posed_bodies(run.mechanism);
-  run.state.turns.resize(run.state.bodies.size());
-  run.state.contacts.resize(run.mechanism.contacts.size());
-  run.state.groups.resize(run.plan.groups.size());
-  run.state.tracks.resize(run.plan.groups.size());
+}  // namespace
+
+int branch_count(const Plan& plan) {
+  int modes = 0;
+  for (const Group& group : plan.groups) {
+    modes += traits_of(group).two_modes ? 1 : 0;
+  }
+  return 1 << std::min(modes, kMostModes);
 }
 
-}  // namespace
+int branch_of(const Run& run) {
+  int branch = 0;
+  int bit = 0;
+  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+    if (traits_of(run.plan.groups[g]).two_modes && bit < kMostModes) {
+      branch |= (run.state.groups[g].mode < 0 ? 1 : 0) << bit++;
+    }
+  }
+  return branch;
+}
 
 tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism, const std::vector<double>& drivers) {
   auto plan = make_plan(mechanism);
@@ -133,12 +147,39 @@ Run planned_run(const Mechanism& mechanism, Plan plan, const std::vector<double>
 }
 
 std::optional<StartFailure> assemble(Run& run) {
-  prepare(run);
+  run.state = posed_state(run.mechanism, run.plan, 0);
   return Assembler(run).run();
 }
 
+State posed_state(const Mechanism& mechanism, const Plan& plan, int branch) {
+  State state;
+  state.bodies = posed_bodies(mechanism);
+  state.turns.resize(state.bodies.size());
+  state.contacts.resize(mechanism.contacts.size());
+  state.groups.resize(plan.groups.size());
+  state.tracks.resize(plan.groups.size());
+  int bit = 0;
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    if (traits_of(plan.groups[g]).two_modes && bit < kMostModes) {
+      state.groups[g].mode = ((branch >> bit++) & 1) == 0 ? 1 : -1;
+    }
+  }
+  return state;
+}
+
+bool assemble_on(Run& run, int branch) {
+  run.state = posed_state(run.mechanism, run.plan, branch);
+  FirstPosition position(run);
+  bool placed = true;
+  for (std::size_t g = 0; placed && g < run.plan.groups.size(); ++g) {
+    placed = position.place(g, run.state.groups[g].mode);
+  }
+  run.state = position.state();
+  return placed;
+}
+
 Assemblies assemble_all(Run& run) {
-  prepare(run);
+  run.state = posed_state(run.mechanism, run.plan, 0);
   return Assembler(run).run_all();
 }
 

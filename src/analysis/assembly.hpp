@@ -12,6 +12,13 @@ namespace higherpair {
 /// Sets run.state to the assembly nearest to the poses at run.drivers, without rates; says why there is none.
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);
 
+/// The same in the modes of a branch (branch_run.hpp); false where it has no assembly at run.drivers.
+/// run.state then holds the groups before the first that cannot be placed.
+[[nodiscard]] bool assemble_on(Run& run, int branch);
+
+/// The poses, with the modes of a branch.
+[[nodiscard]] State posed_state(const Mechanism& mechanism, const Plan& plan, int branch);
+
 struct Assemblies {
   std::vector<State>
       states;            ///< in the order of their distance from the poses, as the modes of each group go

@@ -4,6 +4,7 @@
 #include "events.hpp"
 #include "first_position.hpp"
 #include "group_solver.hpp"
+#include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "overlap.hpp"
@@ -118,6 +119,28 @@ bool may_be_free(const Run& run) {
   return false;
 }
 
+// From a position that is assembled: all that a run needs. A contact that stands at a limit, from where
+// nothing tells how it goes on.
+std::optional<int> set_out(Run& run) {
+  const std::vector<double>& drivers = run.drivers;
+  set_unit_motions(drivers, run.trial_motions);
+  set_rates(run, run.trial_motions, run.state);
+  run.outputs = output_joints(run.mechanism);
+  run.watches = watched_contacts(run.mechanism);
+  run.trial = run.state;
+  run.targets = drivers;
+  run.trial_drivers = drivers;
+  set_path(run.path, drivers, drivers);
+  if (const auto contact = leave_singular_start(run)) {
+    return contact;
+  }
+  run.row.bodies = run.state.bodies;
+  run.row.contacts = run.state.contacts;
+  run.row.arcs_hold.assign(run.mechanism.contacts.size(), true);
+  run.row.has_rates.assign(run.state.bodies.size(), true);
+  return std::nullopt;
+}
+
 // Of a single driver events say by its coordinate where they are, on whatever path they have been found.
 void set_shares(Run& run, double from) {
   const double length = run.targets[0] - from;
@@ -164,22 +187,20 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, Plan plan,
   if (failure) {
     return tl::unexpected(std::move(*failure));
   }
-  set_unit_motions(drivers, run.trial_motions);
-  set_rates(run, run.trial_motions, run.state);
-  run.outputs = output_joints(mechanism);
-  run.watches = watched_contacts(mechanism);
-  run.trial = run.state;
-  run.targets = drivers;
-  run.trial_drivers = drivers;
-  set_path(run.path, drivers, drivers);
-  if (const auto contact = leave_singular_start(run)) {
+  if (const auto contact = set_out(run)) {
     const std::string& name = mechanism.contacts[static_cast<std::size_t>(*contact)].name;
     return tl::unexpected(StartFailure{"contacts." + name + ": " + kTouchesAtLimit, std::nullopt});
   }
-  run.row.bodies = run.state.bodies;
-  run.row.contacts = run.state.contacts;
-  run.row.arcs_hold.assign(mechanism.contacts.size(), true);
-  run.row.has_rates.assign(run.state.bodies.size(), true);
+  return run;
+}
+
+std::optional<Run> start_on_branch(const Mechanism& mechanism, Plan plan, const std::vector<double>& drivers,
+                                   int branch, double tolerance) {
+  Run run = planned_run(mechanism, std::move(plan), drivers);
+  run.tolerance = tolerance;
+  if (!assemble_on(run, branch) || set_out(run)) {
+    return std::nullopt;
+  }
   return run;
 }
 

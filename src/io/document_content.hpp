@@ -9,8 +9,10 @@
 namespace higherpair {
 
 struct ProfileDocument::Content {
-  io_detail::Value root;             ///< a table
-  std::vector<std::string> sources;  ///< what messages call the text and each override, by Mark::source
+  io_detail::Value root;               ///< a table
+  std::string text;                    ///< as it was parsed
+  std::vector<std::string> overrides;  ///< so far
+  std::vector<std::string> sources;    ///< what messages call the text and each override, by Mark::source
 };
 
 }  // namespace higherpair

@@ -51,7 +51,8 @@ tl::expected<ProfileDocument, Diagnostics> ProfileDocument::parse(std::string_vi
   if (!root) {
     return tl::unexpected(Diagnostics{root.error()});
   }
-  return ProfileDocument(std::make_shared<const Content>(Content{*std::move(root), {source_name}}));
+  return ProfileDocument(
+      std::make_shared<const Content>(Content{*std::move(root), std::string(text), {}, {source_name}}));
 }
 
 tl::expected<ProfileDocument, Diagnostics> ProfileDocument::with(
@@ -61,6 +62,7 @@ tl::expected<ProfileDocument, Diagnostics> ProfileDocument::with(
   }
   Content content = *content_;
   for (const std::string& assignment : overrides) {
+    content.overrides.push_back(assignment);
     content.sources.push_back("--set " + io_detail::visible(assignment));
     auto changed = io_detail::apply_override(std::move(content.root), assignment,
                                              static_cast<int>(content.sources.size()) - 1);
@@ -70,6 +72,10 @@ tl::expected<ProfileDocument, Diagnostics> ProfileDocument::with(
     content.root = *std::move(changed);
   }
   return ProfileDocument(std::make_shared<const Content>(std::move(content)));
+}
+
+const std::vector<std::string>& ProfileDocument::overrides() const {
+  return content_->overrides;
 }
 
 void ProfileDocument::for_each_number(

@@ -108,6 +108,12 @@ std::vector<Strings> all_keys() {
       keys_of("loads.l.", {"loads.l.body=b", "loads.l.force=[1, 0]", "loads.l.point=O"}),
       keys_of("springs.s.", {"springs.s.joint=j"}),
       keys_of("springs.s.", {R"(springs.s.between=["b.O", "ground.O"])"})};
+  const std::string objective = R"(design.objectives=[{ path = { point = "b.O" } }])";
+  tables.push_back(keys_of("design."));
+  tables.push_back(keys_of("design.variables.v.", {"design.variables.v.min=1"}));
+  tables.push_back(keys_of("design.objectives.0.", {R"(design.objectives=[{ column = "b.x" }])"}));
+  tables.push_back(keys_of("design.objectives.0.path.", {objective}));
+  tables.push_back(keys_of("design.constraints.0.", {R"(design.constraints=[{ column = "b.x" }])"}));
   for (const std::string& type : types_of("bodies.b.curves.c")) {
     tables.push_back(keys_of("bodies.b.curves.c.", {"bodies.b.curves.c.type=" + type}));
   }

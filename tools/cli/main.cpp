@@ -1,5 +1,6 @@
 #include "branches_command.hpp"
 #include "check_command.hpp"
+#include "design_command.hpp"
 #include "draw_command.hpp"
 #include "export_command.hpp"
 #include "higherpair/analysis/derivatives.hpp"
@@ -129,6 +130,8 @@ int run(int argc, char** argv) {
   const CLI::App* check_command = higherpair::cli::add_check_command(app, check);
   higherpair::cli::SweepOptions sweep;
   const CLI::App* sweep_command = higherpair::cli::add_sweep_command(app, sweep);
+  higherpair::cli::DesignCommandOptions design;
+  const CLI::App* design_command = higherpair::cli::add_design_command(app, design);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
   bool known = argc < 2 || argv[1][0] == '-';
@@ -177,6 +180,9 @@ int run(int argc, char** argv) {
   }
   if (sweep_command->parsed()) {
     return higherpair::cli::sweep_command(sweep);
+  }
+  if (design_command->parsed()) {
+    return higherpair::cli::design_command(design);
   }
   if (verify_command->parsed()) {
     return higherpair::cli::verify_command(verify);

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -25,11 +26,25 @@ public:
   /// With these "PATH=VALUE" set, one after the other.
   [[nodiscard]] tl::expected<ProfileDocument, Diagnostics> with(std::span<const std::string> overrides) const;
 
+  /// All that were set.
+  [[nodiscard]] const std::vector<std::string>& overrides() const;
+
   /// The profile that it means.
   [[nodiscard]] tl::expected<Profile, Diagnostics> read() const;
 
   /// Calls `found` with path and value, as written, of every number in the order of the file.
   void for_each_number(const std::function<void(const std::string& path, double value)>& found) const;
+
+  /// A value that the text of a profile is to have instead of its own.
+  struct NewValue {
+    std::string path;  ///< as of overrides; of a number in the text, or `bodies.NAME.pose`
+    std::string text;  ///< as TOML writes it
+  };
+
+  /// The text that was parsed, byte by byte, but for these values: everything else stays as it is, comments
+  /// and spaces too. A pose that the text has not is added below the head of its body's table. The error
+  /// names a path whose value cannot be found, or is not of the text but of an override.
+  [[nodiscard]] tl::expected<std::string, std::string> text_with(std::span<const NewValue> values) const;
 
 private:
   friend class ProfileVariants;

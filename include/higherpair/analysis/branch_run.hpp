@@ -1,0 +1,48 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// \name Runs on a chosen branch
+/// A branch is the assembly modes of all groups of a plan that have two, as bits of a number in their order:
+/// for other dimensions it stays the same branch, whatever the poses. What else there is to choose, such as a
+/// contact, is taken nearest to the poses.
+/// @{
+
+/// 2 to the number of groups with two modes, at most 2¹⁶: groups beyond are in mode +1.
+[[nodiscard]] int branch_count(const Plan& plan);
+
+/// The branch on which a run is.
+[[nodiscard]] int branch_of(const Run& run);
+
+/// As start_run, on this branch. The numbers of redundant mechanisms are not checked. None where it cannot be
+/// assembled there at the first positions of the drivers.
+[[nodiscard]] std::optional<Run> start_on_branch(const Mechanism& mechanism, Plan plan,
+                                                 const std::vector<double>& drivers, int branch,
+                                                 double tolerance = 1e-9);
+
+/// By how much a group of links cannot be put together between the bodies that it hangs on, where these
+/// stand: what its reach is short of [m]; < 0: what it has to spare. None for groups that are no dyads.
+[[nodiscard]] std::optional<double> closure_gap(const Group& group, const std::vector<BodyMotion>& bodies);
+
+/// The same at drivers' positions that no row need exist at: groups are placed near `run`, those that cannot
+/// be and all after them are left out. A number for each group of the plan.
+[[nodiscard]] std::vector<std::optional<double>> closure_gaps(const Run& run,
+                                                              const std::vector<double>& drivers);
+
+/// The same at the first positions of a mechanism that need not have an assembly on the branch.
+[[nodiscard]] std::vector<std::optional<double>> first_closure_gaps(const Mechanism& mechanism, Plan plan,
+                                                                    const std::vector<double>& drivers,
+                                                                    int branch);
+
+/// Sine of the angle between two links that a pin joins, each of which has a pin of its own at its other end
+/// (RrrDyad); ±. None where the pin joins no such links.
+[[nodiscard]] std::optional<double> transmission_sine(const Plan& plan, int joint,
+                                                      const std::vector<BodyMotion>& bodies);
+/// @}
+
+}  // namespace higherpair

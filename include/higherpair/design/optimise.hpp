@@ -1,0 +1,84 @@
+#pragma once
+
+#include "higherpair/design/problem.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// How a local search is done.
+enum class DesignMethod {
+  kAuto,          ///< kLeastSquares where there is no cost, else kSlsqp; kCobyla where values are not smooth
+  kLeastSquares,  ///< Levenberg-Marquardt, then kSlsqp where a constraint is active
+  kSlsqp,         ///< sequential quadratic programming, by gradients
+  kCobyla,        ///< linear models of values alone
+  kBobyqa,        ///< quadratic models of values alone; constraints become penalties
+  kIsres,         ///< a search by evolution over the whole range, one for each start
+};
+
+/// "auto", "least-squares", "slsqp", "cobyla", "bobyqa", "isres".
+[[nodiscard]] const std::vector<std::string>& design_method_names();
+
+/// What a search has found so far.
+struct DesignProgress {
+  std::int64_t evaluations = 0;
+  int starts = 0;        ///< searches that are done
+  double objective = 0;  ///< of the best so far
+  double violation = 0;  ///< its largest constraint; <= 0: all hold
+};
+
+struct DesignOptions {
+  DesignMethod method = DesignMethod::kAuto;
+  std::uint64_t seed = 1;
+  int starts = 200;  ///< local searches, >= 1; the first one from the start of the variables
+  std::int64_t evaluations = 1'000'000;  ///< no further start once so many are used; a gradient counts as one
+                                         ///< for each variable unless it is exact
+  double seconds = 0;            ///< > 0: no further start after so long; what is found then depends on the
+                                 ///< machine
+  std::optional<double> target;  ///< enough once the objective is this small and all constraints hold
+  int threads = 0;               ///< 0: all; makes no difference to the result
+  const std::atomic<bool>* stop = nullptr;              ///< once true, the best so far is returned
+  std::function<void(const DesignProgress&)> progress;  ///< called by the caller's thread, from time to time
+};
+
+/// A design and what it is worth.
+struct DesignPoint {
+  std::vector<double> x;  ///< of the variables, within their bounds
+  int branch = 0;
+  double objective = 0;
+  double violation = 0;  ///< the largest constraint; <= 0: all hold
+};
+
+enum class DesignEnd { kStarts, kEvaluations, kTime, kTarget, kStopped };
+
+/// What a search has found.
+struct DesignOutcome {
+  DesignPoint best;  ///< of all that was ever evaluated; with numbers of the steps of the variables
+  DesignPoint free;  ///< the same before they were rounded to steps
+  /// Ends of the searches that differ, best first: by more than 1e-3 of a range in some variable. At most 10.
+  std::vector<DesignPoint> optima;
+  int different = 0;  ///< how many they were
+  int starts = 0;     ///< searches done
+  std::int64_t evaluations = 0;
+  DesignEnd end = DesignEnd::kStarts;
+  /// Of each constraint: how much the objective would gain for each unit by which its limit is moved, to
+  /// first order at `best`; 0 where it is not active, or nothing is known.
+  std::vector<double> multipliers;
+};
+
+/// Largest constraint with which a design counts as one in which all of them hold.
+inline constexpr double kConstraintTolerance = 1e-9;
+
+/// Many local searches from points spread over the ranges at random, and from points near the best ones: the
+/// engine that was best on path tasks of linkages, whose objectives have many local minima. The same seed
+/// gives the same result for any number of threads. Designs in which all constraints hold come before others;
+/// among those that violate one the least violation is best. A value that is not finite counts as a
+/// violation. \pre at least one variable, each with low < high
+[[nodiscard]] DesignOutcome optimise(const DesignProblem& problem, const DesignOptions& options = {});
+
+}  // namespace higherpair

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "higherpair/design/optimise.hpp"
+#include "higherpair/front/model.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// In place of what the profile says.
+struct DesignSettings {
+  std::optional<std::uint64_t> seed;
+  std::optional<int> starts;
+  std::optional<std::int64_t> evaluations;
+  double seconds = 0;  ///< > 0: no further search after so long
+  int threads = 0;     ///< 0: all; makes no difference to the result
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const DesignProgress&)> progress;
+};
+
+/// A design that was found, and the profile with which it was made. All numbers in the units of tables or of
+/// the profile; NaN where undefined.
+struct DesignReport {
+  struct Variable {
+    std::string name;
+    std::vector<std::string> paths;
+    double before = 0;
+    double after = 0;
+    double low = 0;
+    double high = 0;
+    double step = 0;  ///< 0: none
+    bool at_bound = false;
+  };
+  struct Objective {
+    std::string what;  ///< "path of coupler.E", "rms of follower.alpha"
+    std::string unit;
+    std::optional<double> target;
+    double before = 0;  ///< of a path, and of a column that follows values, the sum of all squares
+    double after = 0;
+  };
+  struct Constraint {
+    std::string what;  ///< "max of touch.pressure below 30", as the profile has it
+    std::string unit;
+    double limit = 0;
+    double before = 0;
+    double after = 0;
+    double margin = 0;  ///< >= 0: it holds
+    /// By how much the whole objective would gain for each unit by which the limit is moved, to first order;
+    /// 0 where it is not active.
+    double cost = 0;
+  };
+  struct Alternative {
+    std::vector<double> variables;
+    double objective = 0;
+    bool holds = false;  ///< all constraints
+  };
+
+  std::string title;
+  std::vector<Variable> variables;
+  std::vector<Objective> objectives;
+  std::vector<Constraint> constraints;
+  /// The whole objective: paths and targets by their squares, times their weights, and what is to be small.
+  double before = 0;
+  double after = 0;
+  bool starts_good = false;         ///< whether the profile as it was assembles all the way on one branch
+  bool path_good = false;           ///< whether the new one does
+  bool holds = false;               ///< whether all constraints hold, and path_good
+  std::string method;               ///< of the local searches: "least squares", …
+  std::vector<Alternative> optima;  ///< different ends of searches, the best first
+  int different = 0;
+  int starts = 0;
+  std::int64_t evaluations = 0;
+  DesignEnd end = DesignEnd::kStarts;
+  /// The new profile: the old one's text with other numbers in it. All numbers above were worked out from it,
+  /// and from the overrides that the model was read with, which are not in it.
+  std::string text;
+};
+
+/// Looks for the numbers that serve the task in [design] best: that its rows have the smallest objective
+/// while the constraints hold and the mechanism assembles all the way on one branch. Fails (kInput) for a
+/// model without such a task, or one that was built; for columns, rows and pins that the task cannot mean;
+/// for variables and objectives that change nothing; and where nothing that was tried can be assembled
+/// (kMechanism).
+[[nodiscard]] Result<DesignReport> design(const Model& model, const DesignSettings& settings = {});
+
+}  // namespace higherpair

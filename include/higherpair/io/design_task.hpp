@@ -1,0 +1,75 @@
+#pragma once
+
+#include "higherpair/design/optimise.hpp"
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/measure.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// What [design] of a profile asks for.
+struct DesignTask {
+  /// A number of the profile that may be chosen, or several that are to be equal.
+  struct Variable {
+    std::string name;
+    std::vector<std::string> paths;  ///< as --set names them; at least one
+    DesignVariable range;            ///< in the unit in which the number stands in the profile
+    Place place;
+  };
+
+  /// The path of a point is to lead through given points.
+  struct PointPath {
+    std::string point;              ///< "coupler.E"
+    PointRef ref;                   ///< the same
+    std::vector<Vector2d> through;  ///< in ground [m]; at least two
+    /// Each of `through` belongs to a row of the run, in order; else the point may come by at any time.
+    bool timed = false;
+    std::vector<double>
+        at;  ///< timed: the driver's positions in these rows, in the profile's unit; empty: all rows
+    bool ordered = true;  ///< not timed: one after the other as the driver goes on
+    bool closed = false;  ///< ordered: whichever of them comes first
+  };
+
+  /// A transmission angle: between two links that a pin joins, 0 at a dead point, at most 90°.
+  struct Transmission {
+    std::string pin;
+    int joint = 0;  ///< of Mechanism::joints
+  };
+
+  struct Objective {
+    std::string path_of_key;  ///< "design.objectives.0"
+    std::optional<PointPath> path;
+    std::optional<Measure> measure;
+    /// A column that is to follow given values: measures of kAt, and the values.
+    std::vector<Measure> followed;
+    std::vector<double> values;
+    std::optional<double> target;  ///< of a measure, in the unit of tables; none: as small as possible
+    double weight = 1;             ///< > 0; of a path and of a target within the square
+    Place place;
+  };
+
+  struct Constraint {
+    std::string path_of_key;
+    std::optional<Measure> measure;
+    std::optional<Transmission> transmission;  ///< the least over all rows
+    std::optional<double> below, above;        ///< at least one; in the unit of tables
+    Place place;
+  };
+
+  std::vector<Variable> variables;
+  std::vector<Objective> objectives;
+  std::vector<Constraint> constraints;
+  DesignMethod method = DesignMethod::kAuto;
+  bool keep_branch = false;  ///< only designs that are assembled as the profile is
+  std::optional<int> starts;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> target;  ///< of the objective: enough
+  Place place;
+};
+
+}  // namespace higherpair

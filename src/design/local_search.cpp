@@ -1,0 +1,137 @@
+#include "search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+
+namespace higherpair {
+namespace {
+
+constexpr double kActive = 1e-6;  // a constraint, or a distance from a bound, as small as this is active
+
+DesignMethod method_for(const DesignProblem& problem, DesignMethod method) {
+  if (method == DesignMethod::kAuto) {
+    method = !problem.smooth    ? DesignMethod::kCobyla
+             : problem.has_cost ? DesignMethod::kSlsqp
+                                : DesignMethod::kLeastSquares;
+  }
+  return method == DesignMethod::kLeastSquares && problem.has_cost ? DesignMethod::kSlsqp : method;
+}
+
+// Again from the best point, as long as that gains: a new start forgets a bad model of the surroundings.
+void repeat(Search& search, DesignMethod method, std::uint64_t seed) {
+  constexpr int kMostRounds = 4;
+  constexpr double kWorthwhile = 1e-6;
+  for (int round = 0; round < kMostRounds && !search.stopped(); ++round) {
+    const DesignPoint before = search.best();
+    search_by_nlopt(search, search.best_unit(), method, seed);
+    const DesignPoint& after = search.best();
+    const bool gains = after.violation < before.violation - kConstraintTolerance ||
+                       after.objective < before.objective - kWorthwhile * std::abs(before.objective);
+    if (!gains) {
+      return;
+    }
+  }
+}
+
+double multiple_of(double step, double x) {
+  return step * std::round(x / step);
+}
+
+}  // namespace
+
+void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod method, std::uint64_t seed) {
+  const DesignMethod chosen = method_for(search.problem(), method);
+  (void)search.evaluate(u);
+  if (search.best().x.empty()) {
+    return;
+  }
+  if (chosen == DesignMethod::kLeastSquares) {
+    fit_least_squares(search, u);
+    if (search.best().violation > -kActive && search.problem().constraints > 0) {
+      repeat(search, DesignMethod::kSlsqp, seed);
+    }
+    return;
+  }
+  search_by_nlopt(search, u, chosen, seed);
+  repeat(search, chosen == DesignMethod::kIsres ? DesignMethod::kCobyla : chosen, seed);
+}
+
+// One variable after the other, the nearest to a multiple of its step first: both neighbours are tried, the
+// free variables follow, and the better one stays.
+DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMethod method) {
+  const std::vector<DesignVariable>& variables = search.problem().variables;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (variables[i].step > 0) left.push_back(i);
+  }
+  DesignPoint at = point;
+  while (!left.empty()) {
+    const auto off = [&](std::size_t i) {
+      return std::abs(at.x[i] - multiple_of(variables[i].step, at.x[i])) / variables[i].step;
+    };
+    const auto next = std::min_element(left.begin(), left.end(),
+                                       [&](std::size_t a, std::size_t b) { return off(a) < off(b); });
+    const std::size_t i = *next;
+    left.erase(next);
+    DesignPoint best;
+    double kept = at.x[i];
+    for (const double side :
+         {std::floor(at.x[i] / variables[i].step + 1e-9), std::ceil(at.x[i] / variables[i].step - 1e-9)}) {
+      const double value = variables[i].step * side;
+      if (value < variables[i].low || value > variables[i].high) continue;
+      search.fix(i, value);
+      search.use_branch(point.branch);
+      search_locally(search, search.unit_of(at.x), method, 1);
+      if (!search.best().x.empty() && (best.x.empty() || is_better(search.best(), best))) {
+        best = search.best();
+        kept = value;
+      }
+    }
+    search.fix(i, kept);
+    if (!best.x.empty()) at = best;
+  }
+  return at;
+}
+
+// At an optimum the gradient of the objective is -Σ λ times those of what is active, constraints and bounds,
+// with λ >= 0: by least squares, constraints with λ < 0 left out one after the other.
+std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
+  const Eigen::VectorXd u = search.unit_of(point.x);
+  search.use_branch(point.branch);
+  const DesignValues values = search.evaluate(u);
+  std::vector<double> multipliers(static_cast<std::size_t>(values.constraints.size()), 0.0);
+  std::vector<Eigen::Index> active;
+  for (Eigen::Index k = 0; k < values.constraints.size(); ++k) {
+    if (values.constraints(k) > -kActive) active.push_back(k);
+  }
+  if (!search.problem().smooth || active.empty()) {
+    return multipliers;
+  }
+  const DesignJacobian jacobian = search.differentiate(u);
+  Eigen::VectorXd slope = (jacobian.cost + 2 * values.residuals.transpose() * jacobian.residuals).transpose();
+  Eigen::VectorXd free = Eigen::VectorXd::Ones(u.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    if (u(i) < kActive || u(i) > 1 - kActive) free(i) = 0;
+  }
+  while (!active.empty()) {
+    Eigen::MatrixXd A(u.size(), static_cast<Eigen::Index>(active.size()));
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      A.col(static_cast<Eigen::Index>(k)) =
+          free.cwiseProduct(jacobian.constraints.row(active[k]).transpose());
+    }
+    const Eigen::VectorXd lambda = A.completeOrthogonalDecomposition().solve(-free.cwiseProduct(slope));
+    Eigen::Index worst = 0;
+    if (lambda.minCoeff(&worst) >= 0) {
+      for (std::size_t k = 0; k < active.size(); ++k) {
+        multipliers[static_cast<std::size_t>(active[k])] = lambda(static_cast<Eigen::Index>(k));
+      }
+      break;
+    }
+    active.erase(active.begin() + worst);
+  }
+  return multipliers;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,117 @@
+#include "search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlopt.h>
+#include <span>
+
+// NLopt's C interface: its C++ one turns every outcome but success into an exception, and passes exceptions
+// of ours on as a failure without a reason. What it returns is not looked at: SLSQP may give a point that
+// violates a constraint, COBYLA one that is not its best. The search keeps the best of all that were
+// evaluated.
+
+namespace higherpair {
+namespace {
+
+constexpr int kMostEvaluations = 500;       // of SLSQP, gradients apart
+constexpr int kMostWithoutGradients = 100;  // of the methods without gradients, for each variable
+constexpr int kMostOfEvolution = 2000;      // the same, of ISRES
+constexpr double kPenalty = 1e3;            // of a violation, for a method without constraints
+
+struct Bridge {
+  Search& search;
+  nlopt_opt opt;
+  bool penalties;
+
+  [[nodiscard]] Eigen::VectorXd point(unsigned n, const double* x) const {
+    return Eigen::Map<const Eigen::VectorXd>(x, n);
+  }
+};
+
+double objective(unsigned n, const double* x, double* gradient, void* data) {
+  auto& bridge = *static_cast<Bridge*>(data);
+  if (bridge.search.stopped()) {
+    nlopt_force_stop(bridge.opt);
+    return 0;
+  }
+  const Eigen::VectorXd u = bridge.point(n, x);
+  const DesignValues values = bridge.search.evaluate(u);
+  if (gradient != nullptr) {
+    const DesignJacobian& jacobian = bridge.search.differentiate(u);
+    Eigen::Map<Eigen::RowVectorXd>(gradient, n) =
+        jacobian.cost + 2 * values.residuals.transpose() * jacobian.residuals;
+  }
+  const double penalty = bridge.penalties && values.constraints.size() > 0
+                             ? kPenalty * values.constraints.cwiseMax(0.0).sum()
+                             : 0;
+  return objective_of(values) + penalty;
+}
+
+void constraints(unsigned m, double* result, unsigned n, const double* x, double* gradient, void* data) {
+  auto& bridge = *static_cast<Bridge*>(data);
+  const Eigen::VectorXd u = bridge.point(n, x);
+  Eigen::Map<Eigen::VectorXd>(result, m) = bridge.search.evaluate(u).constraints;
+  if (gradient != nullptr) {
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor>(gradient, m, n) = bridge.search.differentiate(u).constraints;
+  }
+}
+
+struct Method {
+  nlopt_algorithm algorithm;
+  bool constraints;  // it takes them
+  int most;          // evaluations
+};
+
+Method method_of(DesignMethod method, Eigen::Index variables) {
+  const int n = static_cast<int>(variables);
+  switch (method) {
+    case DesignMethod::kCobyla:
+      return {NLOPT_LN_COBYLA, true, kMostWithoutGradients * n};
+    case DesignMethod::kBobyqa:
+      return {NLOPT_LN_BOBYQA, false, kMostWithoutGradients * n};
+    case DesignMethod::kIsres:
+      return {NLOPT_GN_ISRES, true, kMostOfEvolution * n};
+    default:
+      return {NLOPT_LD_SLSQP, true, kMostEvaluations};
+  }
+}
+
+}  // namespace
+
+void search_by_nlopt(Search& search, const Eigen::VectorXd& u, DesignMethod method, std::uint64_t seed) {
+  const auto n = static_cast<unsigned>(search.size());
+  const Method chosen = method_of(method, search.size());
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> opt(nlopt_create(chosen.algorithm, n),
+                                                              nlopt_destroy);
+  if (!opt) {
+    return;
+  }
+  Bridge bridge{search, opt.get(), !chosen.constraints};
+  Eigen::VectorXd low = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd high = Eigen::VectorXd::Ones(n);
+  Eigen::VectorXd at = u.cwiseMax(0.0).cwiseMin(1.0);
+  for (unsigned i = 0; i < n; ++i) {
+    if (search.is_fixed(i)) {
+      low(i) = high(i) = at(i);
+    }
+  }
+  nlopt_set_lower_bounds(opt.get(), low.data());
+  nlopt_set_upper_bounds(opt.get(), high.data());
+  nlopt_set_min_objective(opt.get(), objective, &bridge);
+  if (const auto count = static_cast<unsigned>(search.problem().constraints);
+      chosen.constraints && count > 0) {
+    const std::vector<double> tolerances(count, 0.0);
+    nlopt_add_inequality_mconstraint(opt.get(), count, constraints, &bridge, tolerances.data());
+  }
+  nlopt_set_maxeval(opt.get(), chosen.most);
+  nlopt_set_xtol_rel(opt.get(), 1e-12);
+  nlopt_set_ftol_rel(opt.get(), 1e-14);
+  nlopt_set_initial_step1(opt.get(), 0.05);
+  nlopt_srand(static_cast<unsigned long>(seed));
+  double value = 0;
+  (void)nlopt_optimize(opt.get(), at.data(), &value);
+}
+
+}  // namespace higherpair

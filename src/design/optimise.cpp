@@ -1,0 +1,236 @@
+#include "higherpair/design/optimise.hpp"
+
+#include "search.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#include <random>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// Searches between which the best so far is made known: so many whatever the number of threads, so that it
+// makes no difference to the result.
+constexpr int kBatch = 16;
+
+// Random candidates of which the best is where a search begins: most linkages cannot turn at all.
+constexpr int kCandidates = 40;
+
+// Every third search begins near the best so far; how far is drawn from these ranges, as shares.
+constexpr int kNearBest = 3;
+constexpr double kNearest = 0.003, kFarthest = 0.3;
+
+constexpr double kSame = 1e-3;  // of the range of each variable: ends of two searches are one
+constexpr std::size_t kMostOptima = 10;
+
+// Random numbers that are the same on every machine, for each start its own.
+class Random {
+public:
+  Random(std::uint64_t seed, int start) {
+    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                           static_cast<std::uint32_t>(start)};
+    engine_.seed(sequence);
+  }
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  int below(int n) { return std::min(n - 1, static_cast<int>(uniform() * n)); }
+  std::uint64_t number() { return engine_(); }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+struct StartResult {
+  DesignPoint best;
+  std::int64_t evaluations = 0;
+};
+
+bool holds(const DesignPoint& point) {
+  return !point.x.empty() && point.violation <= kConstraintTolerance;
+}
+
+class Optimiser {
+public:
+  Optimiser(const DesignProblem& problem, const DesignOptions& options)
+      : problem_(problem), options_(options), begin_(std::chrono::steady_clock::now()) {}
+
+  DesignOutcome run() {
+    std::optional<DesignEnd> end;
+    for (int first = 0; !end; first += kBatch) {
+      const int count = std::min(kBatch, std::max(1, options_.starts) - first);
+      const std::vector<StartResult> results = run_batch(first, count);
+      for (const StartResult& result : results) {
+        take(result);
+        end = end ? end : end_after();
+        if (end && *end != DesignEnd::kTime && *end != DesignEnd::kStopped) {
+          break;  // what a batch has found beyond the end would depend on its size
+        }
+      }
+      report();
+    }
+    return finished(*end);
+  }
+
+private:
+  std::vector<StartResult> run_batch(int first, int count) {
+    std::vector<StartResult> results(static_cast<std::size_t>(count));
+    // More threads than there are would only make oneTBB print a warning.
+    const auto most =
+        static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    tbb::task_arena arena(options_.threads > 0 ? std::min(options_.threads, most) : most);
+    arena.execute([&] {
+      tbb::parallel_for(0, count, [&](int k) {
+        if (first + k == 0 || !out_of_time()) {
+          results[static_cast<std::size_t>(k)] = search_from(first + k);
+        }
+      });
+    });
+    return results;
+  }
+
+  [[nodiscard]] StartResult search_from(int start) const {
+    Random random(options_.seed, start);
+    Search search(problem_, problem_.start_branch, options_.stop);
+    Eigen::VectorXd u(search.size());
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      const DesignVariable& variable = problem_.variables[static_cast<std::size_t>(i)];
+      u(i) = to_unit(variable, variable.start);
+    }
+    if (start > 0 && start % kNearBest == 0 && !best_.x.empty()) {
+      search.use_branch(best_.branch);
+      u = near_best(search, random);
+    } else if (start > 0) {
+      u = best_of_candidates(search, random);
+    }
+    search_locally(search, u, options_.method, random.number());
+    return {search.best(), search.evaluations()};
+  }
+
+  [[nodiscard]] Eigen::VectorXd near_best(const Search& search, Random& random) const {
+    Eigen::VectorXd u = search.unit_of(best_.x);
+    const double share = kNearest * std::pow(kFarthest / kNearest, random.uniform());
+    for (double& v : u) {
+      v = std::clamp(v + share * (2 * random.uniform() - 1), 0.0, 1.0);
+    }
+    return u;
+  }
+
+  // The search goes on in the branch of the best candidate.
+  [[nodiscard]] Eigen::VectorXd best_of_candidates(Search& search, Random& random) const {
+    DesignPoint best;
+    for (int k = 0; k < kCandidates && !search.stopped(); ++k) {
+      search.use_branch(random.below(problem_.branches));
+      Eigen::VectorXd u(search.size());
+      std::generate(u.begin(), u.end(), [&] { return random.uniform(); });
+      (void)search.evaluate(u);
+      if (!search.best().x.empty() && (best.x.empty() || is_better(search.best(), best))) {
+        best = search.best();
+      }
+    }
+    if (best.x.empty()) {
+      return Eigen::VectorXd::Constant(search.size(), 0.5);
+    }
+    search.use_branch(best.branch);
+    return search.unit_of(best.x);
+  }
+
+  void take(const StartResult& result) {
+    ++starts_;
+    if (result.best.x.empty()) {
+      return;
+    }
+    evaluations_ += result.evaluations;
+    if (best_.x.empty() || is_better(result.best, best_)) {
+      best_ = result.best;
+    }
+    const auto same = std::find_if(optima_.begin(), optima_.end(),
+                                   [&](const DesignPoint& other) { return is_same(result.best, other); });
+    if (same == optima_.end()) {
+      optima_.push_back(result.best);
+    } else if (is_better(result.best, *same)) {
+      *same = result.best;
+    }
+  }
+
+  [[nodiscard]] bool is_same(const DesignPoint& a, const DesignPoint& b) const {
+    for (std::size_t i = 0; i < a.x.size(); ++i) {
+      const DesignVariable& variable = problem_.variables[i];
+      if (std::abs(to_unit(variable, a.x[i]) - to_unit(variable, b.x[i])) > kSame) {
+        return false;
+      }
+    }
+    return a.branch == b.branch;
+  }
+
+  [[nodiscard]] bool out_of_time() const {
+    return is_stopped() ||
+           (options_.seconds > 0 &&
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >=
+                options_.seconds);
+  }
+
+  [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  [[nodiscard]] std::optional<DesignEnd> end_after() const {
+    if (options_.target && holds(best_) && best_.objective <= *options_.target) return DesignEnd::kTarget;
+    if (evaluations_ >= options_.evaluations) return DesignEnd::kEvaluations;
+    if (is_stopped()) return DesignEnd::kStopped;
+    if (out_of_time()) return DesignEnd::kTime;
+    if (starts_ >= options_.starts) return DesignEnd::kStarts;
+    return std::nullopt;
+  }
+
+  void report() const {
+    if (options_.progress) {
+      options_.progress({evaluations_, starts_, best_.objective, best_.violation});
+    }
+  }
+
+  [[nodiscard]] DesignOutcome finished(DesignEnd end) {
+    DesignOutcome outcome;
+    outcome.free = outcome.best = best_;
+    outcome.starts = starts_;
+    outcome.end = end;
+    Search search(problem_, best_.branch, end == DesignEnd::kStopped ? nullptr : options_.stop);
+    const bool stepped = std::any_of(problem_.variables.begin(), problem_.variables.end(),
+                                     [](const DesignVariable& variable) { return variable.step > 0; });
+    if (stepped && !best_.x.empty()) {
+      outcome.best = rounded_to_steps(search, best_, options_.method);
+    }
+    if (!best_.x.empty()) {
+      outcome.multipliers = multipliers_at(search, best_);
+    }
+    outcome.evaluations = evaluations_ + search.evaluations();
+    outcome.different = static_cast<int>(optima_.size());
+    std::stable_sort(optima_.begin(), optima_.end(), is_better);
+    optima_.resize(std::min(optima_.size(), kMostOptima));
+    outcome.optima = std::move(optima_);
+    return outcome;
+  }
+
+  const DesignProblem& problem_;
+  const DesignOptions& options_;
+  std::chrono::steady_clock::time_point begin_;
+  DesignPoint best_;
+  std::vector<DesignPoint> optima_;
+  int starts_ = 0;
+  std::int64_t evaluations_ = 0;
+};
+
+}  // namespace
+
+const std::vector<std::string>& design_method_names() {
+  static const std::vector<std::string> names = {"auto",   "least-squares", "slsqp",
+                                                 "cobyla", "bobyqa",        "isres"};
+  return names;
+}
+
+DesignOutcome optimise(const DesignProblem& problem, const DesignOptions& options) {
+  return Optimiser(problem, options).run();
+}
+
+}  // namespace higherpair

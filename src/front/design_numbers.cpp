@@ -1,0 +1,133 @@
+#include "design_numbers.hpp"
+
+#include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/mechanism/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kLinear = 1e-13;  // of the largest number: what rounding leaves of a linear function
+
+bool same_programs(const std::vector<DriverProgram>& a, const std::vector<DriverProgram>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const DriverProgram& p, const DriverProgram& q) {
+        return (p.start == q.start || !p.positions.empty()) && p.end == q.end && p.samples == q.samples &&
+               p.positions == q.positions && p.velocity == q.velocity && p.acceleration == q.acceleration;
+      });
+}
+
+// Whether the mechanism is nothing but the numbers that for_each_number knows.
+bool is_all_numbers(const Mechanism& mechanism) {
+  const bool whole_curves =
+      std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
+        return std::all_of(body.curves.begin(), body.curves.end(),
+                           [](const NamedCurve& curve) { return curve.boundary == nullptr; });
+      });
+  const bool endless = std::all_of(mechanism.joints.begin(), mechanism.joints.end(),
+                                   [](const Joint& joint) { return !joint.from && !joint.to; });
+  return whole_curves && endless && mechanism.laws.empty();
+}
+
+std::vector<double> numbers_of(const Mechanism& mechanism) {
+  std::vector<double> numbers;
+  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
+  return numbers;
+}
+
+}  // namespace
+
+DesignNumbers::DesignNumbers(Model model, const DesignTask& task) : model_(std::move(model)), task_(&task) {
+  for (const DesignTask::Variable& variable : task.variables) {
+    start_.push_back(variable.range.start);
+  }
+  base_ = numbers_of(model_.mechanism());
+  linear_ = is_all_numbers(model_.mechanism()) && find_slopes();
+}
+
+std::vector<Setting> DesignNumbers::settings_of(std::span<const double> x) const {
+  std::vector<Setting> settings;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (const std::string& path : task_->variables[i].paths) {
+      settings.emplace_back(path, x[i]);
+    }
+  }
+  return settings;
+}
+
+Result<Model> DesignNumbers::model_of(std::span<const double> x) const {
+  return model_.with(settings_of(x));
+}
+
+std::shared_ptr<const Model::Data> DesignNumbers::data_of(std::span<const double> x) const {
+  const auto model = linear_ ? model_.with_mechanism(mechanism_of(x)) : model_of(x);
+  return model ? std::make_shared<const Model::Data>(model->data()) : nullptr;
+}
+
+std::optional<std::vector<double>> DesignNumbers::numbers_at(std::span<const double> x) const {
+  const auto model = model_of(x);
+  if (!model || !same_programs(model->profile().programs, model_.profile().programs)) {
+    return std::nullopt;
+  }
+  return numbers_of(model->mechanism());
+}
+
+// By the ends of each range; then held against other places, where all variables are different at once.
+bool DesignNumbers::find_slopes() {
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    const DesignVariable& range = task_->variables[i].range;
+    std::vector<double> x = start_;
+    x[i] = range.high;
+    const auto high = numbers_at(x);
+    x[i] = range.low;
+    const auto low = numbers_at(x);
+    if (!high || !low || high->size() != base_.size()) {
+      return false;
+    }
+    std::vector<double>& slope = slopes_.emplace_back();
+    for (std::size_t k = 0; k < base_.size(); ++k) {
+      slope.push_back(((*high)[k] - (*low)[k]) / (range.high - range.low));
+    }
+  }
+  for (const double share : {0.23, 0.71}) {
+    std::vector<double> x;
+    for (const DesignTask::Variable& variable : task_->variables) {
+      x.push_back(variable.range.low + share * (variable.range.high - variable.range.low));
+    }
+    const auto numbers = numbers_at(x);
+    if (!numbers) {
+      return false;
+    }
+    const std::vector<double> linear = numbers_of(mechanism_of(x));
+    for (std::size_t k = 0; k < linear.size(); ++k) {
+      const double largest = std::max(std::abs(base_[k]), std::abs((*numbers)[k]));
+      if (!(std::abs((*numbers)[k] - linear[k]) <= kLinear * (1 + 1e3) * largest)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+Mechanism DesignNumbers::mechanism_of(std::span<const double> x) const {
+  Mechanism mechanism = model_.mechanism();
+  for_each_number(mechanism, [&, k = std::size_t{0}](double& number) mutable {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      number += slopes_[i][k] * (x[i] - start_[i]);
+    }
+    ++k;
+  });
+  return mechanism;
+}
+
+Mechanism DesignNumbers::derivative(std::size_t variable) const {
+  Mechanism mechanism = model_.mechanism();
+  for_each_number(mechanism,
+                  [&, k = std::size_t{0}](double& number) mutable { number = slopes_[variable][k++]; });
+  return mechanism;
+}
+
+}  // namespace higherpair

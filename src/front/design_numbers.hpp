@@ -1,0 +1,47 @@
+#pragma once
+
+#include "higherpair/front/model.hpp"
+#include "higherpair/io/design_task.hpp"
+#include "model_data.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// From the variables of a design to the mechanism. Where every number of the mechanism is a linear function
+/// of them, as of the coordinates of points, lengths and radii, it is worked out so; else the profile is read
+/// anew.
+class DesignNumbers {
+public:
+  /// \pre the task is of the model's profile, and every variable at its start is a mechanism
+  DesignNumbers(Model model, const DesignTask& task);
+
+  /// What the profile is with these numbers; none where it has a mistake with them.
+  [[nodiscard]] std::shared_ptr<const Model::Data> data_of(std::span<const double> x) const;
+  /// The same by the ordinary way, for messages.
+  [[nodiscard]] Result<Model> model_of(std::span<const double> x) const;
+
+  [[nodiscard]] bool is_linear() const { return linear_; }
+  /// Where is_linear: the mechanism alone, and the derivative of its numbers by a variable.
+  [[nodiscard]] Mechanism mechanism_of(std::span<const double> x) const;
+  [[nodiscard]] Mechanism derivative(std::size_t variable) const;
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const DesignTask& task() const { return *task_; }
+
+private:
+  [[nodiscard]] std::vector<Setting> settings_of(std::span<const double> x) const;
+  [[nodiscard]] bool find_slopes();
+  [[nodiscard]] std::optional<std::vector<double>> numbers_at(std::span<const double> x) const;
+
+  Model model_;
+  const DesignTask* task_;
+  bool linear_ = false;
+  std::vector<double> start_, base_;         // of the variables, and the mechanism's numbers there
+  std::vector<std::vector<double>> slopes_;  // of those, by each variable
+};
+
+}  // namespace higherpair

@@ -1,0 +1,214 @@
+#include "design_paths.hpp"
+
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace higherpair {
+namespace {
+
+constexpr int kMostPasses = 12;         // of Newton's method
+constexpr double kSharp = 1e-13;        // of the distance between rows: a step as small as this ends it
+constexpr std::size_t kMostBegins = 4;  // places tried as the first of a closed path
+constexpr double kClosed = 1e-6;        // of the way round: ends that are no farther apart are one point
+
+using Rows = std::vector<std::size_t>;
+
+double squared(const Vector2d& a, const Vector2d& b) {
+  return (a - b).squaredNorm();
+}
+
+// The rows, not descending, that are nearest to the targets, by the sum of squares.
+struct Assignment {
+  Rows rows;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+// \param at  the path, from its first place to its last; the first target is at place 0 if `pinned`
+template <class F>
+Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<double> best(places, kNone);
+  std::vector<Rows> from(targets, Rows(places, 0));
+  for (std::size_t i = 0; i < targets; ++i) {
+    double least = i == 0 ? 0 : kNone;
+    std::size_t where = 0;
+    for (std::size_t k = 0; k < places; ++k) {
+      if (i > 0 && best[k] < least) {
+        least = best[k];
+        where = k;
+      }
+      from[i][k] = where;
+      const bool open = i > 0 || !pinned || k == 0;
+      best[k] = open ? least + cost(i, k) : kNone;
+    }
+  }
+  const auto last = std::min_element(best.begin(), best.end());
+  Assignment assignment{Rows(targets), *last};
+  std::size_t k = static_cast<std::size_t>(last - best.begin());
+  for (std::size_t i = targets; i-- > 0;) {
+    assignment.rows[i] = k;
+    k = from[i][k];
+  }
+  return assignment;
+}
+
+bool is_loop(std::span<const Vector2d> points) {
+  double length = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) length += (points[k] - points[k - 1]).norm();
+  return points.size() > 3 && (points.front() - points.back()).norm() <= kClosed * length;
+}
+
+// Wherever the first target lies on a closed path, the others follow over one whole way round.
+Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
+  const std::size_t n = points.size() - 1;
+  const auto far = [&](std::size_t k) { return squared(points[k % n], targets.front()); };
+  Rows begins;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (far(k) <= far(k + 1) && far(k) < far(k + n - 1)) begins.push_back(k);
+  }
+  std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) { return far(a) < far(b); });
+  begins.resize(std::min(begins.size(), kMostBegins));
+  Assignment best;
+  std::size_t begin = 0;
+  for (const std::size_t k : begins) {
+    const Assignment found = in_order(n + 1, targets.size(), true, [&](std::size_t i, std::size_t place) {
+      return squared(points[(k + place) % n], targets[i]);
+    });
+    if (found.cost < best.cost) {
+      best = found;
+      begin = k;
+    }
+  }
+  for (std::size_t& row : best.rows) row = (row + begin) % n;
+  return best.rows.empty() ? Rows(targets.size(), 0) : best.rows;
+}
+
+Rows nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points) {
+  if (path.closed && is_loop(points)) {
+    return around(points, path.through);
+  }
+  if (path.ordered) {
+    return in_order(points.size(), path.through.size(), false,
+                    [&](std::size_t i, std::size_t k) { return squared(points[k], path.through[i]); })
+        .rows;
+  }
+  Rows rows;
+  for (const Vector2d& target : path.through) {
+    const auto nearest = std::min_element(
+        points.begin(), points.end(),
+        [&](const Vector2d& a, const Vector2d& b) { return squared(a, target) < squared(b, target); });
+    rows.push_back(static_cast<std::size_t>(nearest - points.begin()));
+  }
+  return rows;
+}
+
+// The path of one point of a run, anywhere between two positions of the driver.
+class PathSearch {
+public:
+  PathSearch(const DesignTask::PointPath& path, DesignRows& rows, const Vector2d& p_B, double low,
+             double high, bool loop)
+      : path_(path), rows_(rows), p_B_(p_B), low_(low), high_(high), loop_(loop) {}
+
+  // Where it is nearest to `target`, near the driver's position t and no farther from it than `reach`.
+  PathMiss nearest(double t, double reach, const Vector2d& target) {
+    const double from = loop_ ? t - reach : std::max(low_, t - reach);
+    const double to = loop_ ? t + reach : std::min(high_, t + reach);
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      go_to(t);
+      const Vector2d off = p_ - target;
+      const double slope = off.dot(v_);
+      const double bend = v_.squaredNorm() + off.dot(a_);
+      // Where the distance is not convex: a step downhill as of a straight path.
+      const double step = -slope / (bend > 0.1 * v_.squaredNorm() ? bend : v_.squaredNorm());
+      const double next = std::clamp(t + step, from, to);
+      const bool done = !(std::abs(next - t) > kSharp * reach);
+      if (done || pass + 1 == kMostPasses) break;
+      t = next;
+    }
+    PathMiss miss;
+    miss.p_W = p_;
+    miss.driver = wrapped(t);
+    const bool at_end = !loop_ && (t <= low_ || t >= high_);
+    if (!at_end && v_.norm() > 0) miss.along = v_.normalized();
+    return miss;
+  }
+
+private:
+  [[nodiscard]] double wrapped(double t) const {
+    const double turn = high_ - low_;
+    return !loop_ || (t >= low_ && t <= high_) ? t : t - turn * std::floor((t - low_) / turn);
+  }
+
+  void go_to(double t) {
+    const BodyMotion& body = rows_.bodies_at(wrapped(t))[static_cast<std::size_t>(path_.ref.body)];
+    const Vector2d r_W = body.X_WB.R_WB * p_B_;
+    p_ = body.X_WB.p_WB + r_W;
+    v_ = body.v_WB + body.omega * perp(r_W);
+    a_ = body.a_WB + body.alpha * perp(r_W) - body.omega * body.omega * r_W;
+  }
+
+  const DesignTask::PointPath& path_;
+  DesignRows& rows_;
+  Vector2d p_B_;
+  double low_, high_;
+  bool loop_;
+  Vector2d p_ = Vector2d::Zero(), v_ = p_, a_ = p_;
+};
+
+}  // namespace
+
+std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
+                                     std::span<const Vector2d> points,
+                                     std::span<const std::size_t> timed_rows) {
+  std::vector<PathMiss> misses(path.through.size());
+  const bool refine = !path.timed && rows.missing == 0 && rows.positions.size() > 1;
+  const Rows nearest = path.timed ? Rows(timed_rows.begin(), timed_rows.end()) : nearest_rows(path, points);
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    misses[i].p_W = points[nearest[i]];
+    misses[i].driver = rows.positions[nearest[i]];
+  }
+  if (!refine) {
+    return misses;
+  }
+  const double first = rows.positions.front();
+  const double last = rows.positions.back();
+  const double between = std::abs(last - first) / static_cast<double>(rows.positions.size() - 1);
+  const Mechanism& mechanism = rows.direct ? *rows.mechanism : rows.run->mechanism;
+  PathSearch search(path, rows, point_of(mechanism, path.ref), std::min(first, last), std::max(first, last),
+                    path.closed && is_loop(points));
+  // In the order of the driver: shorter ways to go.
+  std::vector<std::size_t> order(misses.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
+  for (const std::size_t i : order) {
+    misses[i] = search.nearest(misses[i].driver, 1.5 * between, path.through[i]);
+  }
+  return misses;
+}
+
+Eigen::Index miss_count(const DesignTask::PointPath& path) {
+  return static_cast<Eigen::Index>(path.through.size()) * (path.timed ? 2 : 1);
+}
+
+Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses, double unit) {
+  Eigen::VectorXd numbers(miss_count(path));
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    const Vector2d off = (misses[i].p_W - path.through[i]) / unit;
+    const auto k = static_cast<Eigen::Index>(i);
+    if (path.timed) {
+      numbers.segment<2>(2 * k) = off;
+    } else {
+      numbers(k) = misses[i].along.isZero() ? off.norm() : cross(misses[i].along, off);
+    }
+  }
+  return numbers;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "design_rows.hpp"
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// How far a point's path misses one of the points that it is to lead through.
+struct PathMiss {
+  Vector2d p_W = Vector2d::Zero();  ///< the place of the path that counts [m]
+  Vector2d along =
+      Vector2d::Zero();  ///< unit tangent there; 0: the place is a given row, or an end of the path
+  double driver = 0;     ///< position of the driver there [rad or m]
+};
+
+/// Where the path of a task comes nearest to its points, each of them: in its row if it is timed, else
+/// wherever it comes by, in the order of the points if they have one. Places between rows are found to
+/// rounding. \param points  of the path in the rows \param keep_rows  whether PathMiss::row is wanted
+[[nodiscard]] std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
+                                                   std::span<const Vector2d> points,
+                                                   std::span<const std::size_t> timed_rows);
+
+/// Of a timed path: x and y of each point less the place; else the distance, of places within the path with
+/// the sign of the side on which the point lies. In units of the length `unit` [m].
+[[nodiscard]] Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses,
+                                        double unit);
+
+/// How many numbers misses_of gives.
+[[nodiscard]] Eigen::Index miss_count(const DesignTask::PointPath& path);
+
+}  // namespace higherpair

@@ -1,0 +1,160 @@
+// A profile's text with other numbers in it.
+#include "document_content.hpp"
+#include "higherpair/io/profile_document.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+using io_detail::Array;
+using io_detail::Entry;
+using io_detail::Mark;
+using io_detail::Table;
+using io_detail::Value;
+
+struct Edit {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::string text;
+};
+
+// The byte at a line and a column, which counts characters: bytes after the first of one begin with the
+// bits 10.
+std::optional<std::size_t> offset_of(std::string_view text, const Mark& mark) {
+  std::size_t at = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+  for (int line = 1; line < mark.line; ++line) {
+    at = text.find('\n', at);
+    if (at == std::string_view::npos) return std::nullopt;
+    ++at;
+  }
+  for (int column = 1; column < mark.column && at < text.size(); ++column) {
+    do {
+      ++at;
+    } while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U);
+  }
+  return at < text.size() ? std::optional(at) : std::nullopt;
+}
+
+std::size_t end_of_number(std::string_view text, std::size_t begin) {
+  const auto of_number = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' ||
+           c == '-' || c == '.' || c == '_';
+  };
+  while (begin < text.size() && of_number(text[begin])) ++begin;
+  return begin;
+}
+
+bool is_number(const Value& value) {
+  return std::holds_alternative<double>(value.content) || std::holds_alternative<std::int64_t>(value.content);
+}
+
+// Where a path leads, and the entry of the last table on the way.
+struct Found {
+  const Value* value = nullptr;
+  const Entry* entry = nullptr;
+};
+
+Found find_path(const Value& root, std::string_view path) {
+  Found found{&root, nullptr};
+  while (found.value != nullptr && !path.empty()) {
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    const std::string_view part = path.substr(0, dot);
+    path.remove_prefix(std::min(dot + 1, path.size()));
+    const Value* next = nullptr;
+    if (const auto* table = std::get_if<Table>(&found.value->content)) {
+      const auto entry = std::find_if(table->begin(), table->end(),
+                                      [&](const Entry& candidate) { return candidate.key == part; });
+      if (entry != table->end()) {
+        found.entry = &*entry;
+        next = &entry->value;
+      }
+    } else if (const auto* items = std::get_if<Array>(&found.value->content)) {
+      std::size_t index = 0;
+      for (const char c : part)
+        index = c >= '0' && c <= '9' && index < 1000000 ? 10 * index + (c - '0') : 1000000;
+      next = !part.empty() && index < items->size() ? &(*items)[index] : nullptr;
+    }
+    found.value = next;
+  }
+  return found;
+}
+
+// From `{` to its `}`; values of a pose hold no braces but in strings, which have quotes.
+std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t begin) {
+  if (begin >= text.size() || text[begin] != '{') return std::nullopt;
+  char quote = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    if (quote != 0) {
+      quote = text[i] == quote ? '\0' : quote;
+    } else if (text[i] == '"' || text[i] == '\'') {
+      quote = text[i];
+    } else if (text[i] == '}') {
+      return i + 1;
+    }
+  }
+  return std::nullopt;
+}
+
+// `path` of a pose in a body whose table has a line of its own, [bodies.NAME].
+std::optional<Edit> new_pose(const Value& root, std::string_view text, std::string_view path,
+                             const std::string& value) {
+  const std::string_view body = path.substr(0, path.rfind('.'));
+  const Found found = find_path(root, body);
+  const auto at = found.value == nullptr || found.entry == nullptr ? std::nullopt
+                                                                   : offset_of(text, found.entry->key_mark);
+  if (!at) return std::nullopt;
+  const std::size_t line = text.rfind('\n', *at) == std::string_view::npos ? 0 : text.rfind('\n', *at) + 1;
+  const std::size_t first = text.find_first_not_of(" \t", line);
+  const std::size_t end = text.find('\n', *at);
+  if (first == std::string_view::npos || text[first] != '[' || end == std::string_view::npos)
+    return std::nullopt;
+  return Edit{end + 1, end + 1, fmt::format("pose = {}\n", value)};
+}
+
+std::optional<Edit> edit_of(const Value& root, std::string_view text,
+                            const ProfileDocument::NewValue& value) {
+  const Found found = find_path(root, value.path);
+  if (found.value == nullptr) {
+    const bool pose = value.path.size() > 5 && value.path.substr(value.path.size() - 5) == ".pose";
+    return pose ? new_pose(root, text, value.path, value.text) : std::nullopt;
+  }
+  const auto begin = found.value->mark.source == 0 ? offset_of(text, found.value->mark) : std::nullopt;
+  if (!begin) return std::nullopt;
+  if (is_number(*found.value)) {
+    const std::size_t end = end_of_number(text, *begin);
+    return end > *begin ? std::optional(Edit{*begin, end, value.text}) : std::nullopt;
+  }
+  const auto end = end_of_braces(text, *begin);
+  return end ? std::optional(Edit{*begin, *end, value.text}) : std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> ProfileDocument::text_with(std::span<const NewValue> values) const {
+  std::vector<Edit> edits;
+  for (const NewValue& value : values) {
+    const auto edit = edit_of(content_->root, content_->text, value);
+    if (!edit) {
+      return tl::unexpected(fmt::format("{}: the text has no such value that could be replaced", value.path));
+    }
+    edits.push_back(*edit);
+  }
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+  std::string text;
+  std::size_t at = 0;
+  for (const Edit& edit : edits) {
+    text.append(content_->text, at, edit.begin - at);
+    text += edit.text;
+    at = std::max(at, edit.end);
+  }
+  text.append(content_->text, at);
+  return text;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,107 @@
+// The command `design`: files, exit codes, what it prints.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct Answer {
+  std::string text;  ///< standard output and error
+  int code = 0;
+};
+
+Answer run(const std::string& arguments) {
+  const std::string command = std::string(HIGHERPAIR_PROGRAM) + " " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Answer answer;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) answer.text += static_cast<char>(c);
+  answer.code = WEXITSTATUS(pclose(pipe));
+  return answer;
+}
+
+std::string read(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class DesignCommand : public ::testing::Test {
+protected:
+  DesignCommand() : folder_(fs::path(::testing::TempDir()) / ("design_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~DesignCommand() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return file(name);
+  }
+
+  const std::string five_ = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/design_five_points.toml";
+
+private:
+  fs::path folder_;
+};
+
+TEST_F(DesignCommand, WritesAProfileThatIsAnalysedAsItSays) {
+  const Answer answer =
+      run("design " + five_ + " -o " + file("b.toml") + " --json " + file("b.json") + " --starts 12");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("7.41575131e-07"));
+  const nlohmann::json json = nlohmann::json::parse(read(file("b.json")));
+  EXPECT_TRUE(json.at("holds").get<bool>());
+  EXPECT_NEAR(json.at("after").get<double>(), 7.41575131e-7, 1e-14);
+  EXPECT_EQ(json.at("search").at("end"), "starts");
+  EXPECT_EQ(json.at("search").at("starts"), 12);
+  EXPECT_EQ(json.at("variables").size(), 6U);
+  EXPECT_THAT(read(file("b.toml")), HasSubstr("# The point E of the coupler is to pass five places"));
+  EXPECT_EQ(run("analyze " + file("b.toml") + " --csv -").code, 0);
+  // Once more from there nothing changes but rounding, and the same seed gives the same file.
+  EXPECT_EQ(run("design " + five_ + " -o " + file("c.toml") + " --starts 12 --threads 1").code, 0);
+  EXPECT_EQ(read(file("b.toml")), read(file("c.toml")));
+}
+
+TEST_F(DesignCommand, AConstraintThatCannotHoldIsExitCode4) {
+  const std::string task = write("t.toml", read(five_) +
+                                               "\n[[design.constraints]]\ncolumn = \"coupler.E.x\"\n"
+                                               "of = \"max\"\nbelow = -1000\n");
+  const Answer answer = run("design " + task + " -o " + file("b.toml") + " --starts 3");
+  EXPECT_EQ(answer.code, 4) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("VIOLATED"));
+  EXPECT_THAT(answer.text, HasSubstr("no design was found in which all constraints hold"));
+  EXPECT_TRUE(fs::exists(file("b.toml")));
+}
+
+TEST_F(DesignCommand, WhatIsWrongIsExitCode2AndNothingIsWritten) {
+  const std::string four_bar = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/four_bar.toml";
+  const Answer no_task = run("design " + four_bar + " -o " + file("b.toml"));
+  EXPECT_EQ(no_task.code, 2);
+  EXPECT_THAT(no_task.text, HasSubstr("no [design]"));
+  EXPECT_FALSE(fs::exists(file("b.toml")));
+  const std::string copy = write("t.toml", read(five_));
+  EXPECT_EQ(run("design " + copy + " -o " + copy).code, 2);
+  EXPECT_EQ(read(copy), read(five_));
+  EXPECT_EQ(run("design " + five_).code, 2);
+  EXPECT_EQ(run("design " + five_ + " -o " + file("b.toml") + " --time 0").code, 2);
+}
+
+TEST_F(DesignCommand, EndsInTime) {
+  const Answer answer =
+      run("design " + five_ + " -o " + file("b.toml") + " --starts 100000000 --time 0.2 --json -");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(nlohmann::json::parse(answer.text).at("search").at("end"), "time");
+}
+
+}  // namespace

@@ -1,0 +1,267 @@
+// Designs: published tasks to the best values known, tasks made from known mechanisms, what is asked wrongly.
+#include "front/cam_profile.hpp"
+#include "higherpair/io/design_task.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::model_of;
+using testing::shipped_model;
+
+DesignReport designed(const Model& model, const DesignSettings& settings = {}) {
+  auto report = design(model, settings);
+  if (!report) throw std::runtime_error(to_string(report.error()));
+  return *std::move(report);
+}
+
+DesignSettings few(int starts) {
+  DesignSettings settings;
+  settings.starts = starts;
+  return settings;
+}
+
+std::string text_of_profile(const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml").rdbuf();
+  return text.str();
+}
+
+// The text that was written is analysed by the ordinary path.
+bool is_good(const DesignReport& report) {
+  const Model model = model_of(report.text);
+  return model.run().value().good();
+}
+
+std::string message_of(const std::string& text) {
+  const auto model = Model::from_text(text, "test.toml");
+  if (!model) return to_string(model.error());
+  const auto report = design(*model, few(1));
+  return report ? "" : to_string(report.error());
+}
+
+struct Published {
+  std::string profile;
+  double best = 0;  // known, from the literature or from independent searches
+  int starts = 0;   // that reach it
+};
+
+class PublishedTasks : public ::testing::TestWithParam<Published> {};
+
+TEST_P(PublishedTasks, AreSolvedToTheBestValueKnown) {
+  const DesignReport report = designed(shipped_model(GetParam().profile), few(GetParam().starts));
+  EXPECT_TRUE(report.holds);
+  EXPECT_LE(report.after, GetParam().best * (1 + 1e-8));
+  EXPECT_TRUE(is_good(report));
+  // The sum of squares once more, from the table of the new profile.
+  const Model model = model_of(report.text);
+  const auto& path = *model.profile().design->objectives[0].path;
+  if (path.timed) {
+    RunSettings settings;
+    settings.units = kSiUnits;
+    settings.columns = {path.point + ".x", path.point + ".y"};
+    const Motion motion = model.run(settings).value();
+    double sum = 0;
+    for (std::size_t i = 0; i < path.through.size(); ++i) {
+      sum += std::pow(motion.column(path.point + ".x")[i] - path.through[i].x(), 2) +
+             std::pow(motion.column(path.point + ".y")[i] - path.through[i].y(), 2);
+    }
+    EXPECT_NEAR(1e6 * sum, report.after, 1e-9 * report.after);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Paths, PublishedTasks,
+                         ::testing::Values(Published{"design_five_points", 7.41575131e-7, 12},
+                                           Published{"design_eighteen_points", 0.00902888463, 20},
+                                           Published{"design_straight_path", 1e-20, 150},
+                                           Published{"design_ellipse_path", 4.0199e-4, 8},
+                                           Published{"design_arch_path", 2.84271, 100}));
+
+// Freudenstein's three-point solution at the Chebyshev points: K1 = d/a, K2 = d/c, K3 = (a² - b² + c² +
+// d²)/(2ac).
+TEST(Design, AFunctionGeneratorMeetsThreePointsAsFreudensteinsEquationDoes) {
+  std::string text = text_of_profile("design_log_generator");
+  const std::size_t follow = text.find("follow = [");
+  const auto pair = [](double x) {
+    return fmt::format("[{}, {}]", 30 + 60 * (x - 1), 60 + 60 * std::log2(x));
+  };
+  const double x[] = {1.5 - std::sqrt(3) / 4, 1.5, 1.5 + std::sqrt(3) / 4};
+  text = text.substr(0, follow) + "follow = [" + pair(x[0]) + ", " + pair(x[1]) + ", " + pair(x[2]) + "]\n";
+  const std::string rows = fmt::format("driver.positions=[{}, {}, {}]", 30 + 60 * (x[0] - 1),
+                                       30 + 60 * (x[1] - 1), 30 + 60 * (x[2] - 1));
+  const DesignReport report = designed(model_of(text, {rows}), few(8));
+  EXPECT_LE(report.after, 1e-18);
+  const double a = report.variables[0].after, b = report.variables[1].after, c = report.variables[2].after,
+               d = 100;
+  EXPECT_NEAR(d / a, 0.28379611, 1e-7);
+  EXPECT_NEAR(d / c, 0.33079518, 1e-7);
+  EXPECT_NEAR((a * a - b * b + c * c + d * d) / (2 * a * c), 1.00878664, 1e-7);
+}
+
+// A measure with limits: follower = 30 + e sin θ, so that its range is 2 e and its largest acceleration e ω².
+const std::string kEccentric = std::string(testing::kCam) + R"(
+samples = 37
+[design.variables]
+e = { path = "bodies.cam.curves.disc.center.0", min = 2, max = 25 }
+)";
+
+TEST(Design, AMeasureMeetsItsTarget) {
+  const DesignReport report = designed(
+      model_of(kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\ntarget = 33\n"),
+      few(4));
+  EXPECT_NEAR(report.variables[0].after, 16.5, 1e-6);
+  EXPECT_TRUE(report.holds);
+  EXPECT_TRUE(is_good(report));
+}
+
+TEST(Design, AConstraintHoldsAndSaysWhatItIsWorth) {
+  const DesignReport report = designed(
+      model_of(kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\n"
+                            "[[design.constraints]]\ncolumn = \"follower.ay\"\nof = \"maxabs\"\nabove = 7\n"),
+      few(4));
+  // e = 7 at 1 rad/s; moving the limit by 1 moves the range by 2.
+  EXPECT_NEAR(report.variables[0].after, 7, 1e-6);
+  ASSERT_EQ(report.constraints.size(), 1U);
+  EXPECT_NEAR(report.constraints[0].margin, 0, 1e-7);
+  EXPECT_GE(report.constraints[0].margin, 0);
+  EXPECT_NEAR(report.constraints[0].cost, 2, 1e-4);
+  EXPECT_FALSE(report.variables[0].at_bound);
+}
+
+TEST(Design, AnInfeasibleTaskGivesTheLeastViolatedDesign) {
+  const DesignReport report =
+      designed(model_of(kEccentric +
+                        "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\n"
+                        "[[design.constraints]]\ncolumn = \"follower.ay\"\nof = \"maxabs\"\nabove = 70\n"),
+               few(4));
+  EXPECT_FALSE(report.holds);
+  EXPECT_TRUE(report.path_good);
+  EXPECT_NEAR(report.variables[0].after, 25, 1e-6);
+  EXPECT_TRUE(report.variables[0].at_bound);
+  EXPECT_NEAR(report.constraints[0].margin, -45, 1e-5);
+}
+
+TEST(Design, NumbersAreOfTheirSteps) {
+  std::string text =
+      kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\ntarget = 33.3\n";
+  text.replace(text.find("max = 25"), 8, "max = 25, step = 0.1");
+  const DesignReport report = designed(model_of(text), few(4));
+  EXPECT_TRUE(report.variables[0].after == 16.6 || report.variables[0].after == 16.7);
+  EXPECT_THAT(report.text, HasSubstr("center = [16."));
+}
+
+TEST(Design, IsTheSameForAnyNumberOfThreads) {
+  DesignSettings settings = few(20);
+  settings.threads = 1;
+  const Model model = shipped_model("design_five_points");
+  const DesignReport one = designed(model, settings);
+  settings.threads = 3;
+  const DesignReport three = designed(model, settings);
+  EXPECT_EQ(one.text, three.text);
+  EXPECT_EQ(one.evaluations, three.evaluations);
+}
+
+TEST(Design, KeepsTheBranchWhereItIsAskedTo) {
+  const DesignReport report = designed(
+      shipped_model("design_five_points", std::vector<std::string>{"design.keep_branch=true"}), few(10));
+  // Without a change of branch no pose has to change either.
+  EXPECT_THAT(report.text, HasSubstr("pose     = { x = 1.7, y = 1, angle = 40 }"));
+  EXPECT_TRUE(is_good(report));
+}
+
+// Four-bars whose path is known: the design finds a linkage that goes through it.
+TEST(Design, TasksMadeFromKnownMechanismsAreSolved) {
+  const Model guess = shipped_model("design_five_points");
+  const std::string text = text_of_profile("design_five_points");
+  std::mt19937 random(12);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int task = 0; task < 6; ++task) {
+    const auto known = guess.with({{"bodies.ground.points.O4.0", between(5, 9)},
+                                   {"bodies.crank.points.A.0", between(1, 3)},
+                                   {"bodies.coupler.points.B.0", between(6, 8)},
+                                   {"bodies.rocker.points.B.0", between(5, 8)},
+                                   {"bodies.coupler.points.E.0", between(-4, 6)},
+                                   {"bodies.coupler.points.E.1", between(-4, 6)},
+                                   {"driver.positions", "[0, 50, 100, 150, 200, 250, 300]"}});
+    ASSERT_TRUE(known);
+    const Motion motion = known->run().value();
+    if (!motion.good()) continue;
+    std::string through;
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+      through += fmt::format("[{}, {}], ", motion.column("coupler.E.x")[i], motion.column("coupler.E.y")[i]);
+    }
+    const std::vector<std::string> overrides = {"driver.positions=[0, 50, 100, 150, 200, 250, 300]",
+                                                "design.objectives.0.path.through=[" + through + "]",
+                                                "design.target=1e-14"};
+    DesignSettings settings = few(100);
+    const DesignReport report = designed(model_of(text, overrides), settings);
+    EXPECT_LE(report.after, 1e-12) << task;
+  }
+}
+
+TEST(Design, ChangesNothingInTheTextButItsNumbers) {
+  const DesignReport report = designed(shipped_model("design_five_points"), few(2));
+  const std::string before = text_of_profile("design_five_points");
+  const auto words = [](const std::string& text) {
+    std::string kept;
+    for (const char c : text)
+      kept += (c >= '0' && c <= '9') || c == '.' || c == '-' || c == 'e' ? "" : std::string(1, c);
+    return kept;
+  };
+  EXPECT_EQ(words(report.text), words(before));
+}
+
+TEST(Design, SaysWhatATaskCannotMean) {
+  EXPECT_THAT(message_of(testing::kCam),
+              HasSubstr("no [design]: it says which numbers may be chosen and for what"));
+  EXPECT_THAT(message_of(kEccentric + "[[design.objectives]]\ncolumn = \"folower.y\"\nof = \"max\"\n"),
+              HasSubstr("did you mean `follower.y`"));
+  EXPECT_THAT(message_of(kEccentric + "p = { path = \"bodies.cam.points.O.1\", min = -1, max = 1 }\n"
+                                      "q = { path = \"bodies.follower.points.P.0\", min = -1, max = 1 }\n"
+                                      "[[design.objectives]]\ncolumn = \"follower.ay\"\nof = \"max\"\n"),
+              HasSubstr("design.variables.q: changes no objective and no constraint: leave it out"));
+  EXPECT_THAT(
+      message_of(kEccentric + "[[design.objectives]]\ncolumn = \"cam.omega\"\nof = \"max\"\n"
+                              "[[design.constraints]]\ncolumn = \"follower.y\"\nof = \"max\"\nbelow = 50\n"),
+      HasSubstr("design.objectives.0: is the same whatever the variables"));
+  EXPECT_THAT(
+      message_of(kEccentric + "[[design.objectives]]\npath = { point = \"follower.P\", timed = true, through "
+                              "= [[0, 30], [0, 40]] }\n"),
+      HasSubstr("design.objectives.0.path: 2 points, but the driver has 37 rows"));
+  EXPECT_THAT(
+      message_of(kEccentric + "[[design.objectives]]\npath = { point = \"follower.P\", timed = true, through "
+                              "= [[0, 30], [0, 40]], at = [0, 47] }\n"),
+      HasSubstr("design.objectives.0.path.at: 47 is none of the driver's positions"));
+  EXPECT_THAT(message_of(kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"max\"\n"
+                                      "[[design.constraints]]\ntransmission = \"O\"\nabove = 20\n"),
+              HasSubstr("design.constraints.0.transmission = \"O\": this pin does not join two links"));
+  const auto built = design(Model::from(shipped_model("four_bar").mechanism()).value());
+  ASSERT_FALSE(built);
+  EXPECT_THAT(to_string(built.error()), HasSubstr("was built and has no profile"));
+}
+
+TEST(Design, AStopLeavesTheBestSoFar) {
+  std::atomic<bool> stop = false;
+  DesignSettings settings;
+  settings.stop = &stop;
+  settings.progress = [&](const DesignProgress&) { stop = true; };
+  const DesignReport report = designed(shipped_model("design_five_points"), settings);
+  EXPECT_EQ(report.end, DesignEnd::kStopped);
+  EXPECT_LE(report.after, report.before);
+  EXPECT_TRUE(is_good(report));
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,196 @@
+// [design] of a profile: what it means, and every mistake with its place.
+#include "higherpair/io/design_task.hpp"
+
+#include "io/profile_testing.hpp"
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A crank; lines 1 to 13.
+const std::string kCrank = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [20, 0]
+points.B = ["1 in", 5]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "crank.O"]
+[driver]
+joint = "pivot"
+samples = 5
+[design.variables]
+)";
+const std::string kVariable = "length = { path = \"bodies.crank.points.A.0\", min = 5, max = 50 }\n";
+const std::string kObjective = "[[design.objectives]]\ncolumn = \"crank.A.y\"\nof = \"max\"\n";
+
+TEST(DesignTask, IsReadWithEveryKey) {
+  const Profile profile = testing::read(
+      kCrank +
+      R"(length = { path = ["bodies.crank.points.A.0"], min = 5, max = 50, step = 0.5, log = true }
+[[design.objectives]]
+column = "crank.A.y"
+of = "max"
+target = 12
+weight = 3
+[[design.objectives]]
+path = { point = "crank.A", through = [[1, 2], [3, 4]], timed = true, at = [0, 90] }
+[[design.objectives]]
+column = "crank.angle"
+follow = [[0, 1], [90, 2]]
+[[design.constraints]]
+column = "crank.A.x"
+of = "min"
+above = -3
+below = 5
+[design]
+method = "slsqp"
+keep_branch = true
+starts = 7
+seed = 12
+target = 1e-3
+)");
+  ASSERT_TRUE(profile.design);
+  const DesignTask& task = *profile.design;
+  ASSERT_EQ(task.variables.size(), 1U);
+  EXPECT_THAT(task.variables[0].paths, ElementsAre("bodies.crank.points.A.0"));
+  EXPECT_EQ(task.variables[0].range.start, 20);
+  EXPECT_EQ(task.variables[0].range.step, 0.5);
+  EXPECT_TRUE(task.variables[0].range.log);
+  ASSERT_EQ(task.objectives.size(), 3U);
+  EXPECT_EQ(task.objectives[0].target, 12);
+  EXPECT_EQ(task.objectives[0].weight, 3);
+  ASSERT_TRUE(task.objectives[1].path);
+  EXPECT_EQ(task.objectives[1].path->through[1], Vector2d(0.003, 0.004));
+  EXPECT_THAT(task.objectives[1].path->at, ElementsAre(0, 90));
+  EXPECT_THAT(task.objectives[2].values, ElementsAre(1, 2));
+  EXPECT_EQ(task.objectives[2].followed[1].at, 90);
+  ASSERT_EQ(task.constraints.size(), 1U);
+  EXPECT_EQ(task.constraints[0].above, -3);
+  EXPECT_EQ(task.constraints[0].below, 5);
+  EXPECT_EQ(task.method, DesignMethod::kSlsqp);
+  EXPECT_TRUE(task.keep_branch);
+  EXPECT_EQ(task.starts, 7);
+  EXPECT_EQ(task.seed, 12U);
+  EXPECT_EQ(task.target, 1e-3);
+}
+
+struct Wrong {
+  std::string text;
+  std::string message;
+};
+
+class DesignVariables : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(DesignVariables, SayWhatIsWrong) {
+  EXPECT_THAT(testing::messages(kCrank + GetParam().text + "\n" + kObjective),
+              ElementsAre(HasSubstr(GetParam().message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DesignVariables,
+    ::testing::Values(
+        Wrong{R"(a = { path = "bodies.crank.point.A.0", min = 5, max = 50 })",
+              "test.toml:14:14: design.variables.a.path = \"bodies.crank.point.A.0\": there is no number at "
+              "this path; "
+              "did you mean `bodies.crank.points.A.0`"},
+        Wrong{R"(a = { path = "bodies.crank.points.B.0", min = 5, max = 50 })",
+              "this is \"1 in\", a text: write it as a number in the profile's unit to make it a variable"},
+        Wrong{R"(a = { path = "bodies.crank.points.A", min = 5, max = 50 })",
+              "this is a list, not one number; go on to the number itself, such as bodies.crank.points.A.0"},
+        Wrong{R"(a = { path = "driver.samples", min = 5, max = 50 })",
+              "this number is none of the mechanism's"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 50, max = 5 })",
+              "test.toml:14:47: design.variables.a.min = 50: must be less than max = 5; the two are the "
+              "wrong way round"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 20, max = 20 })",
+              "must be less than max = 20; a fixed number is no variable"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 25, max = 50 })",
+              "min = 25: the profile has bodies.crank.points.A.0 = 20, which is outside; the search begins "
+              "there"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 5, max = 15 })", "max = 15: the profile has"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = -5, max = 50, log = true })",
+              "must be > 0 with `log`: logarithms have no 0"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 19, max = 24, step = 25 })",
+              "step = 25: no multiple of it lies between min and max"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 5, max = 50, step = 0 })",
+              "step = 0: expected a number > 0"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = "5 mm", max = 50 })",
+              "expected a plain number, in the unit that it has in the profile or in tables"},
+        Wrong{R"(a = { path = ["bodies.crank.points.A.0", "bodies.crank.points.B.1"], min = 1, max = 50 })",
+              "this number is 5 and the first one of this variable 20: numbers that are to be equal have to "
+              "be equal"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 5, max = 50 }
+b = { path = "bodies.crank.points.A.0", min = 5, max = 50 })",
+              "test.toml:15:14: design.variables.b.path = \"bodies.crank.points.A.0\": this number is "
+              "variable `a` already"},
+        Wrong{R"(a = { min = 5, max = 50 })", "path"},
+        Wrong{R"(a = { path = [], min = 5, max = 50 })", "or a list of such paths"}));
+
+class DesignGoals : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(DesignGoals, SayWhatIsWrong) {
+  EXPECT_THAT(testing::messages(kCrank + kVariable + GetParam().text),
+              ::testing::Contains(HasSubstr(GetParam().message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DesignGoals,
+    ::testing::Values(
+        Wrong{"", "objectives"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.C\", through = [[0, 1], [2, 3]] }",
+              "there is no such point"},
+        Wrong{"[[design.objectives]]\npath = { point = \"ground.O\", through = [[0, 1], [2, 3]] }",
+              "a point of ground does not move"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1]] }",
+              "expected at least two points: one alone is no path"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1], [2, 3], [2, 3]] }",
+              "points 2 and 3 are the same: leave one out"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, \"1 deg\"], [2, 3]] }",
+              "deg is an angle"},
+        Wrong{
+            "[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1], [2, 3]], at = [1, 2] }",
+            "holds for a path with timed = true"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", timed = true, through = [[0, 1], [2, "
+              "3]], at = [1] }",
+              "expected a list of 2 positions of the driver, one for each point"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", timed = true, closed = true, through = "
+              "[[0, 1], [2, 3]] }",
+              "the points of a timed path have their rows"},
+        Wrong{"[[design.objectives]]\npath = { point = \"crank.A\" }", "through"},
+        Wrong{kObjective + "target = \"3 deg\"", "expected a plain number"},
+        Wrong{kObjective + "weight = -1", "weight = -1: must be > 0"},
+        Wrong{kObjective + "below = 3", "below"},
+        Wrong{"[[design.objectives]]\ncolumn = \"crank.angle\"\nfollow = [[0, 1]]",
+              "expected a list of at least two pairs"},
+        Wrong{kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"",
+              "design.constraints.0: a limit is missing: below = … or above = …"},
+        Wrong{
+            kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"\nabove = 3\nbelow = 2",
+            "design.constraints.0: nothing is above 3 and below 2"},
+        Wrong{kObjective + "[[design.constraints]]\ntransmission = \"pivo\"\nabove = 3",
+              "did you mean `pivot`"},
+        Wrong{kObjective + "[design]\nmethod = \"newton\"", "slsqp"},
+        Wrong{kObjective + "[design]\nstarts = 0", "from 1"}));
+
+TEST(DesignTask, MistakesAreReportedAllAtOnce) {
+  EXPECT_EQ(
+      testing::messages(
+          kCrank + "a = { path = \"x\", min = 1, max = 0 }\n[[design.objectives]]\ncolumn = \"crank.x\"\n")
+          .size(),
+      2U);
+}
+
+TEST(DesignTask, IsNoneWithoutItsTable) {
+  EXPECT_EQ(testing::read(kCrank.substr(0, kCrank.find("[design"))).design, nullptr);
+  EXPECT_THAT(testing::messages(kCrank + kVariable + kObjective), IsEmpty());
+}
+
+}  // namespace
+}  // namespace higherpair

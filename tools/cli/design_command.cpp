@@ -1,0 +1,111 @@
+#include "design_command.hpp"
+
+#include "json_text.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "positive_number.hpp"
+#include "run_command.hpp"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+// On a terminal, the best so far while the search goes on.
+class BestSoFar {
+public:
+  explicit BestSoFar(bool quiet) : wanted_(!quiet && isatty(STDERR_FILENO) == 1) {}
+  ~BestSoFar() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+  BestSoFar(const BestSoFar&) = delete;
+  BestSoFar& operator=(const BestSoFar&) = delete;
+
+  void show(const DesignProgress& progress) {
+    if (!wanted_) return;
+    shown_ = true;
+    fmt::print(stderr, "\r\033[K{} searches, best {:.9g}{}", progress.starts, progress.objective,
+               progress.violation > kConstraintTolerance ? " (violates a constraint)" : "");
+    std::fflush(stderr);
+  }
+
+private:
+  bool wanted_;
+  bool shown_ = false;
+};
+
+DesignSettings settings_of(const DesignCommandOptions& options, BestSoFar& best) {
+  DesignSettings settings;
+  settings.seed = options.seed;
+  settings.starts = options.starts;
+  settings.evaluations = options.evaluations;
+  settings.seconds = options.seconds.value_or(0);
+  settings.threads = options.threads;
+  settings.stop = &interruption();
+  settings.progress = [&best](const DesignProgress& progress) { best.show(progress); };
+  return settings;
+}
+
+}  // namespace
+
+CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "design", "the numbers that serve the profile's objectives best, written as a new profile");
+  command->add_option("FILE", options.profile, "profile of the mechanism with [design] (TOML)")->required();
+  command->add_option("-o,--output", options.output, "the new profile; -: standard output")->required();
+  command->add_option("--json", options.json, "what was found as JSON, to this file; -: standard output");
+  command->add_option("--seed", options.seed,
+                      "of the random starts (default 1): the same seed, the same result");
+  command->add_option("--time", options.seconds, "seconds after which no further search begins")
+      ->check(positive_number());
+  command
+      ->add_option("--evaluations", options.evaluations,
+                   "candidates after which no further search begins (default 2000000)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+  command->add_option("--starts", options.starts, "searches (default 200)")
+      ->check(CLI::Range(1, 100'000'000));
+  command
+      ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--quiet", options.quiet, "no notes and progress on standard error");
+  command->final_callback([&options] {
+    std::vector<NamedFile> outputs = {{"--output", options.output}};
+    if (options.json) outputs.push_back({"--json", *options.json});
+    refuse_shared_files({{"FILE", options.profile}}, outputs);
+  });
+  return command;
+}
+
+int design_command(const DesignCommandOptions& options) {
+  listen_to_signals();
+  const auto model = open_model(options.profile, {}, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  const auto report = [&] {
+    BestSoFar best(options.quiet);
+    return design(*model, settings_of(options, best));
+  }();
+  if (!report) {
+    return report_error(report.error());
+  }
+  std::vector<FileText> files = {{options.output, report->text}};
+  if (options.json) files.push_back({*options.json, text_of(design_json(*report)) + "\n"});
+  const bool to_output = options.output == "-" || options.json == "-";
+  if (!write_files(files)) {
+    return kExitMachine;
+  }
+  if (!to_output) {
+    fmt::print("{}", design_text(*report));
+  }
+  if (report->end == DesignEnd::kStopped) {
+    return kExitInterrupted;
+  }
+  return report->holds ? kExitOk : kExitRows;
+}
+
+}  // namespace higherpair::cli

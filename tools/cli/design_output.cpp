@@ -1,0 +1,160 @@
+// What a design command has found, for people and for programs.
+#include "design_command.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+std::string shown(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
+}
+
+std::string_view end_text(DesignEnd end) {
+  switch (end) {
+    case DesignEnd::kEvaluations:
+      return "evaluations";
+    case DesignEnd::kTime:
+      return "time";
+    case DesignEnd::kTarget:
+      return "target";
+    case DesignEnd::kStopped:
+      return "stopped";
+    case DesignEnd::kStarts:
+      break;
+  }
+  return "starts";
+}
+
+template <class Lines>
+int widest(const Lines& lines, std::string_view head) {
+  std::size_t width = head.size();
+  for (const auto& line : lines) width = std::max(width, line.what.size());
+  return static_cast<int>(width);
+}
+
+std::string variables_text(const DesignReport& report) {
+  int width = 8;
+  for (const auto& variable : report.variables)
+    width = std::max(width, static_cast<int>(variable.name.size()));
+  std::string text = fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {:>12}\n", "variable", width, "before",
+                                 "after", "min", "max");
+  for (const auto& variable : report.variables) {
+    text += fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {:>12}{}\n", variable.name, width,
+                        shown(variable.before), shown(variable.after), shown(variable.low),
+                        shown(variable.high), variable.at_bound ? "  at its bound" : "");
+  }
+  return text;
+}
+
+std::string objectives_text(const DesignReport& report) {
+  const int width = widest(report.objectives, "objective");
+  std::string text =
+      fmt::format("\n{:<{}}  {:>16}  {:>16}  {:>12}\n", "objective", width, "before", "after", "target");
+  for (const auto& objective : report.objectives) {
+    text += fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {}\n", objective.what, width,
+                        shown(objective.before), shown(objective.after),
+                        objective.target ? shown(*objective.target) : "least", objective.unit);
+  }
+  return text + fmt::format("{:<{}}  {:>16}  {:>16}\n", "altogether", width, shown(report.before),
+                            shown(report.after));
+}
+
+std::string constraints_text(const DesignReport& report) {
+  std::string text = fmt::format("\n{:<{}}  {:>16}  {:>16}\n", "constraint",
+                                 widest(report.constraints, "assembles all the way"), "before", "after");
+  const int width = widest(report.constraints, "assembles all the way");
+  text += fmt::format("{:<{}}  {:>16}  {:>16}\n", "assembles all the way", width,
+                      report.starts_good ? "yes" : "no", report.path_good ? "yes" : "no");
+  for (const auto& constraint : report.constraints) {
+    text += fmt::format("{:<{}}  {:>16}  {:>16}  {:<10} margin {}{}{}\n", constraint.what, width,
+                        shown(constraint.before), shown(constraint.after), constraint.unit,
+                        shown(constraint.margin), constraint.margin < 0 ? ", VIOLATED" : "",
+                        constraint.cost > 0 ? ", a unit of it is worth " + shown(constraint.cost) : "");
+  }
+  return text;
+}
+
+std::string search_text(const DesignReport& report) {
+  std::string text = fmt::format("\n{} searches by {}, {} candidates; {} different ends\n", report.starts,
+                                 report.method, report.evaluations, report.different);
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
+    text += fmt::format("  {}. {}{}:", k + 1, shown(report.optima[k].objective),
+                        report.optima[k].holds ? "" : " (violates a constraint)");
+    for (std::size_t i = 0; i < report.variables.size(); ++i) {
+      text += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string design_text(const DesignReport& report) {
+  std::string text = report.title.empty() ? "" : report.title + "\n\n";
+  text += variables_text(report) + objectives_text(report) + constraints_text(report) + search_text(report);
+  if (!report.holds) {
+    text += "\nno design was found in which all constraints hold: this is the one that violates them least\n";
+  }
+  return text;
+}
+
+Json design_json(const DesignReport& report) {
+  Json json;
+  json["title"] = report.title;
+  json["holds"] = report.holds;
+  json["path_good"] = report.path_good;
+  json["before"] = number(report.before);
+  json["after"] = number(report.after);
+  json["variables"] = Json::array();
+  for (const auto& variable : report.variables) {
+    json["variables"].push_back({{"name", variable.name},
+                                 {"paths", variable.paths},
+                                 {"before", number(variable.before)},
+                                 {"after", number(variable.after)},
+                                 {"min", variable.low},
+                                 {"max", variable.high},
+                                 {"at_bound", variable.at_bound}});
+  }
+  json["objectives"] = Json::array();
+  for (const auto& objective : report.objectives) {
+    json["objectives"].push_back({{"what", objective.what},
+                                  {"unit", objective.unit},
+                                  {"before", number(objective.before)},
+                                  {"after", number(objective.after)},
+                                  {"target", objective.target ? number(*objective.target) : Json(nullptr)}});
+  }
+  json["constraints"] = Json::array();
+  for (const auto& constraint : report.constraints) {
+    json["constraints"].push_back({{"what", constraint.what},
+                                   {"unit", constraint.unit},
+                                   {"limit", constraint.limit},
+                                   {"before", number(constraint.before)},
+                                   {"after", number(constraint.after)},
+                                   {"margin", number(constraint.margin)},
+                                   {"cost", number(constraint.cost)}});
+  }
+  Json optima = Json::array();
+  for (const auto& optimum : report.optima) {
+    optima.push_back({{"objective", number(optimum.objective)},
+                      {"holds", optimum.holds},
+                      {"variables", optimum.variables}});
+  }
+  json["search"] = {{"method", report.method},           {"starts", report.starts},
+                    {"evaluations", report.evaluations}, {"end", end_text(report.end)},
+                    {"different", report.different},     {"optima", optima}};
+  return json;
+}
+
+}  // namespace higherpair::cli
