@@ -62,6 +62,8 @@ Profile read_root(TableReader& root, const Table& document) {
   read_springs(root, mechanism, joint_type_known);
   laws.finish();
   read_drawing(root, profile);
+  read_limits(root, profile);
+  read_sweep(root, document, profile);
   read_design(root, document, profile);
   (void)root.take("extra");
   root.finish();
@@ -89,9 +91,7 @@ tl::expected<Profile, Diagnostics> ProfileDocument::read(bool with_notes) const 
   reading.sources = content_->sources;
   const Value& document = content_->root;
   const Table& table = std::get<Table>(document.content);
-  read_limits(root, profile);
-  read_sweep(root, std::get<Table>(document.content), profile);
-  read_design(root, document, profile);
+  note_varied(table, reading);
   TableReader root(reading, table, document.mark, "");
   Profile profile = read_root(root, table);
   if (!reading.mistakes.empty()) {
