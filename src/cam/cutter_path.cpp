@@ -10,9 +10,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kBisected = 1e-9;   // of the radius
-constexpr double kMeets = 1e-3;      // of the size: an offset's ends meet as exactly as those of the flank
-constexpr double kJustBelow = 1e-6;  // of the limit: where a path still has no cusp
+constexpr double kBisected = 1e-9;    // of the radius
+constexpr double kMeets = 1e-3;       // of the size: an offset's ends meet as exactly as those of the flank
+constexpr double kSameRadius = 1e-9;  // of the limit: a hollow arc of the cutter's own radius
+constexpr double kJustBelow = 1e-6;   // of the limit: where a path still has no cusp
 
 // By halving where dκ/ds changes its sign; the ends where it does not.
 SpanPoint least_curvature(const Span& span, double from, double to, double& at) {
@@ -88,7 +89,7 @@ tl::expected<Boundary, CutterFault> cutter_path(const Boundary& flank, double ra
   const HollowestPlace hollow = hollowest_place(flank);
   const double limit =
       hollow.point.kappa < 0 ? -1 / hollow.point.kappa : std::numeric_limits<double>::infinity();
-  if (!path || radius >= limit) {
+  if (!path || radius > limit * (1 + kSameRadius)) {
     const double below = limit * (1 - kJustBelow);
     return tl::unexpected(CutterFault{Kind::kHollow, hollow.point.p_B,
                                       can_cut(flank, below) ? limit : largest_cutter(flank, below)});

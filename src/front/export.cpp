@@ -149,8 +149,9 @@ Result<Boundary> boundary_of(const Model& model, const NamedRef& wanted, const E
 std::vector<std::pair<std::string, double>> rollers_of(const Model& model, const CurveRef& curve) {
   std::vector<std::pair<std::string, double>> rollers;
   const auto is_it = [&](const CurveRef& ref) {
-    const int copy_of = named(model, ref).copy_of;
-    return ref.body == curve.body && (copy_of < 0 ? ref.curve : copy_of) == curve.curve;
+    const auto& curves = model.mechanism().bodies[static_cast<std::size_t>(curve.body)].curves;
+    return ref.body == curve.body &&
+           (is_or_has(curves, ref.curve, curve.curve) || named(model, ref).copy_of == curve.curve);
   };
   for (const Contact& contact : model.mechanism().contacts) {
     for (const auto& [own, other] :
@@ -203,7 +204,9 @@ std::string text_of(const Model& model, const std::string& name, double radius, 
       text += fmt::format("its path crosses itself at {}, where it cuts into another part", place);
       break;
   }
-  return fault.largest > 0 ? fmt::format("{}; up to {} can", text, length_below(model, fault.largest)) : text;
+  return fault.largest > 0
+             ? fmt::format("{}; anything below {} can", text, length_below(model, fault.largest))
+             : text;
 }
 
 Result<Boundary> path_of(const Model& model, const NamedRef& wanted, const ExportSettings& settings) {

@@ -6,22 +6,42 @@
 namespace higherpair {
 namespace {
 
-// Where 1 + κ d is least, at four times as many places as show the shape.
-std::optional<OffsetFault> cusp(const Span& span, double distance) {
-  constexpr double kLeast = 1e-6;
+// Where 1 + κ d, by which the span is longer in its offset, is least and largest, at four times as many
+// places as show the shape.
+struct Stretch {
+  SpanPoint least;
+  SpanPoint largest;
+};
+
+Stretch stretch_of(const Span& span, double distance) {
   const int probes = 4 * span.parts();
   const Bounds range = span.range();
-  SpanPoint worst = span.at(range.low);
+  Stretch stretch = {span.at(range.low), span.at(range.low)};
   for (int k = 1; k <= probes; ++k) {
     const SpanPoint point = span.at(range.low + range.width() * k / probes);
-    if (point.kappa * distance < worst.kappa * distance) {
-      worst = point;
+    if (point.kappa * distance < stretch.least.kappa * distance) {
+      stretch.least = point;
+    }
+    if (point.kappa * distance > stretch.largest.kappa * distance) {
+      stretch.largest = point;
     }
   }
-  if (1 + worst.kappa * distance > kLeast) {
+  return stretch;
+}
+
+// An arc about its own centre becomes that point.
+bool vanishes(const Stretch& stretch, double distance) {
+  constexpr double kNothing = 1e-9;
+  return std::abs(1 + stretch.least.kappa * distance) <= kNothing &&
+         std::abs(1 + stretch.largest.kappa * distance) <= kNothing;
+}
+
+std::optional<OffsetFault> cusp(const Stretch& stretch, double distance) {
+  constexpr double kLeast = 1e-6;
+  if (1 + stretch.least.kappa * distance > kLeast) {
     return std::nullopt;
   }
-  return OffsetFault{OffsetFault::Kind::kCusp, worst.p_B, 1 / std::abs(worst.kappa)};
+  return OffsetFault{OffsetFault::Kind::kCusp, stretch.least.p_B, 1 / std::abs(stretch.least.kappa)};
 }
 
 }  // namespace
@@ -39,10 +59,13 @@ tl::expected<std::vector<SpanPtr>, OffsetFault> offset_spans(const Boundary& bou
       spans.push_back(conic_span(*make_circle(span->at(range.low).p_B, distance), range.low, range.high));
       continue;
     }
-    if (const auto fault = cusp(*span, distance)) {
-      return tl::unexpected(*fault);
+    const Stretch stretch = stretch_of(*span, distance);
+    if (!vanishes(stretch, distance)) {
+      if (const auto fault = cusp(stretch, distance)) {
+        return tl::unexpected(*fault);
+      }
+      spans.push_back(offset_span(span, distance));
     }
-    spans.push_back(offset_span(span, distance));
     if (notch) {
       // A hollow corner goes on as a hollow arc; its normals turn backwards.
       const Vector2d p = span->at(range.high).p_B;

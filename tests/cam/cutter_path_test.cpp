@@ -52,6 +52,25 @@ TEST(CutterPath, AHollowFlankTakesACutterThatIsRounder) {
   EXPECT_NEAR(std::abs(refused.error().at_B.dot(unit_vector(0.3))), a, 1e-9);
 }
 
+// The corners of a pocket, cut by a cutter that just fits in: its path has sharp corners.
+TEST(CutterPath, WaitsInTheCentreOfAHollowArcOfItsOwnRadius) {
+  std::vector<Vector2d> corners = {
+      {0, 0}, {0, 0.02}, {0.03, 0.02}, {0.03, 0}};  // clockwise: material outside
+  const Boundary pocket = polygon(corners, 0.0047);
+  const auto path = cutter_path(pocket, 0.0047);
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->spans().size(), 4U);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(path->joint_after(i), SpanJoint::kNotch);
+  }
+  EXPECT_NEAR(path->size(), std::hypot(0.03 - 0.0094, 0.02 - 0.0094) / 2, 1e-15);
+  const auto larger = cutter_path(pocket, 0.0047 * (1 + 1e-6));
+  ASSERT_FALSE(larger);
+  EXPECT_NEAR(larger.error().largest, 0.0047, 1e-15);
+  // Of a hole there is nothing left.
+  EXPECT_FALSE(cutter_path(boundary_of(*make_circle({0, 0}, 0.01, Side::kOutside), 1), 0.01));
+}
+
 TEST(CutterPath, NoCutterCutsANotch) {
   const auto path = cutter_path(polygon({{0.01, 0}, {0, -0.02}, {0.05, 0}, {0, 0.02}}, 0), 1e-4);
   ASSERT_FALSE(path);

@@ -1,56 +1,36 @@
 // The command export on the command line.
+#include "program_testing.hpp"
+
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
+using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 long lines_of(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }
 
-class ExportCommand : public ::testing::Test {
+class ExportCommand : public ProgramTest {
 protected:
   void SetUp() override {
-    fs::create_directories(folder_);
-    fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/law_cam_roller.toml", folder_ / "cam.toml",
+    ProgramTest::SetUp();
+    fs::copy_file(shipped_profile("law_cam_roller.toml"), folder_ / "cam.toml",
                   fs::copy_options::overwrite_existing);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM + " export " +
-                                arguments + " >" + (folder_ / "out").string() + " 2>" +
-                                (folder_ / "err").string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
-  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("export " + arguments); }
 
   [[nodiscard]] std::string refused(const std::string& arguments) const {
     const Outcome outcome = run(arguments);
@@ -60,8 +40,6 @@ protected:
     }
     return outcome.err;
   }
-
-  fs::path folder_ = fs::temp_directory_path() / ("higherpair-export-" + std::to_string(getpid()));
 };
 
 TEST_F(ExportCommand, WritesWhatTheEndingSays) {

@@ -300,7 +300,7 @@ TEST_F(Export, SaysHowLargeACutterMayBe) {
   settings.cutter = 0.025;
   const std::string message = refused(ring, settings);
   EXPECT_THAT(message, HasSubstr("a cutter or roller of radius 25 mm is too large for ring.hole: at ("));
-  EXPECT_THAT(message, HasSubstr("that is hollower than the cutter is round; up to 20 mm can"));
+  EXPECT_THAT(message, HasSubstr("that is hollower than the cutter is round; anything below 20 mm can"));
   settings.cutter = 0.020;
   EXPECT_EQ(taken(ring, settings).size(), 1U);
 }
@@ -336,7 +336,7 @@ TEST_F(Export, SaysWhereAPathCrossesItself) {
   EXPECT_TRUE(good) << to_string(good.error());
   settings.cutter = 0.0035;
   EXPECT_THAT(refused(*model, settings), HasSubstr("its path crosses itself at"));
-  EXPECT_THAT(refused(*model, settings), HasSubstr("where it cuts into another part; up to 2.999 mm can"));
+  EXPECT_THAT(refused(*model, settings), HasSubstr("where it cuts into another part; anything below 2.999 mm can"));
 }
 
 TEST_F(Export, SaysWhichRollerItCannotChoose) {

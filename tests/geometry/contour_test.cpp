@@ -220,6 +220,21 @@ TEST(Offset, OfCornersHasArcs) {
   EXPECT_EQ(Boundary::make(*hollow, true, 1e-12)->spans().size(), 8U);
 }
 
+// A rounded plate less its rounding is one with corners.
+TEST(Offset, ByTheRadiusOfItsArcsHasCornersInTheirPlace) {
+  const std::vector<ContourPiece> plate = {LinePiece{{0, 0}, {0.03, 0}}, LinePiece{{0.03, 0}, {0.03, 0.02}},
+                                           LinePiece{{0.03, 0.02}, {0, 0.02}}, LinePiece{{0, 0.02}, {0, 0}}};
+  const auto rounded = Boundary::make(spans_of(with_fillets(plate, true, 0.0047)->pieces), true, 1e-9);
+  ASSERT_TRUE(rounded);
+  const auto spans = offset_spans(*rounded, -0.0047);
+  ASSERT_TRUE(spans);
+  const auto smaller = Boundary::make(*spans, true, 1e-9);
+  ASSERT_TRUE(smaller);
+  EXPECT_EQ(smaller->spans().size(), 8U);  // with the corners
+  EXPECT_TRUE(smaller->is_convex());
+  EXPECT_NEAR(smaller->size(), std::hypot(0.03 - 0.0094, 0.02 - 0.0094) / 2, 1e-15);
+}
+
 TEST(Offset, HasACuspWhereTheCurveBendsTooSharply) {
   const Boundary hole = boundary_of(reversed(Pieces{ArcPiece{{0, 0}, 0.01, 0, 2 * kPi}}));
   EXPECT_TRUE(offset_spans(hole, 0.0099).has_value());

@@ -19,7 +19,8 @@ struct CutterFault {
 
 /// Path of the centre of a round cutter, or roller, of this radius [m] that touches the flank throughout: the
 /// flank's offset along its outward normals. Where the flank's radius of curvature is hollow and not larger
-/// than the cutter's the path has a cusp and turns back; where the path crosses itself the cutter is too
+/// than the cutter's the path has a cusp and turns back (but about a hollow arc of its own radius the cutter
+/// waits, and its path has a notch); where the path crosses itself the cutter is too
 /// large as well (Rothbart, Cam Design Handbook, on undercutting). Around convex corners it is an arc. The
 /// largest cutter is -1/κ at the hollowest place, to within rounding, or by bisection to 1e-9 of the radius
 /// what just does not make the path cross itself (see find_self_crossing). \pre radius > 0

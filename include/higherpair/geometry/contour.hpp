@@ -110,7 +110,8 @@ struct OffsetFault {
   double limit = 0;  ///< kCusp: what the offset's size must stay below [m]
 };
 
-/// The spans at a distance [m] along the outward normals (< 0: into the material); corners become arcs.
+/// The spans at a distance [m] along the outward normals (< 0: into the material); corners become arcs, and
+/// an arc about a centre at just this distance is left out, so that its neighbours meet in a corner.
 [[nodiscard]] tl::expected<std::vector<SpanPtr>, OffsetFault> offset_spans(const Boundary& boundary,
                                                                            double distance);
 
