@@ -1,4 +1,4 @@
-#include "cli/program_testing.hpp"
+#include "program_testing.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -7,9 +7,11 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace higherpair::testing {
 namespace {
 
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::shipped_profile;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -122,4 +124,3 @@ TEST_F(CheckCommand, ExitsWithThreeWhereNothingCanStart) {
 }
 
 }  // namespace
-}  // namespace higherpair::testing
