@@ -1,44 +1,29 @@
 // The command sweep on the command line: its table, and that nothing is lost whatever ends it.
-#include <cstdlib>
+#include "cli/program_testing.hpp"
+
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+namespace higherpair::testing {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::StartsWith;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class SweepProgram : public ::testing::Test {
+class SweepProgram : public ProgramTest {
 protected:
   void SetUp() override {
-    fs::create_directories(folder_);
-    fs::copy_file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/four_bar.toml", folder_ / "plain.toml",
-                  fs::copy_options::overwrite_existing);
-    write("four_bar.toml", read_file(folder_ / "plain.toml") + R"(
+    ProgramTest::SetUp();
+    write("plain.toml", read_file(shipped_profile("four_bar.toml")));
+    write("four_bar.toml", table("plain.toml") + R"(
 [sweep]
 method = "sobol"
 count  = 3000
@@ -50,27 +35,22 @@ fast = { column = "rocker.omega", of = "max", where = true }
 peak = { column = "rocker.alpha", of = "maxabs" }
 )");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
   }
 
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("sweep " + arguments); }
+
+  /// What a shell makes of these lines.
   [[nodiscard]] Outcome run_script(const std::string& script) const {
     write("script.sh", script);
-    const std::string command = "cd " + folder_.string() + " && sh script.sh >out 2>err";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
-            read_file(folder_ / "err")};
-  }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    return run_script(std::string(HIGHERPAIR_PROGRAM) + " sweep " + arguments);
+    const int status =
+        std::system(fmt::format("cd '{}' && sh script.sh >out 2>err", folder_.string()).c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, table("out"), table("err")};
   }
 
   [[nodiscard]] std::string table(const std::string& name) const { return read_file(folder_ / name); }
-
-  fs::path folder_ = fs::temp_directory_path() / ("higherpair-sweep-" + std::to_string(getpid()));
 };
 
 TEST_F(SweepProgram, WritesATableAndASummary) {
@@ -306,3 +286,4 @@ TEST_F(SweepProgram, WritesHdf5TheSameWayEveryTime) {
 }
 
 }  // namespace
+}  // namespace higherpair::testing
