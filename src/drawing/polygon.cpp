@@ -1,10 +1,12 @@
 #include "higherpair/drawing/polygon.hpp"
 
 #include "higherpair/geometry/motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
 #include "polygon_nodes.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -154,9 +156,19 @@ private:
         fmt::format("{} = {} + {}^{{c}} + {}", symbol(to), symbol(from), name, name));
   }
 
+  // What the bodies' motions are of the order of: in a dwell the arrows may be nothing but rounding.
+  [[nodiscard]] double usual_length() const {
+    const double size = size_of(mechanism_);
+    double fastest = 0;
+    for (const BodyMotion& body : row_.bodies) {
+      fastest = std::max({fastest, std::abs(body.omega) * size, body.v_WB.norm()});
+    }
+    return accelerations_ ? fastest * fastest / size : fastest;
+  }
+
   // Arrows without a length, and parts that are the whole.
   void remove_negligible() {
-    double longest = 0;
+    double longest = usual_length();
     for (const PolygonArrow& arrow : polygon_.arrows)
       longest = std::max(longest, (arrow.to - arrow.from).norm());
     const double least = kNegligible * longest;

@@ -27,6 +27,13 @@ std::optional<Item> read_ends(TableReader& table, const Mechanism& mechanism, Jo
   return pair ? item : std::nullopt;
 }
 
+// A joint without its points has ground's first one, whatever that is: what is read later asks where it is.
+void have_a_point(Body& ground) {
+  if (ground.points.empty()) {
+    ground.points.emplace_back();
+  }
+}
+
 void read_direction(TableReader& table, Joint& joint) {
   if (joint.type == JointType::kRevolute) {
     table.refuse("direction", "a revolute joint has no direction");
@@ -87,6 +94,9 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                    const auto type = read_type(table);
                    const auto between = read_ends(table, mechanism, joint);
                    ends_known = ends_known && between;
+                   if (!between) {
+                     have_a_point(mechanism.bodies.front());
+                   }
                    if (type) {
                      joint.type = *type;
                      if (couples_turning(*type)) {

@@ -9,6 +9,7 @@ namespace {
 
 using testing::crank_profile;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::messages;
 using testing::slider_profile;
@@ -524,6 +525,20 @@ TEST(ProfileMessages, DriversDriveRevoluteOrPrismaticJoints) {
           "acceleration, samples, duration, time_step"));
   EXPECT_THAT(messages("[driver]\n"),
               ElementsAre("test.toml:1:1: driver.joint is missing: expected the name of a joint"));
+}
+
+// A driver asks where its joint is; that of this one has no place.
+TEST(ProfileMessages, AJointOnAPointThatGroundLacksMayBeDriven) {
+  EXPECT_THAT(messages(R"([bodies.slide]
+points.P = [0, 0]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "slide.P"]
+direction = [1, 0]
+[driver]
+joint = "guide"
+)"),
+              ElementsAre(HasSubstr("there is no point of `ground` `O`")));
 }
 
 TEST(ProfileMessages, ThereIsOneDriverOrAreNamedOnes) {

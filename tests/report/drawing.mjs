@@ -53,7 +53,8 @@ function checkPlaces(state, row, { joints, size }, checks) {
     checks.near(place[1], Number(row[`${at}.y`]), NEAR * size, `${name} y at driver ${row.driver}`);
   }
   for (const [name, place] of Object.entries(state.contacts)) {
-    checks.equal(place === null, lost, `contact ${name} is drawn where the row says ${row.status}`);
+    const open = lost || row[`${name}.x`] === ""; // a contact that may part has no place while it is open
+    checks.equal(place === null, open, `contact ${name} is drawn where the row says ${row.status}`);
     if (place === null) continue;
     checks.near(place[0], Number(row[`${name}.x`]), 10 * NEAR * size, `${name} x at driver ${row.driver}`);
     checks.near(place[1], Number(row[`${name}.y`]), 10 * NEAR * size, `${name} y at driver ${row.driver}`);
