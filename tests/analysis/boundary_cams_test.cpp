@@ -68,8 +68,8 @@ struct TangentCam {
     return angle_of(centre);
   }
 
-  // Of the roller's centre, by the angle ψ from the nose, at dψ/dt = 1: textbook's tangent cam, whose nose is a
-  // slider-crank.
+  // Of the roller's centre, by the angle ψ from the nose, at dψ/dt = 1: textbook's tangent cam, whose nose is
+  // a slider-crank.
   [[nodiscard]] Lift lift(double psi) const {
     const double sign = psi < 0 ? -1 : 1;
     const double x = std::abs(psi);

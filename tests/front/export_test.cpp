@@ -336,7 +336,8 @@ TEST_F(Export, SaysWhereAPathCrossesItself) {
   EXPECT_TRUE(good) << to_string(good.error());
   settings.cutter = 0.0035;
   EXPECT_THAT(refused(*model, settings), HasSubstr("its path crosses itself at"));
-  EXPECT_THAT(refused(*model, settings), HasSubstr("where it cuts into another part; anything below 2.999 mm can"));
+  EXPECT_THAT(refused(*model, settings),
+              HasSubstr("where it cuts into another part; anything below 2.999 mm can"));
 }
 
 TEST_F(Export, SaysWhichRollerItCannotChoose) {
