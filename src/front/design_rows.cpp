@@ -1,6 +1,7 @@
 #include "design_rows.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/io/row_path.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -86,7 +87,7 @@ private:
   double not_good_ = 0;
 };
 
-std::vector<double> drivers_in(const DriverSchedule& schedule, std::int64_t row) {
+std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row) {
   std::vector<double> drivers;
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     drivers.push_back(schedule.state(row, i).si.position);
@@ -96,15 +97,6 @@ std::vector<double> drivers_in(const DriverSchedule& schedule, std::int64_t row)
 
 bool is_end(EventType type) {
   return type == EventType::kLimitPosition || type == EventType::kEnd || type == EventType::kOverlap;
-}
-
-std::vector<DriverMotion> motions_in(const DriverSchedule& schedule, std::int64_t row) {
-  std::vector<DriverMotion> motions;
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const DriverValues si = schedule.state(row, i).si;
-    motions.push_back({si.position, si.velocity, si.acceleration});
-  }
-  return motions;
 }
 
 // Looks at the reach of dyads at places of equal distance between rows as well, and where it is least among
@@ -176,7 +168,7 @@ void place_rows(const DesignSetup& setup, DirectMotion& motion, const Mechanism&
                 DesignRows& rows) {
   GapWatch watch(mechanism, motion, reader);
   for (std::int64_t k = 0; k < setup.schedule.size(); ++k) {
-    const std::vector<DriverMotion> motions = motions_in(setup.schedule, k);
+    const std::vector<DriverMotion> motions = drivers_in(setup.schedule, k);
     const bool placed = watch.go_to(motions);
     rows.started = rows.started || placed;
     reader.take(motion.bodies(), placed, motions.front().position,
@@ -190,7 +182,7 @@ void place_rows(const DesignSetup& setup, DirectMotion& motion, const Mechanism&
 void follow_rows(Run& run, const DriverSchedule& schedule, RowReader& reader) {
   int limits = 0;
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    const std::vector<DriverMotion> motions = motions_in(schedule, k);
+    const std::vector<DriverMotion> motions = drivers_in(schedule, k);
     move_to(run, motions);
     const bool inner = k > 0 && k + 1 < schedule.size();
     limits +=
@@ -200,7 +192,7 @@ void follow_rows(Run& run, const DriverSchedule& schedule, RowReader& reader) {
         }));
     const bool there = run.row.status != RowStatus::kNotAssemblable;
     reader.take(run.row.bodies, there, motions.front().position, run.row.status);
-    there ? reader.take_gaps(run.row.bodies) : reader.take_gaps(closure_gaps(run, drivers_in(schedule, k)));
+    there ? reader.take_gaps(run.row.bodies) : reader.take_gaps(closure_gaps(run, positions_in(schedule, k)));
   }
   reader.finish(limits);
 }
@@ -239,7 +231,7 @@ bool measure_rows(const DesignSetup& setup, std::shared_ptr<const Model::Data> d
   Row row;
   while (analysis.next(row)) {
     const Run& at = analysis.impl().run;
-    const std::vector<double> drivers = drivers_in(analysis.impl().schedule, row.number);
+    const std::vector<double> drivers = positions_in(analysis.impl().schedule, row.number);
     const bool there = row.status != RowStatus::kNotAssemblable;
     measures.add(row);
     reader.take(at.row.bodies, there, drivers.front(), row.status);

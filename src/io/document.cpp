@@ -137,6 +137,57 @@ const Value* find(const Table& table, std::string_view key) {
   return entry == table.end() ? nullptr : &entry->value;
 }
 
+PathEnd end_of_path(const Table& document, std::string_view path) {
+  PathEnd end;
+  const Table* table = &document;
+  do {
+    const std::string_view part = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    if (table == nullptr) {
+      end.value = find_part(*end.value, part);
+    } else {
+      const auto entry = std::find_if(table->begin(), table->end(),
+                                      [&](const Entry& candidate) { return candidate.key == part; });
+      const bool found = entry != table->end();
+      end = {found ? &entry->value : nullptr, found ? &*entry : end.entry};
+    }
+    table = end.value == nullptr ? nullptr : std::get_if<Table>(&end.value->content);
+  } while (end.value != nullptr && !path.empty());
+  return end;
+}
+
+std::optional<double> number_in(const Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value.content)) return static_cast<double>(*integer);
+  const auto* number = std::get_if<double>(&value.content);
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+namespace {
+
+using FoundNumber = std::function<void(const std::string& path, double number)>;
+
+void visit_numbers(const Value& value, const std::string& path, const FoundNumber& found) {
+  if (const auto* table = std::get_if<Table>(&value.content)) {
+    for (const Entry& entry : *table) {
+      visit_numbers(entry.value, fmt::format("{}.{}", path, entry.key), found);
+    }
+  } else if (const auto* items = std::get_if<Array>(&value.content)) {
+    for (std::size_t i = 0; i < items->size(); ++i) {
+      visit_numbers((*items)[i], fmt::format("{}.{}", path, i), found);
+    }
+  } else if (const auto number = number_in(value)) {
+    found(path, *number);
+  }
+}
+
+}  // namespace
+
+void for_each_number(const Table& document, const FoundNumber& found) {
+  for (const Entry& entry : document) {
+    visit_numbers(entry.value, entry.key, found);
+  }
+}
+
 std::string_view kind_of(const Value& value) {
   constexpr std::string_view kKinds[] = {"a string", "an integer", "a number", "a boolean",
                                          "a date",   "a list",     "a table"};

@@ -3,6 +3,8 @@
 #include "higherpair/io/diagnostic.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -50,8 +52,21 @@ struct Entry {
 
 /// The entry of a table, or the item of a list, that one part of a path names; nothing if there is none.
 [[nodiscard]] const Value* find_part(const Value& value, std::string_view part);
+/// What a path leads to, and the entry of the last table on the way; null: nothing.
+struct PathEnd {
+  const Value* value = nullptr;
+  const Entry* entry = nullptr;
+};
+[[nodiscard]] PathEnd end_of_path(const Table& document, std::string_view path);
 /// The value at a path, "bodies.crank.points.A.0".
 [[nodiscard]] Value* find_path(Value& document, std::string_view path);
+
+/// A number, also one that is written as an integer; nothing of any other value.
+[[nodiscard]] std::optional<double> number_in(const Value& value);
+
+/// Calls `found` with the path of every number, in the order of the file.
+void for_each_number(const Table& document,
+                     const std::function<void(const std::string& path, double number)>& found);
 
 /// "a string", "an integer", "a table", …
 [[nodiscard]] std::string_view kind_of(const Value& value);

@@ -11,11 +11,8 @@
 namespace higherpair {
 namespace {
 
-using io_detail::Array;
-using io_detail::Entry;
 using io_detail::Mark;
 using io_detail::Table;
-using io_detail::Value;
 
 struct Edit {
   std::size_t begin = 0;
@@ -49,41 +46,6 @@ std::size_t end_of_number(std::string_view text, std::size_t begin) {
   return begin;
 }
 
-bool is_number(const Value& value) {
-  return std::holds_alternative<double>(value.content) || std::holds_alternative<std::int64_t>(value.content);
-}
-
-// Where a path leads, and the entry of the last table on the way.
-struct Found {
-  const Value* value = nullptr;
-  const Entry* entry = nullptr;
-};
-
-Found find_path(const Value& root, std::string_view path) {
-  Found found{&root, nullptr};
-  while (found.value != nullptr && !path.empty()) {
-    const std::size_t dot = std::min(path.find('.'), path.size());
-    const std::string_view part = path.substr(0, dot);
-    path.remove_prefix(std::min(dot + 1, path.size()));
-    const Value* next = nullptr;
-    if (const auto* table = std::get_if<Table>(&found.value->content)) {
-      const auto entry = std::find_if(table->begin(), table->end(),
-                                      [&](const Entry& candidate) { return candidate.key == part; });
-      if (entry != table->end()) {
-        found.entry = &*entry;
-        next = &entry->value;
-      }
-    } else if (const auto* items = std::get_if<Array>(&found.value->content)) {
-      std::size_t index = 0;
-      for (const char c : part)
-        index = c >= '0' && c <= '9' && index < 1000000 ? 10 * index + (c - '0') : 1000000;
-      next = !part.empty() && index < items->size() ? &(*items)[index] : nullptr;
-    }
-    found.value = next;
-  }
-  return found;
-}
-
 // From `{` to its `}`; values of a pose hold no braces but in strings, which have quotes.
 std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t begin) {
   if (begin >= text.size() || text[begin] != '{') return std::nullopt;
@@ -101,10 +63,10 @@ std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t begi
 }
 
 // `path` of a pose in a body whose table has a line of its own, [bodies.NAME].
-std::optional<Edit> new_pose(const Value& root, std::string_view text, std::string_view path,
+std::optional<Edit> new_pose(const Table& root, std::string_view text, std::string_view path,
                              const std::string& value) {
   const std::string_view body = path.substr(0, path.rfind('.'));
-  const Found found = find_path(root, body);
+  const io_detail::PathEnd found = io_detail::end_of_path(root, body);
   const auto at = found.value == nullptr || found.entry == nullptr ? std::nullopt
                                                                    : offset_of(text, found.entry->key_mark);
   if (!at) return std::nullopt;
@@ -116,16 +78,16 @@ std::optional<Edit> new_pose(const Value& root, std::string_view text, std::stri
   return Edit{end + 1, end + 1, fmt::format("pose = {}\n", value)};
 }
 
-std::optional<Edit> edit_of(const Value& root, std::string_view text,
+std::optional<Edit> edit_of(const Table& root, std::string_view text,
                             const ProfileDocument::NewValue& value) {
-  const Found found = find_path(root, value.path);
+  const io_detail::PathEnd found = io_detail::end_of_path(root, value.path);
   if (found.value == nullptr) {
     const bool pose = value.path.size() > 5 && value.path.substr(value.path.size() - 5) == ".pose";
     return pose ? new_pose(root, text, value.path, value.text) : std::nullopt;
   }
   const auto begin = found.value->mark.source == 0 ? offset_of(text, found.value->mark) : std::nullopt;
   if (!begin) return std::nullopt;
-  if (is_number(*found.value)) {
+  if (io_detail::number_in(*found.value)) {
     const std::size_t end = end_of_number(text, *begin);
     return end > *begin ? std::optional(Edit{*begin, end, value.text}) : std::nullopt;
   }
@@ -136,9 +98,10 @@ std::optional<Edit> edit_of(const Value& root, std::string_view text,
 }  // namespace
 
 tl::expected<std::string, std::string> ProfileDocument::text_with(std::span<const NewValue> values) const {
+  const auto& root = std::get<Table>(content_->root.content);
   std::vector<Edit> edits;
   for (const NewValue& value : values) {
-    const auto edit = edit_of(content_->root, content_->text, value);
+    const auto edit = edit_of(root, content_->text, value);
     if (!edit) {
       return tl::unexpected(fmt::format("{}: the text has no such value that could be replaced", value.path));
     }

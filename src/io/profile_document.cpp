@@ -10,32 +10,7 @@
 #include <fmt/format.h>
 
 namespace higherpair {
-namespace {
-
-using io_detail::Array;
-using io_detail::Entry;
 using io_detail::Table;
-using io_detail::Value;
-
-void visit_numbers(const Value& value, const std::string& path,
-                   const std::function<void(const std::string&, double)>& found) {
-  const std::string prefix = path.empty() ? "" : path + ".";
-  if (const auto* table = std::get_if<Table>(&value.content)) {
-    for (const Entry& entry : *table) {
-      visit_numbers(entry.value, prefix + entry.key, found);
-    }
-  } else if (const auto* items = std::get_if<Array>(&value.content)) {
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      visit_numbers((*items)[i], fmt::format("{}{}", prefix, i), found);
-    }
-  } else if (const auto* number = std::get_if<double>(&value.content)) {
-    found(path, *number);
-  } else if (const auto* integer = std::get_if<std::int64_t>(&value.content)) {
-    found(path, static_cast<double>(*integer));
-  }
-}
-
-}  // namespace
 
 tl::expected<ProfileDocument, Diagnostics> ProfileDocument::open(const std::string& path) {
   auto text = io_detail::read_text_file(path, "profile");
@@ -80,7 +55,7 @@ const std::vector<std::string>& ProfileDocument::overrides() const {
 
 void ProfileDocument::for_each_number(
     const std::function<void(const std::string& path, double value)>& found) const {
-  visit_numbers(content_->root, "", found);
+  io_detail::for_each_number(std::get<Table>(content_->root.content), found);
 }
 
 }  // namespace higherpair

@@ -26,10 +26,7 @@ const Value* find_at(const Value& document, std::initializer_list<std::string_vi
 
 // A number that is written without a unit of its own.
 std::optional<double> plain_number(const Value* value) {
-  if (value == nullptr) return std::nullopt;
-  if (const auto* integer = std::get_if<std::int64_t>(&value->content)) return static_cast<double>(*integer);
-  const auto* number = std::get_if<double>(&value->content);
-  return number == nullptr ? std::nullopt : std::optional(*number);
+  return value == nullptr ? std::nullopt : number_in(*value);
 }
 
 bool is_near(double a, double b, double relative) {

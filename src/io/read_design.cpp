@@ -20,52 +20,10 @@ namespace {
 constexpr std::string_view kDesignable[] = {"bodies.", "joints.",  "contacts.", "driver.", "drivers.",
                                             "loads.",  "springs.", "laws.",     "gravity."};
 
-const Value* part_of(const Value& value, std::string_view part) {
-  if (const auto* table = std::get_if<Table>(&value.content)) {
-    return find(*table, part);
-  }
-  const auto* items = std::get_if<Array>(&value.content);
-  const bool number = part.find_first_not_of("0123456789") == std::string_view::npos && part.size() < 9;
-  const std::size_t index =
-      items != nullptr && number && !part.empty() ? std::stoul(std::string(part)) : SIZE_MAX;
-  return items != nullptr && index < items->size() ? &(*items)[index] : nullptr;
-}
-
-// The value at a dotted path; null: there is none.
-const Value* value_at(const Table& root, std::string_view path) {
-  std::size_t dot = std::min(path.find('.'), path.size());
-  const Value* at = find(root, path.substr(0, dot));
-  while (at != nullptr && dot < path.size()) {
-    path.remove_prefix(dot + 1);
-    dot = std::min(path.find('.'), path.size());
-    at = part_of(*at, path.substr(0, dot));
-  }
-  return at;
-}
-
-std::optional<double> number_of(const Value& value) {
-  if (const auto* number = std::get_if<double>(&value.content)) return *number;
-  if (const auto* integer = std::get_if<std::int64_t>(&value.content)) return static_cast<double>(*integer);
-  return std::nullopt;
-}
-
 bool is_designable(std::string_view path) {
   const bool count = path.size() > 8 && path.substr(path.size() - 8) == ".samples";
   return !count && std::any_of(std::begin(kDesignable), std::end(kDesignable),
                                [&](std::string_view room) { return path.substr(0, room.size()) == room; });
-}
-
-void collect_numbers(const Value& value, const std::string& path, std::vector<std::string>& paths) {
-  const std::string prefix = path.empty() ? "" : path + ".";
-  if (const auto* table = std::get_if<Table>(&value.content)) {
-    for (const Entry& entry : *table) collect_numbers(entry.value, prefix + entry.key, paths);
-  } else if (const auto* items = std::get_if<Array>(&value.content)) {
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      collect_numbers((*items)[i], fmt::format("{}{}", prefix, i), paths);
-    }
-  } else if (number_of(value) && is_designable(path)) {
-    paths.push_back(path);
-  }
 }
 
 class DesignReader {
@@ -158,8 +116,8 @@ private:
   void read_path(const Item& item, DesignTask::Variable& variable, std::optional<double>& start) {
     const auto path = as_text(reading_, item);
     if (!path) return;
-    const Value* value = value_at(document_, *path);
-    const auto number = value == nullptr ? std::nullopt : number_of(*value);
+    const Value* value = end_of_path(document_, *path).value;
+    const auto number = value == nullptr ? std::nullopt : number_in(*value);
     if (!number || !is_designable(*path)) {
       report(reading_, item, no_number(*path, value));
       return;
@@ -186,7 +144,7 @@ private:
           "this is {}, a text: write it as a number in the profile's unit to make it a variable",
           text_of(*value));
     }
-    if (value != nullptr && !number_of(*value)) {
+    if (value != nullptr && !number_in(*value)) {
       return fmt::format("this is {}, not one number; go on to the number itself, such as {}.0",
                          kind_of(*value), path);
     }
@@ -196,7 +154,9 @@ private:
              "loads, springs, laws and gravity";
     }
     std::vector<std::string> paths;
-    for (const Entry& entry : document_) collect_numbers(entry.value, entry.key, paths);
+    for_each_number(document_, [&](const std::string& other, double /*number*/) {
+      if (is_designable(other)) paths.push_back(other);
+    });
     const std::string meant = did_you_mean(path, paths);
     return "there is no number at this path" + (meant.empty() ? std::string() : "; " + meant);
   }

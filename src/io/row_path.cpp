@@ -7,15 +7,6 @@
 namespace higherpair {
 namespace {
 
-std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row) {
-  std::vector<DriverMotion> drivers;
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const DriverValues si = schedule.state(row, i).si;
-    drivers.push_back({si.position, si.velocity, si.acceleration});
-  }
-  return drivers;
-}
-
 // Of positions that are given one by one the parameter is the way: the drivers' straight ways from row to row
 // added up, so that rows on the way in one direction make no difference.
 RowPath path_through(const DriverSchedule& schedule) {
@@ -88,6 +79,15 @@ RowPath path_in_time(const DriverSchedule& schedule) {
 }
 
 }  // namespace
+
+std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row) {
+  std::vector<DriverMotion> drivers;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const DriverValues si = schedule.state(row, i).si;
+    drivers.push_back({si.position, si.velocity, si.acceleration});
+  }
+  return drivers;
+}
 
 RowPath path_of(const DriverSchedule& schedule) {
   if (schedule.is_timed()) {

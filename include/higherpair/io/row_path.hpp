@@ -3,7 +3,9 @@
 #include "higherpair/dynamics/contact_forces.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace higherpair {
 
@@ -14,6 +16,9 @@ struct RowPath {
   DriverPath path;
   std::function<double(double)> row;  ///< number of the row of a parameter, with a fraction between two rows
 };
+
+/// The motion of every driver in a row.
+[[nodiscard]] std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row);
 
 [[nodiscard]] RowPath path_of(const DriverSchedule& schedule);
 
