@@ -188,13 +188,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   }
   const BoundaryContact& found = result.contact;
   ContactMotion& motion = to.contacts[static_cast<std::size_t>(touching.contact)];
-  motion.touches = true;
-  motion.at = touching.follower_is_second ? found.at : found.at.exchanged();
-  motion.place = {found.place1, found.place2};
-  if (!touching.follower_is_second) {
-    std::swap(motion.place[0], motion.place[1]);
-  }
-  motion.phi = nearest_turn(angle_of(motion.at.n_W), before.phi + h * before.rates.phi_dot);
+  move_contact(touching, found, before.phi + h * before.rates.phi_dot, motion);
   body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = to.groups[g];
   group.held = false;

@@ -2,6 +2,7 @@
 
 #include "coupled_bodies.hpp"
 #include "gap_contacts.hpp"
+#include "group_kinds.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -294,12 +295,8 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   touching_start_.bodies[static_cast<std::size_t>(touching.follower.body)] =
       motion_at(pair.motion2, best->q, 0, 0);
   ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
-  motion.at = touching.follower_is_second ? best->at : best->at.exchanged();
+  move_contact(touching, *best, 0, motion);
   motion.phi = angle_of(motion.at.n_W);
-  motion.place = {best->place1, best->place2};
-  if (!touching.follower_is_second) {
-    std::swap(motion.place[0], motion.place[1]);
-  }
   return true;
 }
 

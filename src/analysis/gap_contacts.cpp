@@ -138,12 +138,7 @@ bool close_contact(const Run& run, const Engagement& at, State& state) {
   ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
   const double phi = motion.phi;
   motion = {};
-  motion.at = touching.follower_is_second ? found.at : found.at.exchanged();
-  motion.place = {found.place1, found.place2};
-  if (!touching.follower_is_second) {
-    std::swap(motion.place[0], motion.place[1]);
-  }
-  motion.phi = nearest_turn(angle_of(motion.at.n_W), phi);
+  move_contact(touching, found, phi, motion);
   body_in(state, follower.body) = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = state.groups[at.group];
   group.held = false;
@@ -184,11 +179,6 @@ std::string jump_text(const Run& run, const TouchingBody& touching, double befor
 }
 
 }  // namespace
-
-bool has_gaps(const Mechanism& mechanism) {
-  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
-                     [](const Contact& contact) { return contact.keep == Keep::kGap; });
-}
 
 bool has_open_contact(const State& state) {
   return std::any_of(state.groups.begin(), state.groups.end(),

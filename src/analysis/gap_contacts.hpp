@@ -12,10 +12,7 @@
 
 namespace higherpair {
 
-/// Whether a contact of this mechanism may part.
-[[nodiscard]] bool has_gaps(const Mechanism& mechanism);
-
-/// Whether one is open.
+/// Whether a contact that may part is open.
 [[nodiscard]] bool has_open_contact(const State& state);
 
 /// Where a contact closes.

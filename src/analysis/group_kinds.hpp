@@ -1,6 +1,7 @@
 #pragma once
 
 #include "group_solver.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <cmath>
@@ -85,6 +86,17 @@ void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t 
                   const std::vector<DriverMotion>& drivers, State& state);
 [[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                                          const State& from, double h, State& to);
+/// Moves a contact of boundaries to where it has been found, seen from the contact's first body; its rates
+/// are left as they are. \param phi  of its normal, to within whole turns
+inline void move_contact(const TouchingBody& touching, const BoundaryContact& found, double phi,
+                         ContactMotion& motion) {
+  const bool second = touching.follower_is_second;
+  motion.touches = true;
+  motion.at = second ? found.at : found.at.exchanged();
+  motion.place = {second ? found.place1 : found.place2, second ? found.place2 : found.place1};
+  motion.phi = nearest_turn(angle_of(motion.at.n_W), phi);
+}
+
 /// The rate of the body's joint, its carrier at rest.
 [[nodiscard]] inline double follower_rate(const State& state, const TouchingBody& touching) {
   const BodyMotion& body = body_in(state, touching.follower.body);
