@@ -30,7 +30,7 @@ public:
     if (best_cost_ == kNone) {
       return position_.failure();
     }
-    run_.state = best_;
+    run_.at.state = best_;
     return std::nullopt;
   }
 
@@ -48,10 +48,10 @@ private:
   [[nodiscard]] double cost_of(const Group& group) const {
     double cost = 0;
     for (const int index : group.joints) {
-      const Joint& joint = run_.mechanism.joints[static_cast<std::size_t>(index)];
+      const Joint& joint = run_.mechanism().joints[static_cast<std::size_t>(index)];
       for (const PointRef& ref : {joint.first, joint.second}) {
         const auto body = static_cast<std::size_t>(ref.body);
-        const Vector2d p_B = point_of(run_.mechanism, ref);
+        const Vector2d p_B = point_of(run_.mechanism(), ref);
         cost += (position_.state().bodies[body].X_WB * p_B - position_.posed().bodies[body].X_WB * p_B)
                     .squaredNorm();
       }
@@ -63,12 +63,12 @@ private:
     if (cost >= best_cost_ || (all_ && !all_->complete)) {
       return;
     }
-    if (g == run_.plan.groups.size() && all_) {
+    if (g == run_.plan().groups.size() && all_) {
       all_->states.push_back(position_.state());
       all_->complete = all_->states.size() < kMaxAssemblies;
       return;
     }
-    if (g == run_.plan.groups.size()) {
+    if (g == run_.plan().groups.size()) {
       best_cost_ = cost;
       best_ = position_.state();
       return;
@@ -81,7 +81,7 @@ private:
     std::vector<Candidate> candidates;
     for (const int mode : modes) {
       if (position_.place(g, mode)) {
-        candidates.push_back({mode, cost_of(run_.plan.groups[g])});
+        candidates.push_back({mode, cost_of(run_.plan().groups[g])});
       }
     }
     std::sort(candidates.begin(), candidates.end(),
@@ -98,7 +98,7 @@ private:
   }
 
   [[nodiscard]] std::vector<int> modes_of(std::size_t g) const {
-    return traits_of(run_.plan.groups[g]).two_modes ? std::vector<int>{1, -1} : std::vector<int>{1};
+    return traits_of(run_.plan().groups[g]).two_modes ? std::vector<int>{1, -1} : std::vector<int>{1};
   }
 
   Run& run_;
@@ -122,9 +122,9 @@ int branch_count(const Plan& plan) {
 int branch_of(const Run& run) {
   int branch = 0;
   int bit = 0;
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (traits_of(run.plan.groups[g]).two_modes && bit < kMostModes) {
-      branch |= (run.state.groups[g].mode < 0 ? 1 : 0) << bit++;
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    if (traits_of(run.plan().groups[g]).two_modes && bit < kMostModes) {
+      branch |= (run.at.state.groups[g].mode < 0 ? 1 : 0) << bit++;
     }
   }
   return branch;
@@ -135,19 +135,22 @@ tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism, const st
   if (!plan) {
     return tl::unexpected(StartFailure{plan.error(), std::nullopt});
   }
-  return planned_run(mechanism, *std::move(plan), drivers);
+  return planned_run(make_run_model(mechanism, *std::move(plan)), drivers);
 }
 
-Run planned_run(const Mechanism& mechanism, Plan plan, const std::vector<double>& drivers) {
+Run planned_run(RunModel model, const std::vector<double>& drivers) {
   Run run;
-  run.mechanism = mechanism;
-  run.plan = std::move(plan);
-  run.drivers = drivers;
+  run.model = std::move(model);
+  const auto& contacts = run.mechanism().contacts;
+  if (std::any_of(contacts.begin(), contacts.end(), [](const Contact& one) { return one.by_boundary; })) {
+    run.local = *run.model.mechanism;
+  }
+  run.at.drivers = drivers;
   return run;
 }
 
 std::optional<StartFailure> assemble(Run& run) {
-  run.state = posed_state(run.mechanism, run.plan, 0);
+  run.at.state = posed_state(run.mechanism(), run.plan(), 0);
   return Assembler(run).run();
 }
 
@@ -168,18 +171,18 @@ State posed_state(const Mechanism& mechanism, const Plan& plan, int branch) {
 }
 
 bool assemble_on(Run& run, int branch) {
-  run.state = posed_state(run.mechanism, run.plan, branch);
+  run.at.state = posed_state(run.mechanism(), run.plan(), branch);
   FirstPosition position(run);
   bool placed = true;
-  for (std::size_t g = 0; placed && g < run.plan.groups.size(); ++g) {
-    placed = position.place(g, run.state.groups[g].mode);
+  for (std::size_t g = 0; placed && g < run.plan().groups.size(); ++g) {
+    placed = position.place(g, run.at.state.groups[g].mode);
   }
-  run.state = position.state();
+  run.at.state = position.state();
   return placed;
 }
 
 Assemblies assemble_all(Run& run) {
-  run.state = posed_state(run.mechanism, run.plan, 0);
+  run.at.state = posed_state(run.mechanism(), run.plan(), 0);
   return Assembler(run).run_all();
 }
 

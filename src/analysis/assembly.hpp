@@ -7,13 +7,14 @@ namespace higherpair {
 /// A mechanism with its plan, at these positions of its drivers; not assembled yet.
 [[nodiscard]] tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism,
                                                           const std::vector<double>& drivers);
-[[nodiscard]] Run planned_run(const Mechanism& mechanism, Plan plan, const std::vector<double>& drivers);
+[[nodiscard]] Run planned_run(RunModel model, const std::vector<double>& drivers);
 
-/// Sets run.state to the assembly nearest to the poses at run.drivers, without rates; says why there is none.
+/// Sets run.at.state to the assembly nearest to the poses at run.at.drivers, without rates; says why there is
+/// none.
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);
 
-/// The same in the modes of a branch (branch_run.hpp); false where it has no assembly at run.drivers.
-/// run.state then holds the groups before the first that cannot be placed.
+/// The same in the modes of a branch (branch_run.hpp); false where it has no assembly at run.at.drivers.
+/// run.at.state then holds the groups before the first that cannot be placed.
 [[nodiscard]] bool assemble_on(Run& run, int branch);
 
 /// The poses, with the modes of a branch.
@@ -25,7 +26,7 @@ struct Assemblies {
   bool complete = true;  ///< false: there are more
 };
 
-/// Every combination of assembly modes that closes at run.drivers.
+/// Every combination of assembly modes that closes at run.at.drivers.
 [[nodiscard]] Assemblies assemble_all(Run& run);
 
 }  // namespace higherpair

@@ -22,13 +22,13 @@ ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
   place.contact = tracked.contact;
   place.follower = tracked.follower;
   place.pair = tracked.pair;
-  place.u = tracked.driver_sign * run.drivers[static_cast<std::size_t>(tracked.driver)];
+  place.u = tracked.driver_sign * run.at.drivers[static_cast<std::size_t>(tracked.driver)];
   place.known_is_first = tracked.driver_is_first;
   return place;
 }
 
 ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
-  const StandingPair placed = standing_pair({run.mechanism, run.plan}, touching, run.state);
+  const StandingPair placed = standing_pair({run.mechanism(), run.plan()}, touching, run.at.state);
   ContactPlace place;
   place.contact = touching.contact;
   place.follower = touching.follower;
@@ -36,7 +36,7 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
   place.u = placed.u;
   place.known_is_first = touching.follower_is_second;
   if (touching.follower.freedom.turns) {
-    place.carrier_angle = run.state.bodies[static_cast<std::size_t>(touching.follower.carrier)].theta;
+    place.carrier_angle = run.at.state.bodies[static_cast<std::size_t>(touching.follower.carrier)].theta;
   }
   return place;
 }
@@ -116,7 +116,7 @@ tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
   const std::vector<BodyMotion> posed = posed_bodies(mechanism);
   const bool assembled = !assemble(run).has_value();
   branches.complete = found.complete;
-  for (const Group& group : run.plan.groups) {
+  for (const Group& group : run.plan().groups) {
     if (const auto* tracked = std::get_if<TrackedPair>(&group.kind)) {
       branches.contacts.push_back(place_of_tracked(run, *tracked));
     } else if (const auto* touching = std::get_if<TouchingBody>(&group.kind);
@@ -129,7 +129,7 @@ tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
   for (ContactPlace& place : branches.contacts) {
     place.posed = posed_coordinate(posed, place.follower);
   }
-  for (const State& state : different(found.states, run.plan.size)) {
+  for (const State& state : different(found.states, run.plan().size)) {
     std::vector<double>& coordinates = branches.assemblies.emplace_back();
     for (const Joint& joint : mechanism.joints) {
       coordinates.push_back(joint_motion(mechanism, joint, state.bodies).position);

@@ -23,15 +23,15 @@ double distance_from(const BodyLine& line, const std::vector<BodyMotion>& bodies
 // Places the groups in their order; the gap of each, up to the first that cannot be placed.
 std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers, State from,
                                            State state) {
-  std::vector<std::optional<double>> gaps(run.plan.groups.size());
-  const Planned model{run.mechanism, run.plan};
+  std::vector<std::optional<double>> gaps(run.plan().groups.size());
+  const Planned model{run.mechanism(), run.plan()};
   for (std::size_t g = 0; g < gaps.size(); ++g) {
     // A contact that was never found cannot be followed.
-    if (std::holds_alternative<TrackedPair>(run.plan.groups[g].kind) &&
+    if (std::holds_alternative<TrackedPair>(run.plan().groups[g].kind) &&
         std::holds_alternative<std::monostate>(state.tracks[g])) {
       break;
     }
-    gaps[g] = closure_gap(run.plan.groups[g], state.bodies);
+    gaps[g] = closure_gap(run.plan().groups[g], state.bodies);
     if ((gaps[g] && *gaps[g] > 0) || place_group_anew(model, g, from, drivers, state) != GroupStatus::kOk) {
       break;
     }
@@ -59,14 +59,14 @@ std::optional<double> closure_gap(const Group& group, const std::vector<BodyMoti
 }
 
 std::vector<std::optional<double>> closure_gaps(const Run& run, const std::vector<double>& drivers) {
-  return gaps_of(run, drivers, run.state, run.state);
+  return gaps_of(run, drivers, run.at.state, run.at.state);
 }
 
-std::vector<std::optional<double>> first_closure_gaps(const Mechanism& mechanism, Plan plan,
-                                                      const std::vector<double>& drivers, int branch) {
-  Run run = planned_run(mechanism, std::move(plan), drivers);
+std::vector<std::optional<double>> first_closure_gaps(RunModel model, const std::vector<double>& drivers,
+                                                      int branch) {
+  Run run = planned_run(std::move(model), drivers);
   (void)assemble_on(run, branch);
-  return gaps_of(run, drivers, run.state, run.state);
+  return gaps_of(run, drivers, run.at.state, run.at.state);
 }
 
 std::optional<double> transmission_sine(const Plan& plan, int joint, const std::vector<BodyMotion>& bodies) {

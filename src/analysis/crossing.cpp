@@ -51,19 +51,19 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
     body.a_WB = place.second;
   }
   for (std::size_t i = 0; i < b.contacts.size(); ++i) {
-    const Contact& contact = run.mechanism.contacts[i];
+    const Contact& contact = run.mechanism().contacts[i];
     ContactMotion& motion = b.contacts[i];
     const double phi =
         (a.contacts[i].phi + motion.phi) / 2 + h / 8 * (a.contacts[i].rates.phi_dot - motion.rates.phi_dot);
     motion.at.n_W = unit_vector(phi);
     motion.phi = phi;
-    (void)place_contact(run.mechanism, contact, b.bodies, motion);
+    (void)place_contact(run.mechanism(), contact, b.bodies, motion);
     set_contact_rates(model_of(run), static_cast<int>(i), b);
   }
   for (std::size_t g = 0; g < b.groups.size(); ++g) {
-    if (traits_of(run.plan.groups[g]).can_cross) {
+    if (traits_of(run.plan().groups[g]).can_cross) {
       b.groups[g].sine = sine_of(model_of(run), g, b);
-      b.groups[g].noise = traits_of(run.plan.groups[g]).sine_noise * b.groups[g].lever;
+      b.groups[g].noise = traits_of(run.plan().groups[g]).sine_noise * b.groups[g].lever;
     }
   }
 }
@@ -71,9 +71,9 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
 }  // namespace
 
 bool is_near_crossing(const Run& run, const State& state) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     if (std::abs(state.groups[g].sine) < kNear * state.groups[g].lever &&
-        traits_of(run.plan.groups[g]).can_cross) {
+        traits_of(run.plan().groups[g]).can_cross) {
       return true;
     }
   }
@@ -82,27 +82,27 @@ bool is_near_crossing(const Run& run, const State& state) {
 
 bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   const double reach = std::copysign(kCrossingReach * unit_of(run, path), path.length);
-  const State direct = run.trial;
-  const State kept = run.state;
+  const State direct = run.work.trial;
+  const State kept = run.at.state;
   // Back from a place beyond the crossing leads over it.
   const double h = rest - reach;
   bool crosses =
       h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h);
   if (crosses) {
-    const State before = run.trial;
-    run.state = before;
+    const State before = run.work.trial;
+    run.at.state = before;
     crosses = try_step(run, path, path.length - reach, 2 * reach).kind == StepResult::kOk &&
-              modes_differ(before, run.trial);
+              modes_differ(before, run.work.trial);
     if (crosses) {
-      interpolate(run, before, 2 * reach, run.trial);
+      interpolate(run, before, 2 * reach, run.work.trial);
     }
   }
-  run.state = kept;
+  run.at.state = kept;
   if (crosses) {
-    run.between = true;
-    path.positions(s, run.drivers);
+    run.at.beside = run.work.trial;
+    path.positions(s, run.at.drivers);
   } else {
-    run.trial = direct;
+    run.work.trial = direct;
   }
   return crosses;
 }

@@ -25,9 +25,9 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
       at.drivers[i].c[k] = higher[i][k - 3] / kFactorials[k];
     }
   }
-  Dimensions<double> dimensions = dimensions_of(run.mechanism);
+  Dimensions<double> dimensions = dimensions_of(run.mechanism());
   const auto held = plan_with_held_joints(run, dimensions, at);
-  const auto motion = solve_series(held ? *held : run.plan, dimensions, dimensions, std::move(at));
+  const auto motion = solve_series(held ? *held : run.plan(), dimensions, dimensions, std::move(at));
   if (!std::all_of(motion.known.begin(), motion.known.end(), [](bool known) { return known; })) {
     return std::nullopt;
   }

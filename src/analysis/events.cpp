@@ -54,10 +54,10 @@ public:
   StrokeEnds(Run& run, const Path& path, double s, double h) : run_(run), path_(path), s_(s), h_(h) {}
 
   void note(OutputJoint& output) {
-    const double v0 = output_velocity(output, run_.state);
-    const double v1 = output_velocity(output, run_.trial);
-    const double middle = slowest_within(v0, output_acceleration(output, run_.state), v1,
-                                         output_acceleration(output, run_.trial), h_);
+    const double v0 = output_velocity(output, run_.at.state);
+    const double v1 = output_velocity(output, run_.work.trial);
+    const double middle = slowest_within(v0, output_acceleration(output, run_.at.state), v1,
+                                         output_acceleration(output, run_.work.trial), h_);
     if (middle != 0) {
       const double between = velocity_at(output, middle);
       if (between * v0 < 0) {
@@ -71,20 +71,20 @@ public:
 
 private:
   double velocity_at(const OutputJoint& output, double x) {
-    const State kept = run_.trial;
-    const double v = solve_at(run_, path_, s_, x) ? output_velocity(output, run_.trial) : NAN;
-    run_.trial = kept;
+    const State kept = run_.work.trial;
+    const double v = solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : NAN;
+    run_.work.trial = kept;
     return v;
   }
 
   std::optional<double> position_at(const OutputJoint& output, double x) {
-    const State kept = run_.trial;
+    const State kept = run_.work.trial;
     std::optional<double> position;
     if (solve_at(run_, path_, s_, x)) {
-      const Joint& joint = run_.mechanism.joints[static_cast<std::size_t>(output.joint)];
-      position = joint_motion(run_.mechanism, joint, run_.trial.bodies).position;
+      const Joint& joint = run_.mechanism().joints[static_cast<std::size_t>(output.joint)];
+      position = joint_motion(run_.mechanism(), joint, run_.work.trial.bodies).position;
     }
-    run_.trial = kept;
+    run_.work.trial = kept;
     return position;
   }
 
@@ -104,7 +104,7 @@ private:
     }
     // An output at rest has a sense by rounding alone.
     const double slow =
-        kSlowestOutput * std::max(fast, fastest_motion(run_.trial, run_.plan.size, output.turns));
+        kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size, output.turns));
     if (std::abs(after) <= slow) {
       return;
     }
@@ -133,30 +133,30 @@ private:
 
 // κ1 + κ2 up to a positive factor; empty where one of the curves is a line or a point, which cannot conform.
 std::optional<double> conformity(const Run& run, std::size_t contact, const State& state) {
-  const Contact& touching = run.mechanism.contacts[contact];
+  const Contact& touching = run.mechanism().contacts[contact];
   const CommonNormal& at = state.contacts[contact].at;
   if (touching.by_boundary) {
     const bool corner = at.rho1 == 0 || at.rho2 == 0;
     return corner ? std::nullopt : std::optional(1 / at.rho1 + 1 / at.rho2);
   }
-  const bool curved = is_curved(curve_of(run.mechanism, touching.first)) &&
-                      is_curved(curve_of(run.mechanism, touching.second));
+  const bool curved = is_curved(curve_of(run.mechanism(), touching.first)) &&
+                      is_curved(curve_of(run.mechanism(), touching.second));
   return curved ? std::optional((at.rho1 + at.rho2) * (at.rho1 * at.rho2 > 0 ? 1 : -1)) : std::nullopt;
 }
 
 void note_conforming(Run& run, const Path& path, double s, double h) {
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
-    const auto before = conformity(run, i, run.state);
-    const auto after = conformity(run, i, run.trial);
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    const auto before = conformity(run, i, run.at.state);
+    const auto after = conformity(run, i, run.work.trial);
     if (!before || !after || *before * *after >= 0) {
       continue;
     }
-    const State kept = run.trial;
+    const State kept = run.work.trial;
     const auto value = [&](double x) {
-      return solve_at(run, path, s, x) ? conformity(run, i, run.trial).value_or(NAN) : NAN;
+      return solve_at(run, path, s, x) ? conformity(run, i, run.work.trial).value_or(NAN) : NAN;
     };
     const auto x = root_between(value, *before, h, *after);
-    run.trial = kept;
+    run.work.trial = kept;
     if (x) {
       RunEvent event = event_at(
           EventType::kConforming, path, s + *x,
@@ -191,17 +191,18 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
 }
 
 void note_crossings(Run& run, const Path& path, double s, double end) {
-  for (const Crossing& crossing : run.crossings) {
+  for (const Crossing& crossing : run.work.crossings) {
     const double driver = driver_at(path, crossing.s);
     const double near = kSameCrossing * (driver_scale(run, 0) + std::abs(driver));
-    const bool known = std::any_of(run.reported.begin(), run.reported.end(), [&](const Crossing& other) {
-      return other.group == crossing.group && std::abs(other.s - driver) <= near;
-    });
+    const bool known =
+        std::any_of(run.at.reported.begin(), run.at.reported.end(), [&](const Crossing& other) {
+          return other.group == crossing.group && std::abs(other.s - driver) <= near;
+        });
     const bool on_the_way = (crossing.s - s) * (end - s) >= 0 && (end - crossing.s) * (end - s) >= 0;
     if (known || !on_the_way) {
       continue;
     }
-    run.reported.push_back({crossing.group, driver});
+    run.at.reported.push_back({crossing.group, driver});
     RunEvent event = event_at(EventType::kDeadPoint, path, crossing.s,
                               "branches cross here: the input cannot tell which way the mechanism goes on; "
                               "it is taken straight on");
@@ -212,12 +213,12 @@ void note_crossings(Run& run, const Path& path, double s, double end) {
 
 void note_events(Run& run, const Path& path, double s, double h) {
   StrokeEnds ends(run, path, s, h);
-  for (OutputJoint& output : run.outputs) {
+  for (OutputJoint& output : run.at.outputs) {
     ends.note(output);
   }
   note_conforming(run, path, s, h);
   note_crossings(run, path, s, s + h);
-  run.reported.clear();
+  run.at.reported.clear();
 }
 
 }  // namespace higherpair

@@ -52,15 +52,15 @@ std::string explain(FindStatus status, const Contact& contact) {
 std::string unreachable(const Run& run, const State& state, const Group& group) {
   std::string names;
   for (const int body : group.bodies) {
-    names += (names.empty() ? "" : ", ") + name_of_body(run.mechanism, body);
+    names += (names.empty() ? "" : ", ") + name_of_body(run.mechanism(), body);
   }
-  const auto g = static_cast<std::size_t>(&group - run.plan.groups.data());
-  if (const auto end = joint_beyond_end({run.mechanism, run.plan}, g, state)) {
+  const auto g = static_cast<std::size_t>(&group - run.plan().groups.data());
+  if (const auto end = joint_beyond_end({run.mechanism(), run.plan()}, g, state)) {
     return fmt::format(
         "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
         "driver.start, "
         "the dimensions or that end",
-        run.mechanism.joints[static_cast<std::size_t>(end->joint)].name, end->upper ? "to" : "from");
+        run.mechanism().joints[static_cast<std::size_t>(end->joint)].name, end->upper ? "to" : "from");
   }
   if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
     const double distance = (state.bodies[static_cast<std::size_t>(dyad->A.body)].X_WB * dyad->A.p_B -
@@ -97,10 +97,10 @@ bool starts_rolling(const Mechanism& mechanism, const Group& group) {
 }  // namespace
 
 FirstPosition::FirstPosition(const Run& run)
-    : run_(run), model_{run.mechanism, run.plan}, posed_(run.state), state_(run.state) {}
+    : run_(run), model_{run.mechanism(), run.plan()}, posed_(run.at.state), state_(run.at.state) {}
 
 bool FirstPosition::place(std::size_t g, int mode) {
-  const Group& group = run_.plan.groups[g];
+  const Group& group = run_.plan().groups[g];
   state_.groups[g].mode = mode;
   // What was tried before makes no difference, not to the last digit either.
   for (const int body : group.bodies) {
@@ -117,9 +117,9 @@ bool FirstPosition::place(std::size_t g, int mode) {
     start_coupled(group);
   }
   const State& from = touching != nullptr ? touching_start_ : posed_;
-  const GroupStatus status = starts_rolling(run_.mechanism, group)
+  const GroupStatus status = starts_rolling(run_.mechanism(), group)
                                  ? start_rolling_bodies(g)
-                                 : place_group(model_, g, from, 0, run_.drivers, state_);
+                                 : place_group(model_, g, from, 0, run_.at.drivers, state_);
   if (status != GroupStatus::kOk) {
     fail(g, unreachable(run_, state_, group));
     return false;
@@ -138,17 +138,18 @@ void FirstPosition::fail(std::size_t g, std::string reason) {
 // At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their
 // angles. From there they roll.
 GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
-  const Group& group = run_.plan.groups[g];
-  Mechanism slipping = run_.mechanism;
+  const Group& group = run_.plan().groups[g];
+  Mechanism slipping = run_.mechanism();
   for (const int contact : group.contacts) {
     slipping.contacts[static_cast<std::size_t>(contact)].rolling = false;
   }
   std::vector<int> held;
-  std::copy_if(run_.plan.phase_bodies.begin(), run_.plan.phase_bodies.end(), std::back_inserter(held),
+  std::copy_if(run_.plan().phase_bodies.begin(), run_.plan().phase_bodies.end(), std::back_inserter(held),
                [&](int body) {
                  return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
                });
-  const GroupStatus status = place_coupled({slipping, run_.plan}, g, posed_, 0, run_.drivers, state_, held);
+  const GroupStatus status =
+      place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.drivers, state_, held);
   begin_arcs(group);
   judge_coupled(model_, g, state_);
   return status;
@@ -156,17 +157,17 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
 
 void FirstPosition::begin_arcs(const Group& group) {
   for (const int index : group.contacts) {
-    const Contact& contact = contact_of(run_.mechanism, index);
+    const Contact& contact = contact_of(run_.mechanism(), index);
     ContactMotion& motion = state_.contacts[static_cast<std::size_t>(index)];
     if (contact.rolling) {
-      motion.arc_difference = arc_difference(run_.mechanism, contact, motion, state_.bodies);
+      motion.arc_difference = arc_difference(run_.mechanism(), contact, motion, state_.bodies);
     }
   }
 }
 
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
-  const Contact& contact = contact_of(run_.mechanism, tracked.contact);
-  const double u = tracked.driver_sign * run_.drivers[static_cast<std::size_t>(tracked.driver)];
+  const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
+  const double u = tracked.driver_sign * run_.at.drivers[static_cast<std::size_t>(tracked.driver)];
   const double q = carried_coordinate(tracked.follower, posed_.bodies[0],
                                       posed_.bodies[static_cast<std::size_t>(tracked.follower.body)]);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
@@ -177,7 +178,7 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
       return false;
     }
   } else if (const auto standing =
-                 standing_contact(tracked.pair, u, touching, run_.tolerance * run_.plan.size)) {
+                 standing_contact(tracked.pair, u, touching, run_.tolerance * run_.plan().size)) {
     state_.tracks[g] = *standing;
   } else if (found.status != FindStatus::kFound) {
     fail(g, explain(found.status, contact));
@@ -187,8 +188,8 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
     state_.tracks[g] = start_track(tracked.pair, found.at, state_.groups[g].mode);
   }
   const State from = state_;
-  if (place_group(model_, g, from, 0, run_.drivers, state_) != GroupStatus::kOk) {
-    fail(g, unreachable(run_, state_, run_.plan.groups[g]));
+  if (place_group(model_, g, from, 0, run_.at.drivers, state_) != GroupStatus::kOk) {
+    fail(g, unreachable(run_, state_, run_.plan().groups[g]));
     return false;
   }
   return true;
@@ -198,14 +199,14 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
                                        const FindResult& found) {
   const ContactPair& pair = tracked.pair;
   const Separation here = separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2,
-                                     pose_at(pair.motion2, q), kRoughSeparation * run_.plan.size);
+                                     pose_at(pair.motion2, q), kRoughSeparation * run_.plan().size);
   RollingTrack track;
   const RollingResult start = start_rolling(track, pair, u, q, here.n_W);
-  if (start.converged && start.mismatch <= run_.tolerance * run_.plan.size) {
+  if (start.converged && start.mismatch <= run_.tolerance * run_.plan().size) {
     state_.tracks[g] = track;
     return true;
   }
-  const Contact& contact = contact_of(run_.mechanism, tracked.contact);
+  const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
   if (found.status != FindStatus::kFound) {
     fail(g, explain(found.status, contact));
     return false;
@@ -214,13 +215,13 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
               ": this pair cannot roll; set rolling = false, or choose curves and joints whose contact point "
               "stays at the instant centre");
   failure_.slip =
-      Slip{run_.drivers[static_cast<std::size_t>(tracked.driver)], found.at.sliding, tracked.contact};
+      Slip{run_.at.drivers[static_cast<std::size_t>(tracked.driver)], found.at.sliding, tracked.contact};
   return false;
 }
 
 // Finds the contact of a body that hangs on bodies which stand; place_group then starts from it.
 bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) {
-  const Contact& contact = contact_of(run_.mechanism, touching.contact);
+  const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const CarriedBody& follower = touching.follower;
   touching_start_ = state_;
   const StandingPair placed = standing_pair(model_, touching, state_);
@@ -253,7 +254,7 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
 // Of all contacts that leave the bodies free of each other the nearest one, or the first that way.
 bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_t g,
                                         const StandingPair& placed, double posed) {
-  const Contact& contact = contact_of(run_.mechanism, touching.contact);
+  const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const BoundaryPair pair = standing_boundaries(model_, touching, placed);
   const double sense = contact.approach == Approach::kNearest    ? 0
                        : contact.approach == Approach::kPositive ? touching.follower.sign
@@ -270,7 +271,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
     const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
     if (wanted && (contact.both_sides ||
                    deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
-                                       pose_at(pair.motion2, found.q), kOverlap * run_.plan.size)
+                                       pose_at(pair.motion2, found.q), kOverlap * run_.plan().size)
                            .depth == 0)) {
       best = found;
       least = distance;
@@ -278,7 +279,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   }
   if (contact.keep == Keep::kGap &&
       starts_open(pair, placed.u, posed, best ? std::optional(best->q) : std::nullopt, contact,
-                  run_.plan.size)) {
+                  run_.plan().size)) {
     const CarriedBody& follower = touching.follower;
     GroupState& group = touching_start_.groups[g];
     group.held = true;
@@ -303,7 +304,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
 // The common normal of the bodies in their poses is where Newton's method begins.
 void FirstPosition::start_coupled(const Group& group) {
   for (const int index : group.contacts) {
-    const Contact& contact = contact_of(run_.mechanism, index);
+    const Contact& contact = contact_of(run_.mechanism(), index);
     const auto pose = [&](const CurveRef& ref) {
       const auto body = static_cast<std::size_t>(ref.body);
       const bool placed = std::find(group.bodies.begin(), group.bodies.end(), ref.body) == group.bodies.end();
@@ -311,13 +312,13 @@ void FirstPosition::start_coupled(const Group& group) {
     };
     if (contact.by_boundary) {
       posed_.contacts[static_cast<std::size_t>(index)].place =
-          nearest_places(boundary_of(run_.mechanism, contact.first), pose(contact.first),
-                         boundary_of(run_.mechanism, contact.second), pose(contact.second));
+          nearest_places(boundary_of(run_.mechanism(), contact.first), pose(contact.first),
+                         boundary_of(run_.mechanism(), contact.second), pose(contact.second));
       continue;
     }
-    const Separation here = separation(curve_of(run_.mechanism, contact.first), pose(contact.first),
-                                       curve_of(run_.mechanism, contact.second), pose(contact.second),
-                                       kRoughSeparation * run_.plan.size);
+    const Separation here = separation(curve_of(run_.mechanism(), contact.first), pose(contact.first),
+                                       curve_of(run_.mechanism(), contact.second), pose(contact.second),
+                                       kRoughSeparation * run_.plan().size);
     ContactMotion& motion = posed_.contacts[static_cast<std::size_t>(index)];
     motion.at.n_W = here.n_W;
     motion.phi = angle_of(here.n_W);

@@ -17,7 +17,7 @@ inline constexpr const char* kTouchesAtLimit =
 /// Keeps a reference to the run.
 class FirstPosition {
 public:
-  /// \pre run.state holds the poses
+  /// \pre run.at.state holds the poses
   explicit FirstPosition(const Run& run);
 
   /// Places group g in this mode; the groups before it stand. False where it cannot be placed.

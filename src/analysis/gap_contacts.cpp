@@ -28,11 +28,11 @@ constexpr double kNoJump =
     1e-9;  // of a velocity [1, or of the size]: a mechanism whose dimensions are rounded
 
 const TouchingBody& touching_of(const Run& run, std::size_t g) {
-  return std::get<TouchingBody>(run.plan.groups[g].kind);
+  return std::get<TouchingBody>(run.plan().groups[g].kind);
 }
 
 const Contact& contact_of(const Run& run, const TouchingBody& touching) {
-  return run.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  return run.mechanism().contacts[static_cast<std::size_t>(touching.contact)];
 }
 
 // The place of a boundary with an outward normal; none where the sample nearest to it does not lead there.
@@ -58,8 +58,8 @@ struct PassingAt {
 };
 
 std::optional<PassingAt> at(const Run& run, const Passing& passing, const State& state) {
-  const Boundary& own = boundary_of(run.mechanism, passing.own);
-  const Boundary& other = boundary_of(run.mechanism, passing.other);
+  const Boundary& own = boundary_of(run.mechanism(), passing.own);
+  const Boundary& other = boundary_of(run.mechanism(), passing.other);
   const Pose<double>& X_WO = body_in(state, passing.own.body).X_WB;
   const Pose<double>& X_WC = body_in(state, passing.other.body).X_WB;
   const SpanPoint end = own.at(passing.end);
@@ -75,7 +75,7 @@ std::optional<PassingAt> at(const Run& run, const Passing& passing, const State&
 std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
   std::vector<Passing> all;
   const auto add = [&](const CurveRef& own, const CurveRef& other) {
-    const Boundary& boundary = boundary_of(run.mechanism, own);
+    const Boundary& boundary = boundary_of(run.mechanism(), own);
     for (int span = 0; span < static_cast<int>(boundary.spans().size()); ++span) {
       const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
       if (boundary.joint_after(span) == SpanJoint::kEnd) {
@@ -94,20 +94,20 @@ std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
 // Where the other curve comes in over an end.
 std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, double s, double h,
                                 const Passing& passing) {
-  const auto before = at(run, passing, run.state);
-  const auto after = at(run, passing, run.trial);
+  const auto before = at(run, passing, run.at.state);
+  const auto after = at(run, passing, run.work.trial);
   if (!before || !after || !(before->beyond > 0) || !(after->beyond <= 0)) {
     return std::nullopt;
   }
-  const State kept = run.trial;
+  const State kept = run.work.trial;
   const auto beyond = [&](double x) {
-    const auto there = solve_at(run, path, s, x) ? at(run, passing, run.trial) : std::nullopt;
+    const auto there = solve_at(run, path, s, x) ? at(run, passing, run.work.trial) : std::nullopt;
     return there ? there->beyond : kNaN;
   };
   const auto x = root_between(beyond, before->beyond, h, after->beyond);
-  const auto there = x && solve_at(run, path, s, *x) ? at(run, passing, run.trial) : std::nullopt;
-  run.trial = kept;
-  if (!there || !(std::abs(there->beside) <= kCapture * run.plan.size)) {
+  const auto there = x && solve_at(run, path, s, *x) ? at(run, passing, run.work.trial) : std::nullopt;
+  run.work.trial = kept;
+  if (!there || !(std::abs(there->beside) <= kCapture * run.plan().size)) {
     return std::nullopt;
   }
   const Contact& contact = contact_of(run, touching_of(run, g));
@@ -146,16 +146,16 @@ bool close_contact(const Run& run, const Engagement& at, State& state) {
   return true;
 }
 
-// Places all bodies at s as the contacts of `state` have them, into run.state; false, and nothing done, where
-// that is not possible.
+// Places all bodies at s as the contacts of `state` have them, into run.at.state; false, and nothing done,
+// where that is not possible.
 bool settle(Run& run, const Path& path, double s, State state) {
-  std::swap(run.state, state);
+  std::swap(run.at.state, state);
   if (!solve_at(run, path, s, 0)) {
-    std::swap(run.state, state);
+    std::swap(run.at.state, state);
     return false;
   }
-  std::swap(run.state, run.trial);
-  run.trial = run.state;
+  std::swap(run.at.state, run.work.trial);
+  run.work.trial = run.at.state;
   return true;
 }
 
@@ -166,11 +166,11 @@ void report(Run& run, EventType type, const Path& path, double s, int contact, s
 }
 
 const std::string& follower_name(const Run& run, const TouchingBody& touching) {
-  return run.mechanism.bodies[static_cast<std::size_t>(touching.follower.body)].name;
+  return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
 }
 
 std::string jump_text(const Run& run, const TouchingBody& touching, double before, double after) {
-  const double unit = touching.follower.freedom.turns ? 1 : run.plan.size;
+  const double unit = touching.follower.freedom.turns ? 1 : run.plan().size;
   if (std::abs(after - before) <= kNoJump * unit) {
     return ", without a jump of velocity";
   }
@@ -192,8 +192,8 @@ std::optional<Engagement> engagement_within(Run& run, const Path& path, double s
       first = found;
     }
   };
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (!run.state.groups[g].held) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    if (!run.at.state.groups[g].held) {
       continue;
     }
     const Contact& contact = contact_of(run, touching_of(run, g));
@@ -217,32 +217,33 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     if (!solve_at(run, path, s, x)) {
       return std::nullopt;
     }
-    State closed = run.trial;
+    State closed = run.work.trial;
     if (!close_contact(run, engagement, closed)) {
       continue;
     }
     note_events(run, path, s, x);
-    std::swap(run.state, run.trial);
+    std::swap(run.at.state, run.work.trial);
     if (!settle(run, path, s + x, std::move(closed))) {
-      std::swap(run.state, run.trial);
+      std::swap(run.at.state, run.work.trial);
       return std::nullopt;
     }
-    report(run, EventType::kEngage, path, s + x, touching.contact,
-           "the two bodies begin to touch" + jump_text(run, touching, 0, follower_rate(run.state, touching)));
+    report(
+        run, EventType::kEngage, path, s + x, touching.contact,
+        "the two bodies begin to touch" + jump_text(run, touching, 0, follower_rate(run.at.state, touching)));
     return x;
   }
   return std::nullopt;
 }
 
 std::optional<std::string> why_parting(const Run& run, std::size_t g) {
-  const auto* touching = std::get_if<TouchingBody>(&run.plan.groups[g].kind);
-  if (touching == nullptr || contact_of(run, *touching).keep != Keep::kGap || run.state.groups[g].held) {
+  const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+  if (touching == nullptr || contact_of(run, *touching).keep != Keep::kGap || run.at.state.groups[g].held) {
     return std::nullopt;
   }
   if (end_reached(run, g)) {
     return "the contact leaves the end of a curve";
   }
-  if (joint_at_end(model_of(run), g, run.state)) {
+  if (joint_at_end(model_of(run), g, run.at.state)) {
     return fmt::format("{} comes to the end of its guide", follower_name(run, *touching));
   }
   return std::nullopt;
@@ -250,8 +251,8 @@ std::optional<std::string> why_parting(const Run& run, std::size_t g) {
 
 void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason) {
   const TouchingBody& touching = touching_of(run, g);
-  const double before = follower_rate(run.state, touching);
-  State open = run.state;
+  const double before = follower_rate(run.at.state, touching);
+  State open = run.at.state;
   GroupState& group = open.groups[g];
   group.held = true;
   group.held_at = carried_coordinate(touching.follower, body_in(open, touching.follower.carrier),
@@ -259,7 +260,7 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   if (!settle(run, path, s, std::move(open))) {
     return;
   }
-  run.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
+  run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
   report(run, EventType::kRelease, path, s, touching.contact,
          fmt::format("{}: the bodies part and {} stays where it is{}", reason, follower_name(run, touching),
                      jump_text(run, touching, before, 0)));

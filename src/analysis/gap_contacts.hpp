@@ -18,23 +18,23 @@ namespace higherpair {
 /// Where a contact closes.
 struct Engagement {
   std::size_t group = 0;
-  double x = 0;                        ///< beyond run.state on the path
+  double x = 0;                        ///< beyond run.at.state on the path
   std::array<BoundaryPlace, 2> place;  ///< on the contact's first and second curve
 };
 
-/// The first contact that closes between run.state, which is at s, and run.trial, h beyond it. run.trial is
-/// left as it is.
+/// The first contact that closes between run.at.state, which is at s, and run.work.trial, h beyond it.
+/// run.work.trial is left as it is.
 [[nodiscard]] std::optional<Engagement> engagement_within(Run& run, const Path& path, double s, double h);
 
-/// Moves run.state to where a contact closes, and closes it there; the way that this takes, or nothing where
-/// the curves do not meet. Adds an event.
+/// Moves run.at.state to where a contact closes, and closes it there; the way that this takes, or nothing
+/// where the curves do not meet. Adds an event.
 [[nodiscard]] std::optional<double> engage(Run& run, const Path& path, double s, const Engagement& at);
 
-/// Why a contact of group g that may part does so in run.state, where its motion cannot go on; none if it is
-/// no such contact, or at no end.
+/// Why a contact of group g that may part does so in run.at.state, where its motion cannot go on; none if it
+/// is no such contact, or at no end.
 [[nodiscard]] std::optional<std::string> why_parting(const Run& run, std::size_t g);
 
-/// Opens the contact of group g in run.state, which is at s. Adds an event.
+/// Opens the contact of group g in run.at.state, which is at s. Adds an event.
 void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason);
 
 /// Whether the contact of a touching body starts open: in its pose, at the coordinate `posed`, it does not

@@ -38,7 +38,7 @@ Dimensions<double> frozen(const Run& run, Dimensions<double> dimensions) {
 
 Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const HigherRates> higher,
                  bool surplus_slip) {
-  const Mechanism& mechanism = run.mechanism;
+  const Mechanism& mechanism = run.mechanism();
   Coordinates<Series> at = constant<Series>(row_coordinates(run));
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
@@ -47,7 +47,7 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
                                             higher.empty() ? 0.0 : higher[i][0]});
   }
   const auto held = plan_with_held_joints(run, dimensions, at);
-  const auto motion = solve_series(held ? *held : run.plan, dimensions, dimensions, std::move(at),
+  const auto motion = solve_series(held ? *held : run.plan(), dimensions, dimensions, std::move(at),
                                    {surplus_slip, &run.row.has_rates});
   Jerks jerks(motion.known.size());
   for (std::size_t i = 0; i < jerks.size(); ++i) {
@@ -67,12 +67,12 @@ JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher) {
     const Jerks none(run.row.bodies.size());
     return {none, none};
   }
-  const Dimensions<double> dimensions = dimensions_of(run.mechanism);
+  const Dimensions<double> dimensions = dimensions_of(run.mechanism());
   JerkRow jerks{jerks_with(run, dimensions, higher, true), {}};
   // Two joints to ground and a contact that rolls: only the curves themselves fulfil all conditions, and the
   // link takes the place of the one along n.
-  jerks.linkage =
-      run.mechanism.contacts.empty() ? jerks.bodies : jerks_with(run, frozen(run, dimensions), higher, false);
+  jerks.linkage = run.mechanism().contacts.empty() ? jerks.bodies
+                                                   : jerks_with(run, frozen(run, dimensions), higher, false);
   return jerks;
 }
 
@@ -80,11 +80,11 @@ Jerks true_jerks_of(const Run& run, std::span<const HigherRates> higher) {
   if (run.row.status == RowStatus::kNotAssemblable) {
     return Jerks(run.row.bodies.size());
   }
-  return jerks_with(run, dimensions_of(run.mechanism), higher, true);
+  return jerks_with(run, dimensions_of(run.mechanism()), higher, true);
 }
 
 std::optional<double> joint_jerk(const Run& run, int joint, const Jerks& bodies) {
-  const Dimensions<double> dimensions = dimensions_of(run.mechanism);
+  const Dimensions<double> dimensions = dimensions_of(run.mechanism());
   const auto& at = dimensions.joints[static_cast<std::size_t>(joint)];
   std::array<BodyAt<Series>, 3> series;
   for (std::size_t i = 0; const int body : {at.first, at.second, at.carrier}) {

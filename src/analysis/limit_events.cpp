@@ -28,12 +28,12 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
   event.type = EventType::kLimitPosition;
   set_place(event, path, s);
   name_item(run, g, event);
-  event.cause = limit_cause(run.plan.groups[g]);
+  event.cause = limit_cause(run.plan().groups[g]);
   if (auto end = end_reached(run, g)) {
     event.type = EventType::kEnd;
     event.cause = *std::move(end);
-  } else if (const auto at_end = joint_at_end(model_of(run), g, run.state)) {
-    const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(at_end->joint)];
+  } else if (const auto at_end = joint_at_end(model_of(run), g, run.at.state)) {
+    const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(at_end->joint)];
     event.type = EventType::kEnd;
     event.joint = at_end->joint;
     event.contact.reset();
@@ -52,13 +52,13 @@ void report_limit(Run& run, const Path& path, RunEvent event) {
   const bool known = std::any_of(run.events.begin(), run.events.end(), [&](const RunEvent& other) {
     return is_same_item(event, other) && is_at(other.driver, other.share);
   });
-  const bool at_row_before =
-      run.limit_before && is_same_item(event, *run.limit_before) && is_at(run.limit_before->driver, 0);
+  const bool at_row_before = run.at.limit_before && is_same_item(event, *run.at.limit_before) &&
+                             is_at(run.at.limit_before->driver, 0);
   if (known || at_row_before) {
     return;
   }
   if (is_at(path.to[0], 1)) {
-    run.limit_here = event;
+    run.at.limit_here = event;
   }
   run.events.push_back(std::move(event));
 }

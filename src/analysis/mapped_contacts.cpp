@@ -99,7 +99,7 @@ private:
 
   void set_position(MappedContact& mapped) const {
     if (run_) {
-      const State& state = run_->state;
+      const State& state = run_->at.state;
       const Vector2d n_W = state.contacts[static_cast<std::size_t>(mapped.contact)].at.n_W;
       mapped.q = coordinate(mapped.follower, state.bodies);
       mapped.n_W = mapped.known_is_first ? n_W : Vector2d(-n_W);
@@ -109,7 +109,7 @@ private:
     } else if (!mapped.pair.motion1.turns) {
       mapped.refusal = name_of(mapped.known.body) + " slides and is not driven: no range is given for it";
     } else if (run_) {
-      mapped.u = coordinate(mapped.known, run_->state.bodies);
+      mapped.u = coordinate(mapped.known, run_->at.state.bodies);
     } else {
       mapped.u = coordinate(mapped.known, posed_);
     }

@@ -26,9 +26,9 @@ bool may_overlap(const Curve& a, const Curve& b) {
 }
 
 Separation separation_in(const Run& run, const Contact& contact, const State& state) {
-  return separation(curve_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
-                    curve_of(run.mechanism, contact.second), body_in(state, contact.second.body).X_WB,
-                    kOverlapPrecision * run.plan.size);
+  return separation(curve_of(run.mechanism(), contact.first), body_in(state, contact.first.body).X_WB,
+                    curve_of(run.mechanism(), contact.second), body_in(state, contact.second.body).X_WB,
+                    kOverlapPrecision * run.plan().size);
 }
 
 // Where two bodies are nearest to each other, or deepest in each other.
@@ -45,43 +45,44 @@ Nearest nearest_in(const Run& run, const Contact& contact, const State& state) {
     nearest.motion.at.n_W = here.n_W;
     return nearest;
   }
-  const Penetration here =
-      deepest_penetration(boundary_of(run.mechanism, contact.first), body_in(state, contact.first.body).X_WB,
-                          boundary_of(run.mechanism, contact.second),
-                          body_in(state, contact.second.body).X_WB, kOverlapOfBoundaries * run.plan.size);
+  const Penetration here = deepest_penetration(
+      boundary_of(run.mechanism(), contact.first), body_in(state, contact.first.body).X_WB,
+      boundary_of(run.mechanism(), contact.second), body_in(state, contact.second.body).X_WB,
+      kOverlapOfBoundaries * run.plan().size);
   nearest.gap = -here.depth;
   nearest.motion.place = {here.place1, here.place2};
   return nearest;
 }
 
-// Where between run.state and run.trial the gap at the common normal near the one given closes; the way's end
-// if it cannot be followed back.
+// Where between run.at.state and run.work.trial the gap at the common normal near the one given closes; the
+// way's end if it cannot be followed back.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
                        const ContactMotion& near) {
-  const State kept = run.trial;
+  const State kept = run.work.trial;
   const auto gap_in = [&](const State& state) {
     ContactMotion at = near;
-    return place_contact(run.mechanism, contact, state.bodies, at) ? at.at.gap()
-                                                                   : std::numeric_limits<double>::quiet_NaN();
+    return place_contact(run.mechanism(), contact, state.bodies, at)
+               ? at.at.gap()
+               : std::numeric_limits<double>::quiet_NaN();
   };
   const auto gap = [&](double x) {
-    return solve_at(run, path, s, x) ? gap_in(run.trial) : std::numeric_limits<double>::quiet_NaN();
+    return solve_at(run, path, s, x) ? gap_in(run.work.trial) : std::numeric_limits<double>::quiet_NaN();
   };
-  const double before = gap_in(run.state);
+  const double before = gap_in(run.at.state);
   const double after = gap_in(kept);
   // A row may stand where they touch already.
-  const bool at_once = std::abs(before) <= kOverlap * run.plan.size;
+  const bool at_once = std::abs(before) <= kOverlap * run.plan().size;
   const double x = at_once ? 0 : root_between(gap, before, h, after).value_or(h);
-  run.trial = kept;
+  run.work.trial = kept;
   return x;
 }
 
 // The tracked pair of a contact, if it is one.
 std::optional<std::size_t> tracked_group(const Run& run, int contact) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
     if (tracked != nullptr && tracked->contact == contact &&
-        std::holds_alternative<ContactTrack>(run.trial.tracks[g])) {
+        std::holds_alternative<ContactTrack>(run.work.trial.tracks[g])) {
       return g;
     }
   }
@@ -93,26 +94,26 @@ struct Jump {
   double rate_after = 0;
 };
 
-// The rates of both contacts where the second one appears, x beyond run.state.
+// The rates of both contacts where the second one appears, x beyond run.at.state.
 Jump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
-  const State kept = run.trial;
+  const State kept = run.work.trial;
   Jump rates{std::get<ContactTrack>(kept.tracks[g]).at.dq, next.at.dq};
   if (solve_at(run, path, s, x)) {
-    const ContactPosition at = std::get<ContactTrack>(run.trial.tracks[g]).at;
+    const ContactPosition at = std::get<ContactTrack>(run.work.trial.tracks[g]).at;
     ContactTrack back = next;
     rates.rate_before = at.dq;
     rates.rate_after = follow_to(back, at.u).status == TrackStatus::kOk ? back.at.dq : next.at.dq;
   }
-  run.trial = kept;
+  run.work.trial = kept;
   return rates;
 }
 
 // The group of a contact by_boundary that a body is placed by.
 std::optional<std::size_t> touching_group(const Run& run, int contact) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const auto* touching = std::get_if<TouchingBody>(&run.plan.groups[g].kind);
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
     if (touching != nullptr && touching->contact == contact &&
-        run.mechanism.contacts[static_cast<std::size_t>(contact)].by_boundary) {
+        run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary) {
       return g;
     }
   }
@@ -122,34 +123,34 @@ std::optional<std::size_t> touching_group(const Run& run, int contact) {
 // The same of boundaries: the body goes over to the places at which it has come into the other one.
 std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double s, double h,
                                const ContactMotion& near) {
-  const auto& touching = std::get<TouchingBody>(run.plan.groups[g].kind);
+  const auto& touching = std::get<TouchingBody>(run.plan().groups[g].kind);
   const auto i = static_cast<std::size_t>(touching.contact);
-  const Contact& contact = run.mechanism.contacts[i];
-  const State kept = run.trial;
-  State over = run.trial;
+  const Contact& contact = run.mechanism().contacts[i];
+  const State kept = run.work.trial;
+  State over = run.work.trial;
   ContactMotion& motion = over.contacts[i];
   const double phi = motion.phi;
   motion = near;
-  if (!place_contact(run.mechanism, contact, over.bodies, motion)) {
+  if (!place_contact(run.mechanism(), contact, over.bodies, motion)) {
     return std::nullopt;
   }
   motion.phi = nearest_turn(motion.phi, phi);
   over.groups[g].mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
-  std::swap(run.state, over);
+  std::swap(run.at.state, over);
   const bool placed = solve_at(run, path, s + h, 0);
-  std::swap(run.state, over);
+  std::swap(run.at.state, over);
   if (!placed) {
-    run.trial = kept;
+    run.work.trial = kept;
     return std::nullopt;
   }
-  return Jump{follower_rate(kept, touching), follower_rate(run.trial, touching)};
+  return Jump{follower_rate(kept, touching), follower_rate(run.work.trial, touching)};
 }
 
-// Goes over to the contact that keeps the bodies apart, which appears x beyond run.state, and places what
+// Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places what
 // hangs on the follower anew.
 std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
-  const auto& tracked = std::get<TrackedPair>(run.plan.groups[g].kind);
-  const auto& track = std::get<ContactTrack>(run.trial.tracks[g]);
+  const auto& tracked = std::get<TrackedPair>(run.plan().groups[g].kind);
+  const auto& track = std::get<ContactTrack>(run.work.trial.tracks[g]);
   const FindResult found = find_nearest_contact(tracked.pair, track.at.u, track.at.q);
   if (found.status != FindStatus::kFound || found.branch == 0) {
     return std::nullopt;
@@ -157,14 +158,14 @@ std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, do
   ContactTrack next = start_track(tracked.pair, found.at, found.branch);
   next.phi = nearest_turn(next.phi, track.phi);
   const Jump change = rates_at(run, path, g, s, x, next);
-  State over = run.trial;
+  State over = run.work.trial;
   over.tracks[g] = next;
-  const State kept = run.trial;
-  std::swap(run.state, over);
+  const State kept = run.work.trial;
+  std::swap(run.at.state, over);
   const bool placed = solve_at(run, path, s + h, 0);
-  std::swap(run.state, over);
+  std::swap(run.at.state, over);
   if (!placed) {
-    run.trial = kept;
+    run.work.trial = kept;
     return std::nullopt;
   }
   return change;
@@ -190,30 +191,31 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
 
 std::optional<Closing> closing_within(Run& run, const Path& path, const Contact& contact, double s,
                                       double h) {
-  const Nearest here = nearest_in(run, contact, run.trial);
-  if (!(here.gap < -kOverlap * run.plan.size)) {
+  const Nearest here = nearest_in(run, contact, run.work.trial);
+  if (!(here.gap < -kOverlap * run.plan().size)) {
     return std::nullopt;
   }
   return Closing{closing_between(run, path, contact, s, h, here.motion), here.motion};
 }
 
 void renew_overlaps(Run& run) {
-  for (std::size_t i = 0; i < run.watches.size(); ++i) {
-    OverlapWatch& watch = run.watches[i];
-    watch.overlaps = watch.needed && run.state.contacts[i].touches &&
-                     nearest_in(run, run.mechanism.contacts[i], run.state).gap < -kOverlap * run.plan.size;
+  for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
+    OverlapWatch& watch = run.at.watches[i];
+    watch.overlaps =
+        watch.needed && run.at.state.contacts[i].touches &&
+        nearest_in(run, run.mechanism().contacts[i], run.at.state).gap < -kOverlap * run.plan().size;
   }
 }
 
 void watch_overlaps(Run& run, const Path& path, double s, double h) {
-  for (std::size_t i = 0; i < run.watches.size(); ++i) {
-    OverlapWatch& watch = run.watches[i];
-    if (!watch.needed || !run.trial.contacts[i].touches) {
+  for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
+    OverlapWatch& watch = run.at.watches[i];
+    if (!watch.needed || !run.work.trial.contacts[i].touches) {
       continue;
     }
-    const Contact& contact = run.mechanism.contacts[i];
-    const Nearest here = nearest_in(run, contact, run.trial);
-    const bool overlaps = here.gap < -kOverlap * run.plan.size;
+    const Contact& contact = run.mechanism().contacts[i];
+    const Nearest here = nearest_in(run, contact, run.work.trial);
+    const bool overlaps = here.gap < -kOverlap * run.plan().size;
     const bool begins = overlaps && !watch.overlaps;
     watch.overlaps = overlaps;
     if (!begins) {

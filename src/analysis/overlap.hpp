@@ -9,22 +9,22 @@ namespace higherpair {
 /// everywhere more curved than the ring about it.
 [[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
-/// Where two bodies that are apart in run.state, which is at s, first touch on the way to run.trial, h
-/// beyond.
+/// Where two bodies that are apart in run.at.state, which is at s, first touch on the way to run.work.trial,
+/// h beyond.
 struct Closing {
-  double x = 0;          ///< beyond run.state on the path
+  double x = 0;          ///< beyond run.at.state on the path
   ContactMotion motion;  ///< near their contact: its normal, or its places
 };
-/// None if they are apart in run.trial. run.trial is left as it is.
+/// None if they are apart in run.work.trial. run.work.trial is left as it is.
 [[nodiscard]] std::optional<Closing> closing_within(Run& run, const Path& path, const Contact& contact,
                                                     double s, double h);
 
-/// Where a branch is taken up again: sets which bodies overlap in run.state.
+/// Where a branch is taken up again: sets which bodies overlap in run.at.state.
 void renew_overlaps(Run& run);
 
-/// Looks for overlaps of touching bodies elsewhere in run.trial, which is `h` of the path beyond run.state at
-/// s. A driver and follower whose contact allows it go over to the second contact there (run.trial is
-/// changed); others are marked. Adds an event where this begins.
+/// Looks for overlaps of touching bodies elsewhere in run.work.trial, which is `h` of the path beyond
+/// run.at.state at s. A driver and follower whose contact allows it go over to the second contact there
+/// (run.work.trial is changed); others are marked. Adds an event where this begins.
 void watch_overlaps(Run& run, const Path& path, double s, double h);
 
 }  // namespace higherpair

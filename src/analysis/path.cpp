@@ -38,7 +38,7 @@ constexpr double kMostSteps = 2e5;  // inner steps besides those that the path t
 double parts_of(const Run& run, const Path& path) {
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
-    const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[i].joint)];
+    const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(run.mechanism().drivers[i].joint)];
     const double largest = joint.type == JointType::kRevolute ? kMaxTurn : kMaxSlide * driver_scale(run, i);
     parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);
   }
@@ -46,28 +46,28 @@ double parts_of(const Run& run, const Path& path) {
 }
 
 void accept(Run& run) {
-  std::swap(run.state, run.trial);
+  std::swap(run.at.state, run.work.trial);
 }
 
-// A row at a limit: in run.trial, with positions only; run.state remains short of it.
+// A row at a limit: in run.work.trial, with positions only; run.at.state remains short of it.
 void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
                    const Reduction::Point& limit, double s) {
   reduction.place(limit);
-  run.trial.groups[g].sine = 0;
-  run.trial.groups[g].sine_rate = 0;
-  for (std::size_t later = g + 1; later < run.plan.groups.size(); ++later) {
-    run.trial.groups[later].mode = run.state.groups[later].mode;
-    (void)place_group(model_of(run), later, run.state, limit.ahead, path.to, run.trial);
+  run.work.trial.groups[g].sine = 0;
+  run.work.trial.groups[g].sine_rate = 0;
+  for (std::size_t later = g + 1; later < run.plan().groups.size(); ++later) {
+    run.work.trial.groups[later].mode = run.at.state.groups[later].mode;
+    (void)place_group(model_of(run), later, run.at.state, limit.ahead, path.to, run.work.trial);
   }
-  run.between = true;
-  path.positions(s, run.drivers);
+  run.at.beside = run.work.trial;
+  path.positions(s, run.at.drivers);
 }
 
 // Follows a path in steps that continue the motion smoothly. Before a limit the steps end at a share of what
 // is left, so that a limit of another group that comes first is not passed over.
 class Follower {
 public:
-  Follower(Run& run, const Path& path) : Follower(run, path, parts_of(run, path)) { run.between = false; }
+  Follower(Run& run, const Path& path) : Follower(run, path, parts_of(run, path)) { run.at.beside.reset(); }
 
   bool follow() {
     while (s_ != path_.length) {
@@ -79,7 +79,7 @@ public:
         return outcome == Outcome::kArrived;
       }
     }
-    run_.drivers = path_.to;
+    run_.at.drivers = path_.to;
     return true;
   }
 
@@ -98,12 +98,12 @@ private:
         scale_(path.is_single() ? driver_scale(run, 0) : 1),
         near_(kCrossingReach * (path.is_single() ? scale_ : unit_of(run, path))),
         h_(largest_),
-        open_(has_open_contact(run.state)),
+        open_(has_open_contact(run.at.state)),
         steps_left_(kMostSteps + 4 * parts) {}
 
   Outcome next() {
     if (--steps_left_ < 0) {
-      return lose({run_.plan.groups.size() - 1, s_});
+      return lose({run_.plan().groups.size() - 1, s_});
     }
     aim();
     const StepResult result = try_step(run_, path_, s_, step_);
@@ -114,7 +114,7 @@ private:
       return Outcome::kGoesOn;
     }
     const bool ok = result.kind == StepResult::kOk;
-    near_crossing_ = ok && is_near_crossing(run_, run_.trial);
+    near_crossing_ = ok && is_near_crossing(run_, run_.work.trial);
     if (const auto shorter = better_length(ok)) {
       longest_ = std::max(longest_, h_);
       h_ = *shorter;
@@ -156,19 +156,19 @@ private:
     if (!engagement) {
       return false;
     }
-    const State kept = run_.trial;
+    const State kept = run_.work.trial;
     if (const auto passage = joint_within(run_, path_, s_, step_);
         passage && std::abs(passage->x) < std::abs(engagement->x)) {
-      run_.trial = kept;
+      run_.work.trial = kept;
       return false;
     }
     const auto x = engage(run_, path_, s_, *engagement);
     if (!x) {
-      run_.trial = kept;
+      run_.work.trial = kept;
       return false;
     }
     s_ += *x;
-    open_ = has_open_contact(run_.state);
+    open_ = has_open_contact(run_.at.state);
     return true;
   }
 
@@ -227,7 +227,7 @@ private:
     return arrives_at_limit();
   }
 
-  // The row is next to a change point, maybe beyond it; run.state remains before it.
+  // The row is next to a change point, maybe beyond it; run.at.state remains before it.
   Outcome rest_beside_crossing() {
     note_crossings(run_, path_, s_, path_.length);
     return Outcome::kArrived;
@@ -291,7 +291,7 @@ private:
   // Where bodies run off to infinity there is no last position; what goes to 0 there says how far it is. At
   // an end of a curve or a guide nothing is left but the smallest step.
   [[nodiscard]] double left_by(std::size_t g) const {
-    const GroupState& group = run_.state.groups[g];
+    const GroupState& group = run_.at.state.groups[g];
     const double left = group.sine_rate == 0 ? 0 : -group.sine / group.sine_rate;
     return std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0
                ? left
@@ -302,12 +302,12 @@ private:
     if (part(limit.group)) {
       return Outcome::kGoesOn;
     }
-    run_.lost.event = limit_event(run_, limit.group, path_, limit.s);
-    path_.positions(s_, run_.lost.from);
-    path_.positions(limit.s, run_.lost.at);
-    report_limit(run_, path_, run_.lost.event);
-    run_.held = false;
-    run_.drivers = path_.to;
+    run_.at.lost.event = limit_event(run_, limit.group, path_, limit.s);
+    path_.positions(s_, run_.at.lost.from);
+    path_.positions(limit.s, run_.at.lost.at);
+    report_limit(run_, path_, run_.at.lost.event);
+    run_.at.held = false;
+    run_.at.drivers = path_.to;
     return Outcome::kLost;
   }
 
@@ -316,7 +316,7 @@ private:
   double largest_;              // step
   double scale_;                // of the driver
   double near_;                 // how far from a crossing places are interpolated from
-  double s_ = 0;                // of run.state
+  double s_ = 0;                // of run.at.state
   double step_ = 0;             // that is tried
   bool last_ = false;           // it leads to the end
   bool near_crossing_ = false;  // it could be taken and leads next to where branches may cross
@@ -332,7 +332,7 @@ private:
 };
 
 bool has_track(const Run& run) {
-  return std::any_of(run.state.tracks.begin(), run.state.tracks.end(),
+  return std::any_of(run.at.state.tracks.begin(), run.at.state.tracks.end(),
                      [](const PairTrack& track) { return std::holds_alternative<ContactTrack>(track); });
 }
 
@@ -341,9 +341,9 @@ bool has_track(const Run& run) {
 bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   double beyond = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    const double ahead = run.lost.at[i] - run.lost.from[i];
+    const double ahead = run.at.lost.at[i] - run.at.lost.from[i];
     const double near = kOnLimit / 2 * (driver_scale(run, i) + std::abs(drivers[i]));
-    beyond += (drivers[i] - run.lost.at[i]) * ahead - near * std::abs(ahead);
+    beyond += (drivers[i] - run.at.lost.at[i]) * ahead - near * std::abs(ahead);
   }
   return beyond <= 0;
 }
@@ -351,21 +351,21 @@ bool has_come_back(const Run& run, const std::vector<double>& drivers) {
 // Back from the limit the motion goes on from where it was lost.
 bool come_back(Run& run, const std::vector<double>& drivers) {
   Path path;
-  set_path(path, run.lost.from, drivers);
+  set_path(path, run.at.lost.from, drivers);
   if (!path.is_single()) {
-    path.motions(0, run.trial_motions);
-    set_rates(run, run.trial_motions, run.state);
+    path.motions(0, run.work.motions);
+    set_rates(run, run.work.motions, run.at.state);
   }
   renew_overlaps(run);
-  run.held = true;
-  report_limit(run, path, run.lost.event);
+  run.at.held = true;
+  report_limit(run, path, run.at.lost.event);
   return follow(run, path);
 }
 
 }  // namespace
 
 void name_item(const Run& run, std::size_t g, RunEvent& event) {
-  const Group& group = run.plan.groups[g];
+  const Group& group = run.plan().groups[g];
   if (!group.contacts.empty()) {
     event.contact = group.contacts.front();
   } else if (!group.joints.empty()) {
@@ -427,13 +427,13 @@ bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<dou
   if (!place_anew(run, drivers)) {
     return false;
   }
-  const State lost = run.state;
+  const State lost = run.at.state;
   Run back = run;
   accept(back);
   back.events.clear();
-  back.held = true;
-  back.between = false;
-  back.drivers = drivers;
+  back.at.held = true;
+  back.at.beside.reset();
+  back.at.drivers = drivers;
   Path path_back;
   set_path(path_back, drivers, from);
   if (follow(back, path_back) && has_track(run)) {
@@ -441,9 +441,9 @@ bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<dou
   }
   accept(run);
   renew_overlaps(run);
-  run.held = true;
-  run.between = false;
-  run.drivers = drivers;
+  run.at.held = true;
+  run.at.beside.reset();
+  run.at.drivers = drivers;
   Path path;
   set_path(path, from, drivers);
   for (RunEvent& event : back.events) {
@@ -452,8 +452,8 @@ bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<dou
       report_limit(run, path, std::move(event));
     }
   }
-  if (!back.held) {
-    take_short_way(run, lost, back.state);
+  if (!back.at.held) {
+    take_short_way(run, lost, back.at.state);
   }
   return true;
 }
@@ -462,11 +462,11 @@ bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<dou
 // limit, so that it is found again at the same place whatever the rows.
 std::vector<double> probes(const Run& run, double from, double to) {
   const double step = std::copysign(kProbe * driver_scale(run, 0), to - from);
-  const double first = std::max(1.0, std::ceil((from - run.lost.at[0]) / step));
-  const double last = std::min((to - run.lost.at[0]) / step, first + kMostProbes);
+  const double first = std::max(1.0, std::ceil((from - run.at.lost.at[0]) / step));
+  const double last = std::min((to - run.at.lost.at[0]) / step, first + kMostProbes);
   std::vector<double> found;
   for (double k = first; k < last; ++k) {
-    found.push_back(run.lost.at[0] + k * step);
+    found.push_back(run.at.lost.at[0] + k * step);
   }
   return found;
 }
@@ -480,7 +480,7 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
   if (has_come_back(run, drivers)) {
     return come_back(run, drivers);
   }
-  if (run.plan.couples) {
+  if (run.plan().couples) {
     return false;  // their branch beyond the limit has no label to ask for
   }
   if (drivers.size() > 1) {
@@ -491,13 +491,13 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
       return false;
     }
     const std::vector<double> at{probe};
-    if (take_up(run, at, run.lost.at)) {
+    if (take_up(run, at, run.at.lost.at)) {
       Path path;
       set_path(path, at, drivers);
-      return follow(run, path) || resume(run, drivers, run.lost.at);
+      return follow(run, path) || resume(run, drivers, run.at.lost.at);
     }
   }
-  return take_up(run, drivers, run.lost.at);
+  return take_up(run, drivers, run.at.lost.at);
 }
 
 }  // namespace higherpair

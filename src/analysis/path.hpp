@@ -23,8 +23,9 @@ void set_place(RunEvent& event, const Path& path, double s);
 /// Names the joint or contact at which an event of a group happens.
 void name_item(const Run& run, std::size_t g, RunEvent& event);
 
-/// Follows the path; false if the branch is lost on the way (run.held is then false and an event says where).
-/// Sets run.drivers to where run.state stands, and run.between where the end itself is in run.trial.
+/// Follows the path; false if the branch is lost on the way (run.at.held is then false and an event says
+/// where). Sets run.at.drivers to where run.at.state stands, and run.at.beside to the end itself where that
+/// is near a crossing or a limit.
 bool follow(Run& run, const Path& path);
 
 /// Looks for the branch held last at the drivers' positions; true if it is there again. An event says where

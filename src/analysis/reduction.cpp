@@ -27,7 +27,7 @@ constexpr double kFarAhead = 64;    // of the step: how far a limit may lie ahea
 
 Reduction::Reduction(Run& run, const Path& path, std::size_t g, double s)
     : run_(run), path_(path), g_(g), s_(s), unit_(unit_of(run, path)) {
-  start_ = coordinates_of(model_of(run), run.plan.groups[g], run.state);
+  start_ = coordinates_of(model_of(run), run.plan().groups[g], run.at.state);
   usable_ = make_border();
 }
 
@@ -45,10 +45,10 @@ bool Reduction::system_at(double ahead, const Eigen::VectorXd& x) {
   if (!solve_before(run_, path_, g_, s_, ahead)) {
     return false;
   }
-  path_.motions(s_ + ahead, run_.trial_motions);
-  const Group& group = run_.plan.groups[g_];
-  set_coordinates(model_of(run_), group, run_.state, x, run_.trial);
-  return group_system(model_of(run_), group, run_.trial_motions, run_.trial, F_, J_, F_s_);
+  path_.motions(s_ + ahead, run_.work.motions);
+  const Group& group = run_.plan().groups[g_];
+  set_coordinates(model_of(run_), group, run_.at.state, x, run_.work.trial);
+  return group_system(model_of(run_), group, run_.work.motions, run_.work.trial, F_, J_, F_s_);
 }
 
 void Reduction::place(const Point& point) {
@@ -57,7 +57,7 @@ void Reduction::place(const Point& point) {
 
 std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lambda, double ahead) {
   const Eigen::Index n = start_.size();
-  const double size = run_.plan.size;
+  const double size = run_.plan().size;
   Point point = guess;
   point.x += (lambda - guess.lambda) * guess.x_lambda + (ahead - guess.ahead) * guess.x_s;
   point.lambda = lambda;
@@ -96,7 +96,7 @@ std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lamb
 }
 
 std::optional<Reduction::Second> Reduction::second_derivatives(const Point& at) {
-  const double d_lambda = kDifference * run_.plan.size;
+  const double d_lambda = kDifference * run_.plan().size;
   const double d_s = kDifference * unit_;
   const auto a = solve(at, at.lambda - d_lambda, at.ahead);
   const auto b = solve(at, at.lambda + d_lambda, at.ahead);
@@ -122,7 +122,7 @@ std::optional<Reduction::Point> Reduction::here() {
 // Newton's method on ε = ε_λ = 0, or on ε_λ = ε_s = 0. The second derivatives are differences: what these
 // lack makes the method linear, with a factor of kDifference².
 std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from, double farthest) {
-  const double size = run_.plan.size;
+  const double size = run_.plan().size;
   Point at = from;
   double last = INFINITY;
   for (int i = 0; i < kMaxOuter; ++i) {
@@ -180,7 +180,7 @@ std::optional<Reduction::Point> Reduction::limit_ahead(double h) {
 std::optional<Reduction::Point> Reduction::crossing_within(double h) {
   const auto first = here();
   const auto crossing = first ? root_of(Kind::kCrossing, *first, 2 * std::abs(h)) : std::nullopt;
-  if (!crossing || !crossing->is_saddle || !(std::abs(crossing->value) <= kCrosses * run_.plan.size)) {
+  if (!crossing || !crossing->is_saddle || !(std::abs(crossing->value) <= kCrosses * run_.plan().size)) {
     return std::nullopt;
   }
   const double margin = kAtEnd * unit_;
@@ -194,7 +194,7 @@ std::optional<Reduction::Point> Reduction::singular_point(double distance) {
     return std::nullopt;
   }
   const auto crossing = root_of(Kind::kCrossing, *first, distance);
-  if (crossing && std::abs(crossing->value) <= kCrosses * run_.plan.size) {
+  if (crossing && std::abs(crossing->value) <= kCrosses * run_.plan().size) {
     return crossing;
   }
   return root_of(Kind::kLimit, *first, distance);
@@ -221,7 +221,7 @@ std::vector<Reduction::Point> Reduction::positions_at(double ahead) {
     for (int i = 0; i < kMaxNewton && at; ++i) {
       at = solve(*at, at->lambda - at->value / at->per_lambda, ahead);
     }
-    if (at && std::abs(at->value) <= kCrosses * run_.plan.size) {
+    if (at && std::abs(at->value) <= kCrosses * run_.plan().size) {
       found.push_back(*at);
     }
   }

@@ -25,13 +25,13 @@ namespace higherpair {
 ///     ε_λ = ε_s = 0, ε ≠ 0         the branches come near each other, but do not meet.
 class Reduction {
 public:
-  /// At run.state, which is at s on the path. The run is used to solve the groups before g: run.trial
+  /// At run.at.state, which is at s on the path. The run is used to solve the groups before g: run.work.trial
   /// changes.
   Reduction(Run& run, const Path& path, std::size_t g, double s);
 
   struct Point {
     double lambda = 0;  ///< [m]
-    double ahead = 0;   ///< s less that of run.state
+    double ahead = 0;   ///< s less that of run.at.state
     double value = 0;   ///< ε [m]
     double per_lambda = 0;
     double per_s = 0;
@@ -41,21 +41,22 @@ public:
     Eigen::VectorXd x_s;       ///< ∂x/∂s
   };
 
-  /// A limit ahead of run.state in the sense of `h`, on its own branch: the branch between is a parabola in λ
-  /// to within a few per cent. None where there is no such limit near.
+  /// A limit ahead of run.at.state in the sense of `h`, on its own branch: the branch between is a parabola
+  /// in λ to within a few per cent. None where there is no such limit near.
   [[nodiscard]] std::optional<Point> limit_ahead(double h);
 
-  /// The change point within the step h from run.state, none if there is none: where the branches come near
-  /// each other but do not cross.
+  /// The change point within the step h from run.at.state, none if there is none: where the branches come
+  /// near each other but do not cross.
   [[nodiscard]] std::optional<Point> crossing_within(double h);
 
-  /// The positions at `ahead` of run.state that are near it: two where branches cross or turn back there.
+  /// The positions at `ahead` of run.at.state that are near it: two where branches cross or turn back there.
   [[nodiscard]] std::vector<Point> positions_at(double ahead);
 
-  /// The change point or limit within `distance` of run.state on the path, where it is all but singular.
+  /// The change point or limit within `distance` of run.at.state on the path, where it is all but singular.
   [[nodiscard]] std::optional<Point> singular_point(double distance);
 
-  /// Places the group in run.trial at a point; the groups before have been placed there by the last solution.
+  /// Places the group in run.work.trial at a point; the groups before have been placed there by the last
+  /// solution.
   void place(const Point& point);
 
 private:
@@ -76,7 +77,7 @@ private:
   double s_;
   double unit_;  // of s
   bool usable_ = false;
-  Eigen::VectorXd start_;    // x of run.state
+  Eigen::VectorXd start_;    // x of run.at.state
   Eigen::VectorXd b_, c_;    // border
   Eigen::VectorXd F_, F_s_;  // conditions and their rate by s at fixed x, of the last system_at
   Eigen::MatrixXd J_;

@@ -56,8 +56,8 @@ void add_pin(const Run& run, const Joint& joint, Errors& errors) {
   const auto body_b = static_cast<std::size_t>(joint.second.body);
   const BodyMotion& a = row.bodies[body_a];
   const BodyMotion& b = row.bodies[body_b];
-  const JointPoint at_a = joint_point(a, point_of(run.mechanism, joint.first));
-  const JointPoint at_b = joint_point(b, point_of(run.mechanism, joint.second));
+  const JointPoint at_a = joint_point(a, point_of(run.mechanism(), joint.first));
+  const JointPoint at_b = joint_point(b, point_of(run.mechanism(), joint.second));
   const double x = (b.X_WB.p_WB.x() - a.X_WB.p_WB.x()) + (at_b.x - at_a.x);
   const double y = (b.X_WB.p_WB.y() - a.X_WB.p_WB.y()) + (at_b.y - at_a.y);
   const bool rates = row.all_rates || (row.has_rates[body_a] && row.has_rates[body_b]);
@@ -76,8 +76,8 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
   const bool turning = couples_turning(joint.type);
   const bool rates = row.all_rates || (has_rates(joint.first.body) && has_rates(joint.second.body) &&
                                        (!turning || has_rates(joint.carrier)));
-  const JointDimensions<double> of = joint_dimensions(run.mechanism, joint);
-  const double size = run.plan.size;
+  const JointDimensions<double> of = joint_dimensions(run.mechanism(), joint);
+  const double size = run.plan().size;
   const BodyAt<Moving> first = body(joint.first.body);
   const BodyAt<Moving> second = body(joint.second.body);
   const BodyAt<Moving> carrier = turning ? body(joint.carrier) : first;
@@ -122,17 +122,17 @@ double residual_of(const Run& run) {
   Errors errors;
   // The pins of a crank alone are at rest: its turning is what its speeds are compared with.
   for (const BodyMotion& body : run.row.bodies) {
-    errors.compare(square(run.plan.size * body.omega));
+    errors.compare(square(run.plan().size * body.omega));
   }
-  for (const Joint& joint : run.mechanism.joints) {
+  for (const Joint& joint : run.mechanism().joints) {
     add_joint(run, joint, errors);
   }
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     if (run.row.contacts[i].touches) {
-      add_contact(run, run.mechanism.contacts[i], run.row.contacts[i], errors);
+      add_contact(run, run.mechanism().contacts[i], run.row.contacts[i], errors);
     }
   }
-  const double scaled2 = errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan.size) : 0;
+  const double scaled2 = errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan().size) : 0;
   return std::isfinite(errors.sum) ? std::sqrt(std::max(errors.distance2, scaled2)) : INFINITY;
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 // Where the row is.
 const State& shown(const Run& run) {
-  return run.between ? run.trial : run.state;
+  return run.at.beside ? *run.at.beside : run.at.state;
 }
 
 // With one driver the rates of the row are those for a unit velocity, scaled.
@@ -55,12 +55,12 @@ bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow&
   const auto unknown = [&](int body) { return !row.has_rates[static_cast<std::size_t>(body)]; };
   return std::any_of(group.joints.begin(), group.joints.end(),
                      [&](int index) {
-                       const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(index)];
+                       const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(index)];
                        return unknown(joint.first.body) || unknown(joint.second.body) ||
                               unknown(joint.carrier);
                      }) ||
          std::any_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
-           const Contact& contact = run.mechanism.contacts[static_cast<std::size_t>(index)];
+           const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
            return unknown(contact.first.body) || unknown(contact.second.body);
          });
 }
@@ -71,8 +71,8 @@ void mark_rates(const Run& run, MotionRow& row) {
     std::fill(row.has_rates.begin(), row.has_rates.end(), true);
   }
   bool singular = false;
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const Group& group = run.plan.groups[g];
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const Group& group = run.plan().groups[g];
     const GroupState& state = shown(run).groups[g];
     const bool here = !(std::abs(state.sine) > state.noise);
     if (here || (singular && hangs_on_unknown_rates(run, group, row))) {
@@ -91,19 +91,19 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   if (drivers.size() == 1) {
     scale_rates(shown(run), drivers.front(), row);
   } else {
-    run.trial = shown(run);
-    set_rates(run, drivers, run.trial);
-    row.bodies = run.trial.bodies;
-    row.contacts = run.trial.contacts;
+    run.work.trial = shown(run);
+    set_rates(run, drivers, run.work.trial);
+    row.bodies = run.work.trial.bodies;
+    row.contacts = run.work.trial.contacts;
   }
   mark_rates(run, row);
   set_local_curves(run);
-  for (std::size_t i = 0; i < run.watches.size(); ++i) {
-    row.arcs_hold[i] = !run.watches[i].jumped;
-    row.status = run.watches[i].overlaps ? RowStatus::kOverlap : row.status;
+  for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
+    row.arcs_hold[i] = !run.at.watches[i].jumped;
+    row.status = run.at.watches[i].overlaps ? RowStatus::kOverlap : row.status;
   }
   row.residual = residual_of(run);
-  if (!(row.residual <= run.tolerance * run.plan.size)) {
+  if (!(row.residual <= run.tolerance * run.plan().size)) {
     row.status = RowStatus::kNotConverged;
   }
 }
@@ -111,8 +111,8 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
 // By the count the bodies of a coupled group are placed. Where their conditions have lost their rank these
 // may repeat each other everywhere, and leave a freedom that no driver sets.
 bool may_be_free(const Run& run) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    if (traits_of(run.plan.groups[g]).coupled && !(std::abs(run.state.groups[g].sine) > kSurelyPlaced)) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    if (traits_of(run.plan().groups[g]).coupled && !(std::abs(run.at.state.groups[g].sine) > kSurelyPlaced)) {
       return true;
     }
   }
@@ -122,29 +122,29 @@ bool may_be_free(const Run& run) {
 // From a position that is assembled: all that a run needs. A contact that stands at a limit, from where
 // nothing tells how it goes on.
 std::optional<int> set_out(Run& run) {
-  const std::vector<double>& drivers = run.drivers;
-  set_unit_motions(drivers, run.trial_motions);
-  set_rates(run, run.trial_motions, run.state);
-  run.outputs = output_joints(run.mechanism);
-  run.watches = watched_contacts(run.mechanism);
-  run.trial = run.state;
-  run.targets = drivers;
-  run.trial_drivers = drivers;
-  set_path(run.path, drivers, drivers);
+  const std::vector<double>& drivers = run.at.drivers;
+  set_unit_motions(drivers, run.work.motions);
+  set_rates(run, run.work.motions, run.at.state);
+  run.at.outputs = output_joints(run.mechanism());
+  run.at.watches = watched_contacts(run.mechanism());
+  run.work.trial = run.at.state;
+  run.at.targets = drivers;
+  run.work.drivers = drivers;
+  set_path(run.work.path, drivers, drivers);
   if (const auto contact = leave_singular_start(run)) {
     return contact;
   }
-  run.row.bodies = run.state.bodies;
-  run.row.contacts = run.state.contacts;
-  run.row.arcs_hold.assign(run.mechanism.contacts.size(), true);
-  run.row.has_rates.assign(run.state.bodies.size(), true);
+  run.row.bodies = run.at.state.bodies;
+  run.row.contacts = run.at.state.contacts;
+  run.row.arcs_hold.assign(run.mechanism().contacts.size(), true);
+  run.row.has_rates.assign(run.at.state.bodies.size(), true);
   return std::nullopt;
 }
 
 // Of a single driver events say by its coordinate where they are, on whatever path they have been found.
 void set_shares(Run& run, double from) {
-  const double length = run.targets[0] - from;
-  if (run.targets.size() > 1 || length == 0) {
+  const double length = run.at.targets[0] - from;
+  if (run.at.targets.size() > 1 || length == 0) {
     return;
   }
   for (RunEvent& event : run.events) {
@@ -162,24 +162,30 @@ double within_two_turns(const ContactPair& pair, double start, double u) {
 
 }  // namespace
 
+RunModel make_run_model(Mechanism mechanism, Plan plan) {
+  return {std::make_shared<const Mechanism>(std::move(mechanism)),
+          std::make_shared<const Plan>(std::move(plan))};
+}
+
 tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
                                           double tolerance) {
   auto plan = make_plan(mechanism);
   if (!plan) {
     return tl::unexpected(StartFailure{std::move(plan.error()), std::nullopt});
   }
-  return start_run(mechanism, *std::move(plan), drivers, tolerance);
+  return start_run(make_run_model(mechanism, *std::move(plan)), drivers, tolerance);
 }
 
-tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, Plan plan,
-                                          const std::vector<double>& drivers, double tolerance) {
-  Run run = planned_run(mechanism, std::move(plan), drivers);
+tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<double>& drivers,
+                                          double tolerance) {
+  Run run = planned_run(std::move(model), drivers);
+  const Mechanism& mechanism = run.mechanism();
   run.tolerance = tolerance;
-  if (auto objection = surplus_objection(mechanism, run.plan, drivers)) {
+  if (auto objection = surplus_objection(mechanism, run.plan(), drivers)) {
     return tl::unexpected(StartFailure{*objection, std::nullopt});
   }
   auto failure = assemble(run);
-  if (failure ? run.plan.couples : may_be_free(run)) {
+  if (failure ? run.plan().couples : may_be_free(run)) {
     if (auto objection = driver_objection(mechanism, drivers)) {
       return tl::unexpected(StartFailure{*objection, std::nullopt});
     }
@@ -194,9 +200,9 @@ tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, Plan plan,
   return run;
 }
 
-std::optional<Run> start_on_branch(const Mechanism& mechanism, Plan plan, const std::vector<double>& drivers,
-                                   int branch, double tolerance) {
-  Run run = planned_run(mechanism, std::move(plan), drivers);
+std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers, int branch,
+                                   double tolerance) {
+  Run run = planned_run(std::move(model), drivers);
   run.tolerance = tolerance;
   if (!assemble_on(run, branch) || set_out(run)) {
     return std::nullopt;
@@ -206,32 +212,32 @@ std::optional<Run> start_on_branch(const Mechanism& mechanism, Plan plan, const 
 
 void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   run.events.clear();
-  if (run.limit_here || run.limit_before) {
-    run.limit_before = std::exchange(run.limit_here, std::nullopt);
+  if (run.at.limit_here || run.at.limit_before) {
+    run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
   }
-  const double from = run.targets[0];
-  // The row before once more, where run.state is short of it.
-  bool held = run.held && run.between;
+  const double from = run.at.targets[0];
+  // The row before once more, where run.at.state is short of it.
+  bool held = run.at.held && run.at.beside.has_value();
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    held = held && run.targets[i] == drivers[i].position;
-    run.targets[i] = drivers[i].position;
+    held = held && run.at.targets[i] == drivers[i].position;
+    run.at.targets[i] = drivers[i].position;
   }
   if (held) {
-    // It is in run.trial.
-  } else if (!run.held) {
-    held = resume(run, run.targets, run.drivers);
-  } else if (run.targets == run.drivers) {
-    run.between = false;
+    // It is in run.at.beside.
+  } else if (!run.at.held) {
+    held = resume(run, run.at.targets, run.at.drivers);
+  } else if (run.at.targets == run.at.drivers) {
+    run.at.beside.reset();
     held = true;
   } else {
-    set_path(run.path, run.drivers, run.targets);
-    if (!run.path.is_single()) {
-      run.path.motions(0, run.trial_motions);
-      set_rates(run, run.trial_motions, run.state);
+    set_path(run.work.path, run.at.drivers, run.at.targets);
+    if (!run.work.path.is_single()) {
+      run.work.path.motions(0, run.work.motions);
+      set_rates(run, run.work.motions, run.at.state);
     }
     // The branch may be there again at the end of a path on which it is lost.
-    held =
-        follow(run, run.path) || resume(run, run.targets, run.path.is_single() ? run.lost.at : run.path.from);
+    held = follow(run, run.work.path) ||
+           resume(run, run.at.targets, run.work.path.is_single() ? run.at.lost.at : run.work.path.from);
   }
   set_shares(run, from);
   if (held) {
@@ -243,14 +249,14 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
 }
 
 std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
-    const auto* start = std::get_if<RollingTrack>(&run.state.tracks[g]);
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
+    const auto* start = std::get_if<RollingTrack>(&run.at.state.tracks[g]);
     if (tracked == nullptr || start == nullptr) {
       continue;
     }
     RollingTrack track = *start;
-    const double largest = run.tolerance * run.plan.size;
+    const double largest = run.tolerance * run.plan().size;
     for (const double position : positions) {
       if (is_stopped(run)) {
         return std::nullopt;

@@ -139,9 +139,9 @@ void set_held_angles(const Mechanism& derivative, Coordinates<Series>& at) {
 }
 
 Start start_of(const Run& run, const Mechanism& derivative, const std::vector<double>& drivers) {
-  Start start{run.plan,
-              dimensions_of(run.mechanism),
-              dimensions_of(run.mechanism, derivative),
+  Start start{run.plan(),
+              dimensions_of(run.mechanism()),
+              dimensions_of(run.mechanism(), derivative),
               row_coordinates(run),
               {}};
   start.at = constant<Series>(start.numbers);
@@ -149,8 +149,8 @@ Start start_of(const Run& run, const Mechanism& derivative, const std::vector<do
     start.at.drivers[i].c[0].c[1] = drivers[i];
   }
   set_held_angles(derivative, start.at);
-  start.plan.idle_bodies.insert(start.plan.idle_bodies.end(), run.plan.phase_bodies.begin(),
-                                run.plan.phase_bodies.end());
+  start.plan.idle_bodies.insert(start.plan.idle_bodies.end(), run.plan().phase_bodies.begin(),
+                                run.plan().phase_bodies.end());
   for (std::size_t i = 0; i < start.values.contacts.size(); ++i) {
     start.values.contacts[i].rolling = start.dimensions.contacts[i].rolling = false;
   }
@@ -163,7 +163,7 @@ bool all_known(const SeriesMotion<Parametric, 2>& motion) {
 
 // Largest of all displacements for a unit of p: angles, lengths by the size, speeds by the largest.
 double displacement_of(const Run& run, const Sensitivity& by, const RowSensitivity& of_row) {
-  const double size = run.plan.size;
+  const double size = run.plan().size;
   double speed = 0, acceleration = 0, displaced = 0, faster = 0, accelerated = 0;
   for (std::size_t i = 0; i < of_row.bodies.size(); ++i) {
     const BodyMotion& body = run.row.bodies[i];
@@ -219,7 +219,7 @@ void displace(const RowSensitivity& by_p, double h, const Mechanism& mechanism, 
 double step_of_loads(const Run& run, const Sensitivity& by) {
   double largest = 1;
   std::vector<double> numbers;
-  for_each_number(run.mechanism, [&](double number) { numbers.push_back(number); });
+  for_each_number(run.mechanism(), [&](double number) { numbers.push_back(number); });
   for_each_number(by.derivative(), [&, i = std::size_t{0}](double change) mutable {
     const double number = numbers[i++];
     largest = change != 0 ? std::max(largest, std::abs(number / change)) : largest;
@@ -254,7 +254,7 @@ double derivative_of_samples(F at, double h) {
 std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism& derivative,
                                                  const std::vector<double>& drivers) {
   // The numbers that a boundary was made from are not among those of the mechanism.
-  if (std::any_of(run.mechanism.contacts.begin(), run.mechanism.contacts.end(),
+  if (std::any_of(run.mechanism().contacts.begin(), run.mechanism().contacts.end(),
                   [](const Contact& contact) { return contact.by_boundary; })) {
     return std::nullopt;
   }
@@ -262,10 +262,10 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism
   const auto solved = [&] { return solve_series(start.plan, start.values, start.dimensions, start.at); };
   // Their contact point has to be where both joints let it have one velocity; discs about their centres, for
   // which that is so in any position, keep the one of the pose.
-  for (const HeldFollower& held : hold_loose_followers(run.mechanism, derivative, start)) {
+  for (const HeldFollower& held : hold_loose_followers(run.mechanism(), derivative, start)) {
     const auto rate_with = [&](double by_p) {
       start.at.drivers[held.driver].c[0].c[1] = by_p;
-      return rate_of_slip(run.mechanism, start, held, solved().at);
+      return rate_of_slip(run.mechanism(), start, held, solved().at);
     };
     const double without = rate_with(0);
     const double change = rate_with(1) - without;
@@ -278,12 +278,12 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism
   }
   Sensitivity sensitivity;
   sensitivity.derivative_ = derivative;
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const auto& contact = start.dimensions.contacts[i];
     const BodyAt<Series>& body1 = motion.at.bodies[static_cast<std::size_t>(contact.first)];
     const BodyAt<Series>& body2 = motion.at.bodies[static_cast<std::size_t>(contact.second)];
     const Series arcs =
-        !run.mechanism.contacts[i].rolling
+        !run.mechanism().contacts[i].rolling
             ? Series()
             : arc_difference(contact.curve1, body1, contact.curve2, body2,
                              facing_points(contact.curve1, body1, contact.curve2, body2, motion.at.phi[i]));
@@ -307,8 +307,8 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
     at.arcs[i].c[0].c[1] = arcs_[i];
   }
   set_held_angles(derivative_, at);
-  const auto motion = solve_series(run.plan, dimensions_of(run.mechanism),
-                                   dimensions_of(run.mechanism, derivative_), std::move(at));
+  const auto motion = solve_series(run.plan(), dimensions_of(run.mechanism()),
+                                   dimensions_of(run.mechanism(), derivative_), std::move(at));
   if (!all_known(motion)) {
     return std::nullopt;
   }
@@ -338,8 +338,9 @@ std::vector<double> derivative_along(const Run& run, const Sensitivity& by, cons
   const double h = displacement > 0 ? kDisplacement / displacement : step_of_loads(run, by);
   const auto values_at = [&](double step) -> Eigen::VectorXd {
     Run displaced_run = run;
-    displaced_run.mechanism = displaced(run.mechanism, by.derivative(), step);
-    displace(of_row, step, displaced_run.mechanism, displaced_run.row);
+    Mechanism mechanism = displaced(run.mechanism(), by.derivative(), step);
+    displace(of_row, step, mechanism, displaced_run.row);
+    displaced_run.local = std::move(mechanism);
     const std::vector<double> values = f(displaced_run, step);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   };

@@ -61,19 +61,19 @@ template <class Series>
 [[nodiscard]] std::optional<Plan> plan_with_held_joints(const Run& run, Dimensions<double>& dimensions,
                                                         Coordinates<Series>& at) {
   std::optional<Plan> plan;
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const auto* touching = std::get_if<TouchingBody>(&run.plan.groups[g].kind);
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
     if (touching == nullptr || run.row.contacts[static_cast<std::size_t>(touching->contact)].touches) {
       continue;
     }
-    plan = plan ? std::move(plan) : run.plan;
+    plan = plan ? std::move(plan) : run.plan();
     Group& group = plan->groups[g];
     group.contacts.clear();
     group.drivers.push_back(static_cast<int>(dimensions.drivers.size()));
     const int joint = group.joints.front();
     dimensions.drivers.push_back(joint);
     at.drivers.push_back(Series(
-        joint_motion(run.mechanism, run.mechanism.joints[static_cast<std::size_t>(joint)], run.row.bodies)
+        joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)], run.row.bodies)
             .position));
   }
   return plan;

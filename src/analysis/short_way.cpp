@@ -112,17 +112,17 @@ private:
 }  // namespace
 
 void take_short_way(Run& run, const State& lost, const State& begin) {
-  const bool geared = std::any_of(run.plan.groups.begin(), run.plan.groups.end(), [](const Group& group) {
+  const bool geared = std::any_of(run.plan().groups.begin(), run.plan().groups.end(), [](const Group& group) {
     return std::holds_alternative<GearedBody>(group.kind);
   });
   if (geared) {
     return;
   }
-  ShortWay way(run.plan.groups, lost, begin);
-  for (const Group& group : run.plan.groups) {
+  ShortWay way(run.plan().groups, lost, begin);
+  for (const Group& group : run.plan().groups) {
     std::visit([&](const auto& kind) { way.add(kind); }, group.kind);
   }
-  way.take(run.state);
+  way.take(run.at.state);
 }
 
 }  // namespace higherpair

@@ -26,11 +26,11 @@ bool is_singular(const GroupState& group) {
 // The groups that start where their branches may cross.
 std::vector<std::size_t> singular_groups(const Run& run) {
   std::vector<std::size_t> found;
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const Group& group = run.plan.groups[g];
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const Group& group = run.plan().groups[g];
     const bool follows = !std::holds_alternative<TrackedPair>(group.kind) ||
-                         std::holds_alternative<ContactTrack>(run.state.tracks[g]);
-    if (follows && traits_of(group).can_cross && is_singular(run.state.groups[g])) {
+                         std::holds_alternative<ContactTrack>(run.at.state.tracks[g]);
+    if (follows && traits_of(group).can_cross && is_singular(run.at.state.groups[g])) {
       found.push_back(g);
     }
   }
@@ -40,74 +40,75 @@ std::vector<std::size_t> singular_groups(const Run& run) {
 // Takes a mode of a group; of a tracked contact the contact of that branch with the drivers `there`, if there
 // is one near by.
 bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& there) {
-  run.state.groups[g].mode = mode;
-  const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[g].kind);
+  run.at.state.groups[g].mode = mode;
+  const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
   if (tracked == nullptr) {
     return true;
   }
-  const ContactPosition at = std::get<ContactTrack>(run.state.tracks[g]).at;
+  const ContactPosition at = std::get<ContactTrack>(run.at.state.tracks[g]).at;
   const double u = tracked->driver_sign * there[static_cast<std::size_t>(tracked->driver)];
   const FindResult found = find_nearest_contact(tracked->pair, u, at.q, mode);
-  const double unit = tracked->pair.motion2.turns ? 1 : run.plan.size;
+  const double unit = tracked->pair.motion2.turns ? 1 : run.plan().size;
   if (found.status != FindStatus::kFound || !(std::abs(found.at.q - at.q) <= kNearStart * unit) ||
       !(found.at.n_W.dot(at.n_W) > 1 - kNearStart)) {
     return false;
   }
-  run.state.tracks[g] = start_track(tracked->pair, found.at, mode);
+  run.at.state.tracks[g] = start_track(tracked->pair, found.at, mode);
   return true;
 }
 
 bool is_coupled(const Run& run, std::size_t g) {
-  return traits_of(run.plan.groups[g]).coupled;
+  return traits_of(run.plan().groups[g]).coupled;
 }
 
 // Newton's method comes near a singular start only to half the digits.
 void settle_coupled(Run& run, std::size_t g) {
   constexpr double kNear = 1e-5;  // of the unit of the path
   Path path;
-  std::vector<double> ahead = run.drivers;
+  std::vector<double> ahead = run.at.drivers;
   ahead[0] += driver_scale(run, 0);
-  set_path(path, run.drivers, ahead);
-  run.trial = run.state;
+  set_path(path, run.at.drivers, ahead);
+  run.work.trial = run.at.state;
   Reduction reduction(run, path, g, 0);
   const auto singular = reduction.singular_point(kNear * unit_of(run, path));
   if (singular && std::abs(singular->ahead) <= kNear * unit_of(run, path)) {
     reduction.place(*singular);
-    for (const int body : run.plan.groups[g].bodies) {
-      run.state.bodies[static_cast<std::size_t>(body)] = run.trial.bodies[static_cast<std::size_t>(body)];
+    for (const int body : run.plan().groups[g].bodies) {
+      run.at.state.bodies[static_cast<std::size_t>(body)] =
+          run.work.trial.bodies[static_cast<std::size_t>(body)];
     }
-    for (const int contact : run.plan.groups[g].contacts) {
-      run.state.contacts[static_cast<std::size_t>(contact)] =
-          run.trial.contacts[static_cast<std::size_t>(contact)];
+    for (const int contact : run.plan().groups[g].contacts) {
+      run.at.state.contacts[static_cast<std::size_t>(contact)] =
+          run.work.trial.contacts[static_cast<std::size_t>(contact)];
     }
-    run.state.groups[g].sine = 0;
+    run.at.state.groups[g].sine = 0;
   }
 }
 
-// Coupled bodies have no modes to choose from: the rates of run.state are set so that a step along the path
-// is predicted to lead to one of the two positions there.
+// Coupled bodies have no modes to choose from: the rates of run.at.state are set so that a step along the
+// path is predicted to lead to one of the two positions there.
 bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
-  const Group& group = run.plan.groups[g];
-  const State kept = run.state;
-  run.trial = run.state;
+  const Group& group = run.plan().groups[g];
+  const State kept = run.at.state;
+  run.work.trial = run.at.state;
   const std::vector<Reduction::Point> positions = Reduction(run, path, g, 0).positions_at(path.length);
-  run.state = kept;
+  run.at.state = kept;
   if (positions.size() < 2) {
     return false;
   }
   const Eigen::VectorXd& x = positions[second ? 1 : 0].x;
-  const Eigen::VectorXd rate = (x - coordinates_of(model_of(run), group, run.state)) / path.length;
+  const Eigen::VectorXd rate = (x - coordinates_of(model_of(run), group, run.at.state)) / path.length;
   Eigen::Index i = 0;
   for (const int index : group.bodies) {
-    BodyMotion& body = run.state.bodies[static_cast<std::size_t>(index)];
+    BodyMotion& body = run.at.state.bodies[static_cast<std::size_t>(index)];
     body.v_WB = rate.segment<2>(i);
-    body.omega = rate(i + 2) / run.plan.size;
+    body.omega = rate(i + 2) / run.plan().size;
     body.a_WB.setZero();
     body.alpha = 0;
     i += 3;
   }
   for (const int index : group.contacts) {
-    run.state.contacts[static_cast<std::size_t>(index)].rates.phi_dot = rate(i++) / run.plan.size;
+    run.at.state.contacts[static_cast<std::size_t>(index)].rates.phi_dot = rate(i++) / run.plan().size;
   }
   return true;
 }
@@ -116,7 +117,7 @@ bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
 double total_speed(const Run& run, const State& state) {
   double speed = 0;
   for (const BodyMotion& body : state.bodies) {
-    speed += std::abs(body.omega) + body.v_WB.norm() / run.plan.size;
+    speed += std::abs(body.omega) + body.v_WB.norm() / run.plan().size;
   }
   return speed;
 }
@@ -124,18 +125,18 @@ double total_speed(const Run& run, const State& state) {
 double total_acceleration(const Run& run, const State& state) {
   double acceleration = 0;
   for (const BodyMotion& body : state.bodies) {
-    acceleration += std::abs(body.alpha) + body.a_WB.norm() / run.plan.size;
+    acceleration += std::abs(body.alpha) + body.a_WB.norm() / run.plan().size;
   }
   return acceleration;
 }
 
 // How far the bodies of a group are from their poses, squared.
 double distance_from_poses(const Run& run, const Group& group, const State& state) {
-  const std::vector<BodyMotion> posed = posed_bodies(run.mechanism);
+  const std::vector<BodyMotion> posed = posed_bodies(run.mechanism());
   double distance = 0;
   for (const int body : group.bodies) {
     const auto i = static_cast<std::size_t>(body);
-    const double turned = run.plan.size * (state.bodies[i].theta - posed[i].theta);
+    const double turned = run.plan().size * (state.bodies[i].theta - posed[i].theta);
     distance += (state.bodies[i].X_WB.p_WB - posed[i].X_WB.p_WB).squaredNorm() + turned * turned;
   }
   return distance;
@@ -167,14 +168,14 @@ struct Departure {
 std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& groups, std::size_t driver,
                                   double reach) {
   std::vector<Departure> found;
-  const State start = run.state;
-  std::vector<double> there = run.drivers;
+  const State start = run.at.state;
+  std::vector<double> there = run.at.drivers;
   there[driver] += reach;
   Path path;
-  set_path(path, run.drivers, there);
+  set_path(path, run.at.drivers, there);
   const std::size_t chosen = std::min(groups.size(), kMostChosen);
   for (unsigned combination = 0; combination < (1U << chosen); ++combination) {
-    run.state = start;
+    run.at.state = start;
     bool taken = true;
     for (std::size_t i = 0; i < chosen && taken; ++i) {
       const bool other = (combination >> i & 1U) != 0;
@@ -185,18 +186,22 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
     if (!taken || !solve_at(run, path, 0, path.length)) {
       continue;
     }
-    Departure departure{
-        run.trial, driver, reach, total_speed(run, run.trial), total_acceleration(run, run.trial), 0};
+    Departure departure{run.work.trial,
+                        driver,
+                        reach,
+                        total_speed(run, run.work.trial),
+                        total_acceleration(run, run.work.trial),
+                        0};
     bool regular = true;
     for (const std::size_t g : groups) {
-      regular = regular && !is_singular(run.trial.groups[g]);
-      departure.distance += distance_from_poses(run, run.plan.groups[g], run.trial);
+      regular = regular && !is_singular(run.work.trial.groups[g]);
+      departure.distance += distance_from_poses(run, run.plan().groups[g], run.work.trial);
     }
     if (regular) {
       found.push_back(std::move(departure));
     }
   }
-  run.state = start;
+  run.at.state = start;
   return found;
 }
 
@@ -223,7 +228,7 @@ std::optional<int> leave_singular_start(Run& run) {
     }
   }
   std::optional<Departure> chosen;
-  for (std::size_t driver = 0; driver < run.drivers.size() && !chosen; ++driver) {
+  for (std::size_t driver = 0; driver < run.at.drivers.size() && !chosen; ++driver) {
     const double reach = kCrossingReach * driver_scale(run, driver);
     const std::vector<Departure> before = departures(run, groups, driver, -reach);
     const std::vector<Departure> after = departures(run, groups, driver, reach);
@@ -233,16 +238,17 @@ std::optional<int> leave_singular_start(Run& run) {
       chosen = better ? one : chosen;
     }
   }
-  const GroupState& start = run.state.groups[groups.front()];
-  const auto* tracked = std::get_if<TrackedPair>(&run.plan.groups[groups.front()].kind);
+  const GroupState& start = run.at.state.groups[groups.front()];
+  const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[groups.front()].kind);
   if (!chosen) {
     return tracked == nullptr ? std::nullopt : std::optional(tracked->contact);
   }
-  run.between =
-      run.drivers.size() == 1 && !(std::abs(start.sine) > start.noise) && leads_to(run.state, chosen->state);
-  run.trial = run.state;
-  run.state = chosen->state;
-  run.drivers[chosen->driver] += chosen->reach;
+  if (run.at.drivers.size() == 1 && !(std::abs(start.sine) > start.noise) &&
+      leads_to(run.at.state, chosen->state)) {
+    run.at.beside = run.at.state;
+  }
+  run.at.state = chosen->state;
+  run.at.drivers[chosen->driver] += chosen->reach;
   return std::nullopt;
 }
 

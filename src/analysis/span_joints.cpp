@@ -22,7 +22,7 @@ const CurveRef& ref_of(const Contact& contact, std::size_t side) {
 }
 
 const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
-  return boundary_of(run.mechanism, ref_of(run.mechanism.contacts[contact], side));
+  return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
 }
 
 Bounds range_of(const Boundary& boundary, int span) {
@@ -46,12 +46,12 @@ struct Changed {
 };
 
 std::optional<Changed> changed_place(const Run& run) {
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
-    if (!run.mechanism.contacts[i].by_boundary) {
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    if (!run.mechanism().contacts[i].by_boundary) {
       continue;
     }
     for (std::size_t side = 0; side < 2; ++side) {
-      if (run.trial.contacts[i].place[side].span != run.state.contacts[i].place[side].span) {
+      if (run.work.trial.contacts[i].place[side].span != run.at.state.contacts[i].place[side].span) {
         return Changed{i, side};
       }
     }
@@ -59,19 +59,19 @@ std::optional<Changed> changed_place(const Run& run) {
   return std::nullopt;
 }
 
-// The sense in which the contact runs along a boundary, by its speed at run.state.
+// The sense in which the contact runs along a boundary, by its speed at run.at.state.
 bool runs_forward(const Run& run, const Changed& changed, double h) {
-  const ContactMotion& motion = run.state.contacts[changed.contact];
+  const ContactMotion& motion = run.at.state.contacts[changed.contact];
   const Boundary& boundary = boundary_at(run, changed.contact, changed.side);
   const int from = motion.place[changed.side].span;
-  const int to = run.trial.contacts[changed.contact].place[changed.side].span;
+  const int to = run.work.trial.contacts[changed.contact].place[changed.side].span;
   const bool is_next = to == boundary.next_span(from, true);
   const bool is_previous = to == boundary.next_span(from, false);
   if (is_next != is_previous) {
     return is_next;
   }
-  const Contact& contact = run.mechanism.contacts[changed.contact];
-  const BodyMotion& body = run.state.bodies[static_cast<std::size_t>(ref_of(contact, changed.side).body)];
+  const Contact& contact = run.mechanism().contacts[changed.contact];
+  const BodyMotion& body = run.at.state.bodies[static_cast<std::size_t>(ref_of(contact, changed.side).body)];
   const double along = boundary.is_corner(motion.place[changed.side]) ? motion.rates.phi_dot - body.omega
                        : changed.side == 0                            ? motion.rates.along1
                                                                       : -motion.rates.along2;
@@ -105,8 +105,8 @@ void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPla
 }
 
 std::string name_of(const Run& run, const JointPassage& passage) {
-  return run.mechanism
-      .bodies[static_cast<std::size_t>(ref_of(run.mechanism.contacts[passage.contact], passage.side).body)]
+  return run.mechanism()
+      .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[passage.contact], passage.side).body)]
       .name;
 }
 
@@ -116,7 +116,7 @@ std::string curvature_text(const Boundary& boundary, const BoundaryPlace& place)
 
 // The joint that the contact's group moves, to say how its acceleration jumps.
 std::optional<int> moved_joint(const Run& run, std::size_t contact) {
-  for (const Group& group : run.plan.groups) {
+  for (const Group& group : run.plan().groups) {
     if (std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
             group.contacts.end() &&
         !group.joints.empty()) {
@@ -127,16 +127,17 @@ std::optional<int> moved_joint(const Run& run, std::size_t contact) {
 }
 
 double acceleration_of(const Run& run, int joint) {
-  return joint_motion(run.mechanism, run.mechanism.joints[static_cast<std::size_t>(joint)], run.state.bodies)
+  return joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)],
+                      run.at.state.bodies)
       .acceleration;
 }
 
 }  // namespace
 
 void mark_places(Run& run) {
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
-    if (run.mechanism.contacts[i].by_boundary) {
-      run.trial.contacts[i].place = run.state.contacts[i].place;
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    if (run.mechanism().contacts[i].by_boundary) {
+      run.work.trial.contacts[i].place = run.at.state.contacts[i].place;
     }
   }
 }
@@ -147,21 +148,21 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
   while (const auto changed = changed_place(run)) {
     const Boundary& boundary = boundary_at(run, changed->contact, changed->side);
     const bool forward = runs_forward(run, *changed, h);
-    const int span = run.state.contacts[changed->contact].place[changed->side].span;
+    const int span = run.at.state.contacts[changed->contact].place[changed->side].span;
     JointPassage passage{changed->contact, changed->side, end_of(boundary, span, forward),
                          end_of(boundary, boundary.next_span(span, forward), !forward), 0};
     const auto beyond = [&](double x) {
       mark_places(run);
       return solve_at(run, path, s, x)
-                 ? beyond_joint(boundary, run.trial.contacts[passage.contact].place[passage.side], passage,
-                                forward)
+                 ? beyond_joint(boundary, run.work.trial.contacts[passage.contact].place[passage.side],
+                                passage, forward)
                  : kNaN;
     };
     const double length = first ? first->x : h;
     const double before =
-        beyond_joint(boundary, run.state.contacts[passage.contact].place[passage.side], passage, forward);
-    const double after =
-        beyond_joint(boundary, run.trial.contacts[passage.contact].place[passage.side], passage, forward);
+        beyond_joint(boundary, run.at.state.contacts[passage.contact].place[passage.side], passage, forward);
+    const double after = beyond_joint(boundary, run.work.trial.contacts[passage.contact].place[passage.side],
+                                      passage, forward);
     const auto x = before >= 0 ? std::optional(0.0) : root_between(beyond, before, length, after);
     if (!x || (first && std::abs(*x) >= std::abs(first->x))) {
       return first;
@@ -172,8 +173,8 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
     if (!solve_at(run, path, s, *x)) {
       return first;
     }
-    run.trial.contacts[passage.contact].place[passage.side] =
-        run.state.contacts[passage.contact].place[passage.side];
+    run.work.trial.contacts[passage.contact].place[passage.side] =
+        run.at.state.contacts[passage.contact].place[passage.side];
   }
   return first;
 }
@@ -183,8 +184,8 @@ bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& pa
   if (!solve_at(run, path, s, passage.x)) {
     return false;
   }
-  set_place_of(run, passage, passage.before, run.trial);
-  set_rates(run, run.trial_motions, run.trial);
+  set_place_of(run, passage, passage.before, run.work.trial);
+  set_rates(run, run.work.motions, run.work.trial);
   return true;
 }
 
@@ -192,9 +193,9 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
   const auto joint = moved_joint(run, passage.contact);
   const double before = joint ? acceleration_of(run, *joint) : 0;
-  set_place_of(run, passage, passage.after, run.state);
-  path.motions(s, run.trial_motions);
-  set_rates(run, run.trial_motions, run.state);
+  set_place_of(run, passage, passage.after, run.at.state);
+  path.motions(s, run.work.motions);
+  set_rates(run, run.work.motions, run.at.state);
   const bool onto_corner = boundary.is_corner(passage.after);
   const int span = passage.before.t == range_of(boundary, passage.before.span).high ? passage.before.span
                                                                                     : passage.after.span;
@@ -210,7 +211,7 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
       joint ? fmt::format(
                   "; for a unit rate of the driver the acceleration of joint {} jumps from {:.6g} to {:.6g} "
                   "(SI units)",
-                  run.mechanism.joints[static_cast<std::size_t>(*joint)].name, before,
+                  run.mechanism().joints[static_cast<std::size_t>(*joint)].name, before,
                   acceleration_of(run, *joint))
             : "";
   if (event.type == EventType::kCorner) {
@@ -225,14 +226,14 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
 }
 
 std::optional<std::string> end_reached(const Run& run, std::size_t g) {
-  for (const int index : run.plan.groups[g].contacts) {
+  for (const int index : run.plan().groups[g].contacts) {
     const auto i = static_cast<std::size_t>(index);
-    if (!run.mechanism.contacts[i].by_boundary || !run.state.contacts[i].touches) {
+    if (!run.mechanism().contacts[i].by_boundary || !run.at.state.contacts[i].touches) {
       continue;
     }
     for (std::size_t side = 0; side < 2; ++side) {
       const Boundary& boundary = boundary_at(run, i, side);
-      const BoundaryPlace& place = run.state.contacts[i].place[side];
+      const BoundaryPlace& place = run.at.state.contacts[i].place[side];
       for (const bool high : {false, true}) {
         const int span = high ? place.span : boundary.next_span(place.span, false);
         const SpanJoint joint = boundary.joint_after(span);
@@ -241,7 +242,9 @@ std::optional<std::string> end_reached(const Run& run, std::size_t g) {
           continue;
         }
         const std::string& body =
-            run.mechanism.bodies[static_cast<std::size_t>(ref_of(run.mechanism.contacts[i], side).body)].name;
+            run.mechanism()
+                .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[i], side).body)]
+                .name;
         return joint == SpanJoint::kEnd
                    ? fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it",
                                  body)
@@ -256,19 +259,18 @@ std::optional<std::string> end_reached(const Run& run, std::size_t g) {
 }
 
 void set_local_curves(Run& run) {
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
-    const Contact& contact = run.mechanism.contacts[i];
+  for (std::size_t i = 0; run.local && i < run.mechanism().contacts.size(); ++i) {
+    const Contact& contact = run.mechanism().contacts[i];
     if (!contact.by_boundary) {
       continue;
     }
     for (std::size_t side = 0; side < 2; ++side) {
       const CurveRef& ref = ref_of(contact, side);
-      const Boundary& boundary = boundary_of(run.mechanism, ref);
+      const Boundary& boundary = boundary_of(run.mechanism(), ref);
       const BoundaryPlace& place = run.row.contacts[i].place[side];
       // While it is open nothing depends on its shape.
-      run.mechanism.bodies[static_cast<std::size_t>(ref.body)]
-          .curves[static_cast<std::size_t>(ref.curve)]
-          .curve =
+      Body& body = run.local->bodies[static_cast<std::size_t>(ref.body)];
+      body.curves[static_cast<std::size_t>(ref.curve)].curve =
           run.row.contacts[i].touches ? local_curve(boundary.at(place), boundary.is_corner(place)) : Curve{};
     }
   }

@@ -42,7 +42,7 @@ private:
   [[nodiscard]] double at(double x) const { return from_ + x * span_; }
 
   bool assembles(double x) {
-    run_.drivers.front() = at(x);
+    run_.at.drivers.front() = at(x);
     return !assemble(run_);
   }
 
@@ -71,7 +71,7 @@ std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechan
                                                          const std::vector<double>& drivers,
                                                          double tolerance) {
   auto run = planned_run(mechanism, drivers);
-  if (!run || drivers.empty() || surplus_objection(mechanism, run->plan, drivers)) {
+  if (!run || drivers.empty() || surplus_objection(mechanism, run->plan(), drivers)) {
     return std::nullopt;
   }
   run->tolerance = tolerance;
@@ -80,7 +80,7 @@ std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechan
   }
   const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
   const double turn = joint.type == JointType::kRevolute ? 2 * kPi : 0;
-  const double reach = kReachOfSlide * run->plan.size;
+  const double reach = kReachOfSlide * run->plan().size;
   std::vector<StartRange> ranges = turn > 0 ? Scan(*run, drivers.front(), turn).ranges()
                                             : Scan(*run, drivers.front() - reach, 2 * reach).ranges();
   std::stable_sort(ranges.begin(), ranges.end(), [&](const StartRange& a, const StartRange& b) {

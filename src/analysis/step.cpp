@@ -19,9 +19,9 @@ constexpr double kNoChange = 1e-9;  // a mismatch that is nothing but rounding [
 
 // Groups that have one branch only, or keep it by themselves.
 bool keeps_branch(const Run& run, std::size_t g) {
-  return traits_of(run.plan.groups[g]).one_branch ||
-         std::holds_alternative<RollingTrack>(run.state.tracks[g]) ||
-         std::holds_alternative<StandingContact>(run.state.tracks[g]);
+  return traits_of(run.plan().groups[g]).one_branch ||
+         std::holds_alternative<RollingTrack>(run.at.state.tracks[g]) ||
+         std::holds_alternative<StandingContact>(run.at.state.tracks[g]);
 }
 
 // How far a group has moved in a step, and how far that is from what the rates and accelerations at both ends
@@ -92,19 +92,20 @@ bool is_smooth(const Group& group, const State& from, const State& to, double h,
 bool keeps_contacts(const Run& run, const Group& group) {
   return std::all_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
     const auto i = static_cast<std::size_t>(index);
-    const Contact& contact = run.mechanism.contacts[i];
-    const CommonNormal& from = run.state.contacts[i].at;
-    const CommonNormal& to = run.trial.contacts[i].at;
+    const Contact& contact = run.mechanism().contacts[i];
+    const CommonNormal& from = run.at.state.contacts[i].at;
+    const CommonNormal& to = run.work.trial.contacts[i].at;
     return contact.by_boundary ||
-           same_curvature(curve_of(run.mechanism, contact.first), curve_of(run.mechanism, contact.second),
+           same_curvature(curve_of(run.mechanism(), contact.first), curve_of(run.mechanism(), contact.second),
                           from.rho1 + from.rho2, to.rho1 + to.rho2);
   });
 }
 
-// The mode of a group at s: that of run.state, but beyond a change point of the present step the other one.
+// The mode of a group at s: that of run.at.state, but beyond a change point of the present step the other
+// one.
 int mode_at(const Run& run, std::size_t g, double s, double step) {
-  int mode = run.state.groups[g].mode;
-  for (const Crossing& crossing : run.crossings) {
+  int mode = run.at.state.groups[g].mode;
+  for (const Crossing& crossing : run.work.crossings) {
     if (crossing.group == g && (s - crossing.s) * step > 0) {
       mode = -mode;
     }
@@ -112,59 +113,60 @@ int mode_at(const Run& run, std::size_t g, double s, double step) {
   return mode;
 }
 
-// Places the groups before `end` in run.trial, `x` beyond run.state, which is at s on the path; whether the
-// motion leads there is not asked.
+// Places the groups before `end` in run.work.trial, `x` beyond run.at.state, which is at s on the path;
+// whether the motion leads there is not asked.
 bool place_before(Run& run, const Path& path, std::size_t end, double s, double x) {
-  path.positions(s + x, run.trial_drivers);
+  path.positions(s + x, run.work.drivers);
   for (std::size_t g = 0; g < end; ++g) {
-    run.trial.groups[g].mode = mode_at(run, g, s + x, path.length);
-    if (place_group(model_of(run), g, run.state, x, run.trial_drivers, run.trial) != GroupStatus::kOk) {
+    run.work.trial.groups[g].mode = mode_at(run, g, s + x, path.length);
+    if (place_group(model_of(run), g, run.at.state, x, run.work.drivers, run.work.trial) !=
+        GroupStatus::kOk) {
       return false;
     }
   }
   return true;
 }
 
-// Places a group in run.trial on the branch given by `mode`, and its rates; kOk only where that continues
-// run.state smoothly.
+// Places a group in run.work.trial on the branch given by `mode`, and its rates; kOk only where that
+// continues run.at.state smoothly.
 GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
-  run.trial.groups[g].mode = mode;
-  const GroupStatus status = place_group(model_of(run), g, run.state, h, run.trial_drivers, run.trial);
+  run.work.trial.groups[g].mode = mode;
+  const GroupStatus status = place_group(model_of(run), g, run.at.state, h, run.work.drivers, run.work.trial);
   if (status != GroupStatus::kOk) {
     return status;
   }
-  set_group_rates(model_of(run), g, run.trial_motions, run.trial);
-  const Group& group = run.plan.groups[g];
+  set_group_rates(model_of(run), g, run.work.motions, run.work.trial);
+  const Group& group = run.plan().groups[g];
   if (keeps_branch(run, g)) {
     return GroupStatus::kOk;
   }
-  const bool smooth = is_smooth(group, run.state, run.trial, h, run.plan.size);
+  const bool smooth = is_smooth(group, run.at.state, run.work.trial, h, run.plan().size);
   return smooth && keeps_contacts(run, group) ? GroupStatus::kOk : GroupStatus::kNotConverged;
 }
 
-// Whether the group, which run.trial has on the other side of a change point, gets there straight through it:
-// where the branches only come near each other the step has jumped.
+// Whether the group, which run.work.trial has on the other side of a change point, gets there straight
+// through it: where the branches only come near each other the step has jumped.
 bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const State kept = run.trial;
+  const State kept = run.work.trial;
   const auto at = Reduction(run, path, g, s).crossing_within(h);
-  run.trial = kept;
-  path.positions(s + h, run.trial_drivers);
-  path.motions(s + h, run.trial_motions);
+  run.work.trial = kept;
+  path.positions(s + h, run.work.drivers);
+  path.motions(s + h, run.work.motions);
   if (at) {
-    run.crossings.push_back({g, s + at->ahead});
+    run.work.crossings.push_back({g, s + at->ahead});
   }
   return at.has_value();
 }
 
 GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const GroupState& before = run.state.groups[g];
-  if (!traits_of(run.plan.groups[g]).can_cross) {
+  const GroupState& before = run.at.state.groups[g];
+  if (!traits_of(run.plan().groups[g]).can_cross) {
     return step_group(run, g, before.mode, h);
   }
-  if (traits_of(run.plan.groups[g]).coupled) {
+  if (traits_of(run.plan().groups[g]).coupled) {
     // Newton's method may arrive on either side of a change point: the sign of the determinant says where.
     const GroupStatus status = step_group(run, g, before.mode, h);
-    const bool same = run.trial.groups[g].mode == before.mode;
+    const bool same = run.work.trial.groups[g].mode == before.mode;
     return status != GroupStatus::kOk || same || crosses(run, path, g, s, h) ? status
                                                                              : GroupStatus::kNotConverged;
   }
@@ -189,7 +191,7 @@ double unit_of(const Run& run, const Path& path) {
 }
 
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     set_group_rates(model_of(run), g, drivers, state);
   }
 }
@@ -202,16 +204,17 @@ void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMo
 }
 
 double driver_scale(const Run& run, std::size_t driver) {
-  const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(run.mechanism.drivers[driver].joint)];
-  return joint.type == JointType::kRevolute ? 1 : run.plan.size;
+  const Joint& joint =
+      run.mechanism().joints[static_cast<std::size_t>(run.mechanism().drivers[driver].joint)];
+  return joint.type == JointType::kRevolute ? 1 : run.plan().size;
 }
 
 StepResult try_step(Run& run, const Path& path, double s, double h) {
-  run.crossings.clear();
+  run.work.crossings.clear();
   mark_places(run);
-  path.positions(s + h, run.trial_drivers);
-  path.motions(s + h, run.trial_motions);
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
+  path.positions(s + h, run.work.drivers);
+  path.motions(s + h, run.work.motions);
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const GroupStatus status = step_on_branch(run, path, g, s, h);
     if (status != GroupStatus::kOk) {
       return {status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees, g};
@@ -221,29 +224,29 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
 }
 
 bool solve_at(Run& run, const Path& path, double s, double x) {
-  return solve_before(run, path, run.plan.groups.size(), s, x);
+  return solve_before(run, path, run.plan().groups.size(), s, x);
 }
 
 bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x) {
   if (!place_before(run, path, end, s, x)) {
     return false;
   }
-  path.motions(s + x, run.trial_motions);
+  path.motions(s + x, run.work.motions);
   for (std::size_t g = 0; g < end; ++g) {
-    set_group_rates(model_of(run), g, run.trial_motions, run.trial);
+    set_group_rates(model_of(run), g, run.work.motions, run.work.trial);
   }
   return true;
 }
 
 bool place_anew(Run& run, const std::vector<double>& drivers) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    run.trial.groups[g].mode = run.state.groups[g].mode;
-    if (place_group_anew(model_of(run), g, run.state, drivers, run.trial) != GroupStatus::kOk) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    run.work.trial.groups[g].mode = run.at.state.groups[g].mode;
+    if (place_group_anew(model_of(run), g, run.at.state, drivers, run.work.trial) != GroupStatus::kOk) {
       return false;
     }
   }
-  set_unit_motions(drivers, run.trial_motions);
-  set_rates(run, run.trial_motions, run.trial);
+  set_unit_motions(drivers, run.work.motions);
+  set_rates(run, run.work.motions, run.work.trial);
   return true;
 }
 

@@ -8,7 +8,7 @@
 namespace higherpair {
 
 [[nodiscard]] inline Planned model_of(const Run& run) {
-  return {run.mechanism, run.plan};
+  return {run.mechanism(), run.plan()};
 }
 
 /// The drivers at their positions: a single one moves by one unit, several rest.
@@ -19,8 +19,8 @@ struct StepResult {
   std::size_t group = 0;  ///< which failed
 };
 
-/// Tries a step of `h` from run.state, which is at s, into run.trial; kOk only where every group continues
-/// its motion smoothly, straight on through change points (run.crossings).
+/// Tries a step of `h` from run.at.state, which is at s, into run.work.trial; kOk only where every group
+/// continues its motion smoothly, straight on through change points (run.work.crossings).
 [[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
 
 /// What counts as one unit of a driver's coordinate: a radian, or the size of the mechanism.
@@ -29,15 +29,15 @@ struct StepResult {
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);
 
-/// Places all groups and sets their rates in run.trial, `x` beyond run.state, which stands at s; in the modes
-/// of run.state and without asking whether they agree with a prediction.
+/// Places all groups and sets their rates in run.work.trial, `x` beyond run.at.state, which stands at s; in
+/// the modes of run.at.state and without asking whether they agree with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
 
 /// The same for the groups before `end` only.
 [[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
-/// Places all groups at the drivers' positions in run.trial in the modes of run.state, however far that is;
-/// rates are per unit of a single driver.
+/// Places all groups at the drivers' positions in run.work.trial in the modes of run.at.state, however far
+/// that is; rates are per unit of a single driver.
 [[nodiscard]] bool place_anew(Run& run, const std::vector<double>& drivers);
 
 }  // namespace higherpair

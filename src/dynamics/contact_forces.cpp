@@ -98,7 +98,7 @@ double zero_before(const ForceSeries& p, double from, double below) {
 class Recorder {
 public:
   Recorder(const Run& start, const DriverPath& path, std::vector<Preload> preloads)
-      : path_(path), run_(start), columns_(start, preloads), contacts_(start.mechanism.contacts.size()) {
+      : path_(path), run_(start), columns_(start, preloads), contacts_(start.mechanism().contacts.size()) {
     forces_.preloads = std::move(preloads);
     forces_.lowest.resize(contacts_.size());
   }
@@ -174,9 +174,9 @@ private:
     double parts = 0;
     bool changes = false;
     for (std::size_t i = 0; i < to.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(run_.mechanism.drivers[i].joint);
-      const bool turns = run_.mechanism.joints[joint].type == JointType::kRevolute;
-      const double longest = turns ? kLongestTurn : kLongestSlide * run_.plan.size;
+      const auto joint = static_cast<std::size_t>(run_.mechanism().drivers[i].joint);
+      const bool turns = run_.mechanism().joints[joint].type == JointType::kRevolute;
+      const double longest = turns ? kLongestTurn : kLongestSlide * run_.plan().size;
       parts = std::max(parts, std::abs(to[i].position - from[i].position) / longest);
       changes = changes || from[i].position != to[i].position || from[i].velocity != to[i].velocity ||
                 from[i].acceleration != to[i].acceleration;

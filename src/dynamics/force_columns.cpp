@@ -9,14 +9,14 @@ namespace higherpair {
 ForceColumns::ForceColumns(const Run& run, std::vector<Preload> preloads)
     : statics_(run),
       preloads_(std::move(preloads)),
-      damped_(std::any_of(run.mechanism.springs.begin(), run.mechanism.springs.end(),
+      damped_(std::any_of(run.mechanism().springs.begin(), run.mechanism().springs.end(),
                           [](const Spring& spring) { return spring.damping != 0; })),
-      values_(run.mechanism.contacts.size() * count()),
-      known_(run.mechanism.contacts.size()),
+      values_(run.mechanism().contacts.size() * count()),
+      known_(run.mechanism().contacts.size()),
       largest_(count()) {}
 
 bool ForceColumns::solve(const Run& run) {
-  const Mechanism& mechanism = run.mechanism;
+  const Mechanism& mechanism = run.mechanism();
   const MotionRow& row = run.row;
   if (row.status == RowStatus::kNotAssemblable || !row.all_rates) {
     return false;

@@ -121,9 +121,10 @@ private:
     path_.motion(to, last);
     double parts = kFewest;
     for (std::size_t i = 0; i < first.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(start_.mechanism.drivers[i].joint);
-      const double longest =
-          has_angle(start_.mechanism.joints[joint].type) ? kLongestTurn : kLongestSlide * start_.plan.size;
+      const auto joint = static_cast<std::size_t>(start_.mechanism().drivers[i].joint);
+      const double longest = has_angle(start_.mechanism().joints[joint].type)
+                                 ? kLongestTurn
+                                 : kLongestSlide * start_.plan().size;
       parts = std::max(parts, std::abs(last[i].position - first[i].position) / longest);
     }
     return std::ceil(parts);
@@ -219,7 +220,7 @@ private:
     const auto value = [&](double at) {
       // From the last mark before the first place that is asked for, and from there on to and fro: between
       // neighbouring samples nothing is lost.
-      if (!mover || !mover->run().held || std::abs(at - mover->at()) > near_) {
+      if (!mover || !mover->run().at.held || std::abs(at - mover->at()) > near_) {
         const auto after =
             std::upper_bound(marks_.begin(), marks_.end(), at,
                              [](double place, const Mover& mark) { return place < mark.at(); });

@@ -21,10 +21,10 @@ bool Reactions::opens() const {
 }
 
 InverseDynamics::InverseDynamics(const Run& run)
-    : statics_(run), wrenches_(run.mechanism.bodies.size()), left_(wrenches_) {
-  reactions_.joints.resize(run.mechanism.joints.size());
-  reactions_.contacts.resize(run.mechanism.contacts.size());
-  reactions_.drivers.resize(run.mechanism.drivers.size());
+    : statics_(run), wrenches_(run.mechanism().bodies.size()), left_(wrenches_) {
+  reactions_.joints.resize(run.mechanism().joints.size());
+  reactions_.contacts.resize(run.mechanism().contacts.size());
+  reactions_.drivers.resize(run.mechanism().drivers.size());
 }
 
 const Reactions& InverseDynamics::solve(const Run& run) {
@@ -32,12 +32,12 @@ const Reactions& InverseDynamics::solve(const Run& run) {
   reactions_.defined = row.status != RowStatus::kNotAssemblable && row.all_rates;
   if (reactions_.defined) {
     clear(wrenches_);
-    add_applied(run.mechanism, row.bodies, wrenches_);
-    add_inertia(run.mechanism, row.bodies, wrenches_);
+    add_applied(run.mechanism(), row.bodies, wrenches_);
+    add_inertia(run.mechanism(), row.bodies, wrenches_);
     left_ = wrenches_;
     statics_.stand(run);
     reactions_.defined = statics_.balance(left_);
-    if (reactions_.defined && statics_.choose_flanks(run.mechanism)) {
+    if (reactions_.defined && statics_.choose_flanks(run.mechanism())) {
       left_ = wrenches_;
       statics_.stand(run);
       reactions_.defined = statics_.balance(left_);
@@ -67,7 +67,7 @@ std::optional<double> InverseDynamics::determined(std::size_t row, double factor
 void InverseDynamics::read_joints(const Run& run) {
   for (std::size_t i = 0; i < reactions_.joints.size(); ++i) {
     const std::size_t first = statics_.joint_row(i);
-    const JointType type = run.mechanism.joints[i].type;
+    const JointType type = run.mechanism().joints[i].type;
     const Eigen::Vector3d& along = statics_.row(first).coefficient[1];
     JointReaction& reaction = reactions_.joints[i];
     reaction.fx = determined(first, along.x());
@@ -93,16 +93,16 @@ void InverseDynamics::read_contacts(const Run& run) {
       continue;
     }
     reaction.force = determined(first, 1);
-    reaction.friction = run.mechanism.contacts[i].rolling ? determined(first + 1, 1) : 0.0;
+    reaction.friction = run.mechanism().contacts[i].rolling ? determined(first + 1, 1) : 0.0;
     reaction.pulls =
-        !run.mechanism.contacts[i].both_sides && reaction.force && *reaction.force < -kRounding * largest;
+        !run.mechanism().contacts[i].both_sides && reaction.force && *reaction.force < -kRounding * largest;
   }
 }
 
 void InverseDynamics::read_efforts(const Run& run) {
   for (std::size_t i = 0; i < reactions_.drivers.size(); ++i) {
-    const auto joint = static_cast<std::size_t>(run.mechanism.drivers[i].joint);
-    const bool turns = run.mechanism.joints[joint].type == JointType::kRevolute;
+    const auto joint = static_cast<std::size_t>(run.mechanism().drivers[i].joint);
+    const bool turns = run.mechanism().joints[joint].type == JointType::kRevolute;
     reactions_.drivers[i].effort = determined(statics_.driver_row(i), turns ? statics_.size() : 1);
   }
 }

@@ -30,16 +30,16 @@ Eigen::Vector3d scaled(const Eigen::Vector3d& wrench, double size) {
 }  // namespace
 
 Statics::Statics(const Run& run)
-    : size_(run.plan.size),
-      contacts_may_part_(std::any_of(run.mechanism.contacts.begin(), run.mechanism.contacts.end(),
+    : size_(run.plan().size),
+      contacts_may_part_(std::any_of(run.mechanism().contacts.begin(), run.mechanism().contacts.end(),
                                      [](const Contact& contact) { return contact.keep == Keep::kGap; })) {
-  joint_rows_.resize(run.mechanism.joints.size());
-  flanks_.assign(run.mechanism.joints.size(), 1);
-  contact_rows_.resize(run.mechanism.contacts.size());
-  driver_rows_.resize(run.mechanism.drivers.size());
-  for (const Group& group : run.plan.groups) {
+  joint_rows_.resize(run.mechanism().joints.size());
+  flanks_.assign(run.mechanism().joints.size(), 1);
+  contact_rows_.resize(run.mechanism().contacts.size());
+  driver_rows_.resize(run.mechanism().drivers.size());
+  for (const Group& group : run.plan().groups) {
     std::vector<int> held;
-    for (const int body : run.plan.idle_bodies) {
+    for (const int body : run.plan().idle_bodies) {
       if (std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end()) {
         held.push_back(body);
       }
@@ -50,8 +50,8 @@ Statics::Statics(const Run& run)
 }
 
 void Statics::append_rows_of(const Run& run, std::size_t g) {
-  const Mechanism& mechanism = run.mechanism;
-  const Group& group = run.plan.groups[g];
+  const Mechanism& mechanism = run.mechanism();
+  const Group& group = run.plan().groups[g];
   const std::vector<BodyMotion>& bodies = run.row.bodies;
   for_each_index(group.joints, joint_rows_, rows_, [&](std::size_t i) {
     const Joint& joint = mechanism.joints[i];
@@ -91,8 +91,8 @@ bool Statics::choose_flanks(const Mechanism& mechanism) {
 }
 
 void Statics::set_layout(const Run& run) {
-  for (std::size_t g = 0; g < run.plan.groups.size(); ++g) {
-    const Group& group = run.plan.groups[g];
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const Group& group = run.plan().groups[g];
     Block block;
     block.first_row = rows_.size();
     block.bodies = group.bodies;

@@ -72,7 +72,7 @@ Result<Run> started(const Model::Data& model, const RunSettings& settings, const
   const auto refuse = [&](std::string reason) {
     return tl::unexpected(error_about(model, ErrorKind::kMechanism, std::move(reason)));
   };
-  auto run = start_run(model.profile.mechanism, *model.plan, schedule.first_positions(), settings.tolerance);
+  auto run = start_run(run_model(model), schedule.first_positions(), settings.tolerance);
   if (!run) {
     return refuse(run.error().slip
                       ? text_of(*run.error().slip, model.profile)
@@ -250,7 +250,7 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
   if (!run) {
     return tl::unexpected(std::move(run.error()));
   }
-  Diagnostics notes = start_notes(data_->profile, run->state.bodies);
+  Diagnostics notes = start_notes(data_->profile, run->at.state.bodies);
   std::optional<InverseDynamics> dynamics;
   std::optional<Run> start;
   if (settings.forces) {

@@ -235,8 +235,7 @@ Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& s
     report.contacts.push_back(*std::move(contact));
   }
   if (is_empty(report)) {
-    const auto run =
-        start_run(data.profile.mechanism, *data.plan, schedule->first_positions(), settings.tolerance);
+    const auto run = start_run(run_model(data), schedule->first_positions(), settings.tolerance);
     if (!run) {
       return tl::unexpected(error_about(
           data, ErrorKind::kMechanism,

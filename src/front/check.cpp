@@ -44,7 +44,7 @@ void spare_watches(const std::vector<Event>& events, Run& start) {
   const bool quiet = std::none_of(events.begin(), events.end(), [](const Event& event) {
     return event.type == EventType::kSecondContact || event.type == EventType::kOverlap;
   });
-  for (OverlapWatch& watch : start.watches) {
+  for (OverlapWatch& watch : start.at.watches) {
     watch.needed = watch.needed && (!quiet || watch.overlaps);
   }
 }

@@ -25,8 +25,8 @@ bool contains(const std::vector<int>& items, int item) {
 
 // Whether the body that a contact moves is its second one: the later one in the order of solution.
 bool moves_second(const Run& run, int index) {
-  const Contact& contact = run.mechanism.contacts[static_cast<std::size_t>(index)];
-  for (const Group& group : run.plan.groups) {
+  const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
+  for (const Group& group : run.plan().groups) {
     if (contains(group.bodies, contact.first.body)) {
       return true;
     }
@@ -45,20 +45,20 @@ public:
       : index_(index),
         split_(split),
         second_(moves_second(run, static_cast<int>(index))),
-        contact_(run.mechanism.contacts[index]),
+        contact_(run.mechanism().contacts[index]),
         follower_(second_ ? contact_.second : contact_.first),
         other_(second_ ? contact_.first : contact_.second),
-        freedom_(grounded_freedom(run.mechanism, follower_.body)),
-        size_(run.plan.size) {
-    const auto& idle = run.plan.idle_bodies;
+        freedom_(grounded_freedom(run.mechanism(), follower_.body)),
+        size_(run.plan().size) {
+    const auto& idle = run.plan().idle_bodies;
     idle_ = contains(idle, follower_.body) || contains(idle, other_.body);
     idle_follower_ = contains(idle, follower_.body);
-    const Curve& curve = named_curve(run.mechanism, follower_).curve;
+    const Curve& curve = named_curve(run.mechanism(), follower_).curve;
     swings_roller_ = freedom_ && freedom_->turns && round_center(curve) && !is_point(curve);
     for (const std::size_t side : {0U, 1U}) {
       const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
-      const Curve& own = named_curve(run.mechanism, ref).curve;
-      names_[side] = name_of_curve(run.mechanism, ref);
+      const Curve& own = named_curve(run.mechanism(), ref).curve;
+      names_[side] = name_of_curve(run.mechanism(), ref);
       flat_[side] = is_line(own);
       point_[side] = is_point(own);
     }
@@ -123,8 +123,8 @@ private:
     const BodyMotion& follower = row.bodies[static_cast<std::size_t>(follower_.body)];
     const BodyMotion& other = row.bodies[static_cast<std::size_t>(other_.body)];
     const ContactDetails details =
-        details_of({curve_of(run.mechanism, other_), other, nullptr},
-                   {curve_of(run.mechanism, follower_), follower, freedom_ ? &*freedom_ : nullptr}, at,
+        details_of({curve_of(run.mechanism(), other_), other, nullptr},
+                   {curve_of(run.mechanism(), follower_), follower, freedom_ ? &*freedom_ : nullptr}, at,
                    second_ ? motion.phi : motion.phi + kPi);
     const bool back = split_ && goes_back(row, at);
     if (details.pressure) {
@@ -138,7 +138,7 @@ private:
       const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
       if (flat_[side]) {
         const BodyMotion& body = row.bodies[static_cast<std::size_t>(ref.body)];
-        const Vector2d along = perp(named_curve(run.mechanism, ref).curve.axis_B);
+        const Vector2d along = perp(named_curve(run.mechanism(), ref).curve.axis_B);
         out[side == 0 ? kFace1 : kFace2] = along.dot(body.X_WB.inverse_times(motion.at.p_W()));
       } else if (rho != 0) {
         out[side == 0 ? kCurvature1 : kCurvature2] = 1 / rho;

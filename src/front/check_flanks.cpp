@@ -107,7 +107,7 @@ std::optional<FlankOrigin> flank_of(const Mechanism& mechanism, const CurveRef& 
 }
 
 PathLook look_at(const CheckedPath& checked, const DriverPath& path) {
-  const Mechanism& mechanism = checked.start.mechanism;
+  const Mechanism& mechanism = checked.start.mechanism();
   PathLook look;
   const bool straight =
       !checked.schedule.is_timed() && !checked.schedule.is_listed() && path.knots.size() == 2;

@@ -19,7 +19,7 @@ constexpr Dimension kPressure = dimension::kForce / (dimension::kLength * dimens
 class CheckedForces {
 public:
   CheckedForces(const CheckedPath& checked, const CheckFigures& figures)
-      : mechanism_(checked.start.mechanism), report_(*checked.forces), dynamics_(checked.start) {
+      : mechanism_(checked.start.mechanism()), report_(*checked.forces), dynamics_(checked.start) {
     for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
       pressures_.push_back(pressure_of(i, figures));
     }

@@ -51,17 +51,17 @@ private:
 class CheckedJoints {
 public:
   explicit CheckedJoints(const CheckedPath& checked)
-      : outputs_(checked.start.outputs),
+      : outputs_(checked.start.at.outputs),
         jerks_(checked.profile, checked.schedule),
-        size_(checked.start.plan.size) {
+        size_(checked.start.plan().size) {
     for (const OutputJoint& output : outputs_) {
-      names_.push_back(checked.start.mechanism.joints[static_cast<std::size_t>(output.joint)].name);
+      names_.push_back(checked.start.mechanism().joints[static_cast<std::size_t>(output.joint)].name);
     }
     for (std::size_t i = 0; i < checked.schedule.driver_count(); ++i) {
-      const auto joint = static_cast<std::size_t>(checked.start.mechanism.drivers[i].joint);
+      const auto joint = static_cast<std::size_t>(checked.start.mechanism().drivers[i].joint);
       const double velocity = std::abs(checked.schedule.state(0, i).si.velocity);
       rate_ = std::max(rate_,
-                       has_angle(checked.start.mechanism.joints[joint].type) ? velocity : velocity / size_);
+                       has_angle(checked.start.mechanism().joints[joint].type) ? velocity : velocity / size_);
     }
   }
 
@@ -76,9 +76,9 @@ public:
 
   void fill_accelerations(const Run& run, std::span<double> out) const {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      const Joint& joint = run.mechanism.joints[static_cast<std::size_t>(outputs_[i].joint)];
+      const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(outputs_[i].joint)];
       if (run.row.has_rates[static_cast<std::size_t>(outputs_[i].body)]) {
-        out[i] = joint_motion(run.mechanism, joint, run.row.bodies).acceleration;
+        out[i] = joint_motion(run.mechanism(), joint, run.row.bodies).acceleration;
       }
     }
   }

@@ -30,7 +30,7 @@ void mark_growing(CheckFigure& figure, const PathExtreme& extreme) {
 void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
   std::vector<ContactCheck> contacts;
   std::vector<PathQuantities> blocks;
-  for (std::size_t i = 0; i < checked.start.mechanism.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < checked.start.mechanism().contacts.size(); ++i) {
     const bool split = figures.of_contact(i, LimitKey::kMaxReturnPressureAngle) != nullptr;
     contacts.push_back(contact_check(checked.start, i, split));
     blocks.push_back(contacts.back().quantities);

@@ -179,7 +179,7 @@ std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRo
   const double first = rows.positions.front();
   const double last = rows.positions.back();
   const double between = std::abs(last - first) / static_cast<double>(rows.positions.size() - 1);
-  const Mechanism& mechanism = rows.direct ? *rows.mechanism : rows.run->mechanism;
+  const Mechanism& mechanism = rows.direct ? *rows.mechanism : rows.run->mechanism();
   PathSearch search(path, rows, point_of(mechanism, path.ref), std::min(first, last), std::max(first, last),
                     path.closed && is_loop(points));
   // In the order of the driver: shorter ways to go.

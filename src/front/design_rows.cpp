@@ -301,10 +301,11 @@ DesignRows run_rows(const DesignSetup& setup, Candidate candidate, int branch) {
   DesignRows rows;
   RowReader reader(setup, *candidate.mechanism, candidate.plan, rows);
   const std::vector<double> first = candidate.schedule.first_positions();
-  auto run = start_on_branch(*candidate.mechanism, candidate.plan, first, branch);
+  const RunModel model = make_run_model(*candidate.mechanism, candidate.plan);
+  auto run = start_on_branch(model, first, branch);
   if (!run) {
     rows.missing = 1;
-    reader.take_gaps(first_closure_gaps(*candidate.mechanism, candidate.plan, first, branch));
+    reader.take_gaps(first_closure_gaps(model, first, branch));
     return rows;
   }
   rows.started = true;

@@ -18,11 +18,11 @@ constexpr double kSamePlace = 1e-6;  // of the size: bodies that are no farther 
 constexpr int kDigits = 6;           // of a pose, which is an estimate
 
 bool stand_alike(const Run& a, const Run& b) {
-  for (std::size_t i = 0; i < a.state.bodies.size(); ++i) {
-    const BodyMotion& one = a.state.bodies[i];
-    const BodyMotion& other = b.state.bodies[i];
+  for (std::size_t i = 0; i < a.at.state.bodies.size(); ++i) {
+    const BodyMotion& one = a.at.state.bodies[i];
+    const BodyMotion& other = b.at.state.bodies[i];
     const double turned = std::abs(nearest_turn(one.theta - other.theta, 0));
-    if ((one.X_WB.p_WB - other.X_WB.p_WB).norm() > kSamePlace * a.plan.size || turned > kSamePlace)
+    if ((one.X_WB.p_WB - other.X_WB.p_WB).norm() > kSamePlace * a.plan().size || turned > kSamePlace)
       return false;
   }
   return true;
@@ -39,16 +39,16 @@ std::vector<NewValue> poses_of(const Run& run, const Units& units) {
     const double near = unit * std::round(value / unit);
     return fmt::format("{:.{}g}", near == 0 ? 0.0 : near, kDigits + 3);
   };
-  for (const Group& group : run.plan.groups) {
+  for (const Group& group : run.plan().groups) {
     const bool chosen = traits_of(group).two_modes || placing_contact(group) || traits_of(group).coupled;
     if (!chosen || !group.drivers.empty()) continue;
     for (const int index : group.bodies) {
-      const BodyMotion& body = run.state.bodies[static_cast<std::size_t>(index)];
+      const BodyMotion& body = run.at.state.bodies[static_cast<std::size_t>(index)];
       const Vector2d p = length * body.X_WB.p_WB;
       poses.push_back(
-          {fmt::format("bodies.{}.pose", run.mechanism.bodies[static_cast<std::size_t>(index)].name),
-           fmt::format("{{ x = {}, y = {}, angle = {} }}", rounded(p.x(), length * run.plan.size),
-                       rounded(p.y(), length * run.plan.size),
+          {fmt::format("bodies.{}.pose", run.mechanism().bodies[static_cast<std::size_t>(index)].name),
+           fmt::format("{{ x = {}, y = {}, angle = {} }}", rounded(p.x(), length * run.plan().size),
+                       rounded(p.y(), length * run.plan().size),
                        rounded(angle * nearest_turn(body.theta, 0), angle * 2 * kPi))});
     }
   }
@@ -83,8 +83,7 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
   }
   const auto schedule = schedule_of(*data, setup.settings);
   const auto run =
-      schedule ? start_on_branch(data->profile.mechanism, *data->plan, schedule->first_positions(), branch)
-               : std::nullopt;
+      schedule ? start_on_branch(run_model(*data), schedule->first_positions(), branch) : std::nullopt;
   const auto started = read->start(setup.settings);
   if (!run || (started && stand_alike(*run, started->impl().run))) {
     return text;

@@ -62,7 +62,7 @@ double* put_body(const Run& run, const JerkRow& jerks, std::size_t index, double
     *out = jerk->angular;
   }
   ++out;
-  for (const NamedPoint& point : run.mechanism.bodies[index].points) {
+  for (const NamedPoint& point : run.mechanism().bodies[index].points) {
     out = put(jerk ? std::optional(point_jerk(run.row.bodies[index], *jerk, point.p_B)) : std::nullopt, out);
   }
   return out;
@@ -136,7 +136,7 @@ void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int orde
         const auto at = static_cast<std::size_t>(k);
         out = put(body.p_WB[at], out);
         *out++ = body.theta[at];
-        for (const NamedPoint& point : source.run.mechanism.bodies[i].points) {
+        for (const NamedPoint& point : source.run.mechanism().bodies[i].points) {
           out = put(point_derivative(body, point.p_B, k), out);
         }
       }

@@ -28,11 +28,11 @@ tl::expected<Run, StartFailure> started(const Model::Data& data, const std::vect
   if (!data.plan) {
     return tl::unexpected(StartFailure{data.plan.error(), std::nullopt});
   }
-  return start_run(data.profile.mechanism, *data.plan, drivers, tolerance);
+  return start_run(run_model(data), drivers, tolerance);
 }
 
 bool all_touch(const Run& run) {
-  return std::all_of(run.state.contacts.begin(), run.state.contacts.end(),
+  return std::all_of(run.at.state.contacts.begin(), run.at.state.contacts.end(),
                      [](const ContactMotion& contact) { return contact.touches; });
 }
 
@@ -69,7 +69,7 @@ Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
     question = question_of(*schedule, row_in_touch(*run, *schedule));
   }
   if (run && all_touch(*run)) {
-    question.start = MechanismPosition{run->state.bodies, run->state.contacts};
+    question.start = MechanismPosition{run->at.state.bodies, run->at.state.contacts};
   }
   MobilityFindings findings{model, analyse_mobility(mechanism, question), {}, std::nullopt};
   if (data.plan) {

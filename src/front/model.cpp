@@ -63,8 +63,10 @@ bool same_structure(const Mechanism& a, const Mechanism& b) {
 
 std::shared_ptr<const Model::Data> planned(std::string name, std::optional<ProfileDocument> document,
                                            Profile profile, const Model::Data* like) {
-  auto data = std::make_shared<Model::Data>(
-      Model::Data{std::move(name), std::move(document), std::move(profile), tl::unexpected(std::string())});
+  auto data = std::make_shared<Model::Data>();
+  data->name = std::move(name);
+  data->document = std::move(document);
+  data->profile = std::move(profile);
   use_boundaries(data->profile.mechanism);
   const Mechanism& mechanism = data->profile.mechanism;
   const bool known = like != nullptr && like->plan && same_structure(like->profile.mechanism, mechanism);
@@ -98,6 +100,11 @@ std::string to_string(const Error& error) {
     text += to_string(diagnostic);
   }
   return text;
+}
+
+RunModel run_model(const Model::Data& model) {
+  const std::shared_ptr<const Model::Data> own = model.shared_from_this();
+  return {{own, &own->profile.mechanism}, {own, &*own->plan}};
 }
 
 Error error_about(const Model::Data& model, ErrorKind kind, std::string message) {

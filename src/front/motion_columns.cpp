@@ -126,7 +126,7 @@ void add_joint(ColumnSet& set, std::size_t index, const Joint& joint) {
            {joint.name + ".velocity", of.velocity},
            {joint.name + ".acceleration", of.acceleration}},
           [index](const RowSource& source, double* out) {
-            const Mechanism& mechanism = source.run.mechanism;
+            const Mechanism& mechanism = source.run.mechanism();
             const MotionRow& row = source.run.row;
             const Joint& own = mechanism.joints[index];
             const JointMotion motion = joint_motion(mechanism, own, row.bodies);
@@ -148,9 +148,9 @@ struct Sides {
         second(grounded_freedom(mechanism, contact.second.body)) {}
 
   [[nodiscard]] ContactDetails details(const Run& run, std::size_t index) const {
-    const Contact& contact = run.mechanism.contacts[index];
+    const Contact& contact = run.mechanism().contacts[index];
     const auto side = [&](const CurveRef& ref, const std::optional<OneFreedom>& grounded) {
-      return ContactBody{curve_of(run.mechanism, ref), run.row.bodies[static_cast<std::size_t>(ref.body)],
+      return ContactBody{curve_of(run.mechanism(), ref), run.row.bodies[static_cast<std::size_t>(ref.body)],
                          grounded ? &*grounded : nullptr};
     };
     const ContactMotion& motion = run.row.contacts[index];
@@ -232,7 +232,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
         }
         const ContactDetails details = sides.details(source.run, index);
         put_linkage(details, out);
-        const Contact& own = source.run.mechanism.contacts[index];
+        const Contact& own = source.run.mechanism().contacts[index];
         if (row.has_rates[static_cast<std::size_t>(own.first.body)] &&
             row.has_rates[static_cast<std::size_t>(own.second.body)]) {
           out[11] = row.contacts[index].rates.sliding;

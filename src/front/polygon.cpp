@@ -27,13 +27,13 @@ Result<Polygons> polygons_of(const Model& model, const PolygonSettings& wanted) 
   }
   const Run& run = reached->run;
   all.driver = reached->driver;
-  const auto joint = static_cast<std::size_t>(run.mechanism.drivers.front().joint);
+  const auto joint = static_cast<std::size_t>(run.mechanism().drivers.front().joint);
   all.driver_unit = unit_text(
-      has_angle(run.mechanism.joints[joint].type) ? dimension::kAngle : dimension::kLength, model.units());
-  all.polygons = {velocity_polygon(run.mechanism, run.row), acceleration_polygon(run.mechanism, run.row)};
+      has_angle(run.mechanism().joints[joint].type) ? dimension::kAngle : dimension::kLength, model.units());
+  all.polygons = {velocity_polygon(run.mechanism(), run.row), acceleration_polygon(run.mechanism(), run.row)};
   if (wanted.forces) {
     InverseDynamics dynamics(run);
-    for (Polygon& polygon : force_polygons(run.mechanism, run.row, dynamics.solve(run))) {
+    for (Polygon& polygon : force_polygons(run.mechanism(), run.row, dynamics.solve(run))) {
       all.polygons.push_back(std::move(polygon));
     }
   }

@@ -118,7 +118,7 @@ bool stays_closed(const Profile& profile, const DriverPath& path, const Run& sta
 // The smallest preloads by numbers that can be printed, tried out.
 std::optional<Advice> advice_for(const ContactForces& forces, const Profile& profile, const DriverPath& path,
                                  const Run& start) {
-  const auto exact = smallest_preloads(forces, profile.mechanism, start.plan.size);
+  const auto exact = smallest_preloads(forces, profile.mechanism, start.plan().size);
   for (std::size_t i = 0; exact && i < std::size(kDigits) && !is_stopped(start); ++i) {
     std::vector<PreloadNumber> numbers;
     std::vector<int> decimals;
@@ -130,7 +130,7 @@ std::optional<Advice> advice_for(const ContactForces& forces, const Profile& pro
     }
     const auto rounded = [&](std::size_t k, double x) { return rounded_to(numbers[k].of(x), decimals[k]); };
     rounding.round = [&](std::size_t k, double x) { return x == 0 ? 0 : numbers[k].addition(rounded(k, x)); };
-    if (auto additions = smallest_preloads(forces, profile.mechanism, start.plan.size, &rounding)) {
+    if (auto additions = smallest_preloads(forces, profile.mechanism, start.plan().size, &rounding)) {
       Advice advice{*std::move(additions), {}};
       for (std::size_t k = 0; k < numbers.size(); ++k) {
         advice.numbers.push_back(rounded(k, advice.additions[k]));
@@ -221,7 +221,8 @@ ContactForceReport report_contacts(const Profile& profile, const DriverSchedule&
     return {};  // nothing can open: no need to follow forces along the path
   }
   const RowPath rows = path_of(schedule);
-  ContactForces forces = follow_contact_forces(start, rows.path, preloads_of(profile.mechanism, start.plan));
+  ContactForces forces =
+      follow_contact_forces(start, rows.path, preloads_of(profile.mechanism, start.plan()));
   ContactForceReport report;
   const std::string advice = forces.openings.empty() ? "" : advice_text(forces, profile, rows.path, start);
   for (const ContactOpening& opening : forces.openings) {

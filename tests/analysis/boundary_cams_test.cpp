@@ -106,7 +106,7 @@ void expect_tangent_cam(const TangentCam& cam, double samples, double from) {
     move_to(*run, {{u, 1, 0}});
     const Lift expected = cam.lift(normalised(-u));
     ASSERT_EQ(run->row.status, RowStatus::kOk) << u;
-    const auto motion = joint_motion(run->mechanism, run->mechanism.joints[1], run->row.bodies);
+    const auto motion = joint_motion(run->mechanism(), run->mechanism().joints[1], run->row.bodies);
     EXPECT_NEAR(motion.position, expected.s, 1e-15 + 1e-14 * expected.s) << u;
     EXPECT_NEAR(motion.velocity, -expected.v, 1e-14) << u;
     EXPECT_NEAR(motion.acceleration, expected.a, 1e-12) << u;
@@ -188,7 +188,7 @@ TEST(BoundaryCams, AKindOfCurveIsOneClass) {
     const auto joint_at = [&](double u) {
       move_to(*run, {{u, 1, 0}});
       EXPECT_EQ(run->row.status, RowStatus::kOk) << u;
-      return joint_motion(run->mechanism, run->mechanism.joints[1], run->row.bodies);
+      return joint_motion(run->mechanism(), run->mechanism().joints[1], run->row.bodies);
     };
     constexpr double h = 1e-3;
     for (int i = 0; i < 100; ++i) {

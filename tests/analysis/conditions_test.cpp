@@ -52,8 +52,8 @@ Placed placed(const std::string& name) {
     return drivers;
   };
   auto run = start_run(profile.mechanism, drivers_at(0)).value();
-  const ConditionSystem system(dimensions_of(run.mechanism),
-                               all_conditions(run.mechanism, run.plan.idle_bodies), run.plan.size);
+  const ConditionSystem system(dimensions_of(run.mechanism()),
+                               all_conditions(run.mechanism(), run.plan().idle_bodies), run.plan().size);
   const std::vector<double> arcs = arcs_at(system.dimensions(), coordinates_of(run.row, drivers_at(0)));
   const std::vector<double> drivers = drivers_at(schedule.size() / 7);
   std::vector<DriverMotion> motions;

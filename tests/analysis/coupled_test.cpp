@@ -20,7 +20,7 @@ Vector2d vector_at(double angle, double length) {
 }
 
 bool has_coupled_group(const Run& run) {
-  return std::any_of(run.plan.groups.begin(), run.plan.groups.end(),
+  return std::any_of(run.plan().groups.begin(), run.plan().groups.end(),
                      [](const Group& group) { return std::holds_alternative<CoupledBodies>(group.kind); });
 }
 
@@ -75,7 +75,8 @@ TwoWays four_bar(Random& random) {
 }
 
 JointMotion motion_at_joint(const Run& run, int joint) {
-  return joint_motion(run.mechanism, run.mechanism.joints[static_cast<std::size_t>(joint)], run.row.bodies);
+  return joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)],
+                      run.row.bodies);
 }
 
 // Drives the easy way, then the hard one through the positions of its joint; compares all bodies.
@@ -154,7 +155,7 @@ TEST(RedundantMembers, OfAThirdParallelCrankDoNotKeepTheMechanismFromTurning) {
   const Builder b = three_cranks({0.2, 0.6});
   auto run = start_run(b.mechanism, {0.9});
   ASSERT_TRUE(run) << run.error().reason;
-  EXPECT_EQ(run->plan.surplus, 1);
+  EXPECT_EQ(run->plan().surplus, 1);
   for (int k = 0; k <= 72; ++k) {
     const double theta = 0.9 + k * kPi / 36;
     move_to(*run, {{theta, 2, -3}});
@@ -248,7 +249,7 @@ TEST(Ladder, OfAThousandFourBarsRunsInOneFile) {
       ASSERT_EQ(run->row.status, RowStatus::kOk);
     }
     fmt::print("{} four-bars: start {:.2f} ms, {:.3f} ms a row\n", rungs, start, ms(begin) / 21);
-    EXPECT_AT_MOST(run->row.residual, 1e-12 * run->plan.size);
+    EXPECT_AT_MOST(run->row.residual, 1e-12 * run->plan().size);
     // Places of up to 700 round to 1e-13, which turns a crank of 0.3 by 3e-13 at every rung.
     EXPECT_NEAR(run->row.bodies.back().theta, 1.5, 1e-14 * rungs);
     EXPECT_NEAR(run->row.bodies.back().omega, 1, 1e-13 * rungs);

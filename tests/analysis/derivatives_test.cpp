@@ -33,7 +33,7 @@ Profile shipped(const std::string& name) {
 
 std::size_t body_index(const Run& run, const std::string& name) {
   std::size_t i = 0;
-  while (run.mechanism.bodies.at(i).name != name) {
+  while (run.mechanism().bodies.at(i).name != name) {
     ++i;
   }
   return i;
@@ -130,7 +130,7 @@ TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
     const Profile profile = shipped(entry.path().stem().string());
     auto run = started(profile);
     std::vector<DriverMotion> drivers;
-    for (const double start : run.drivers) {
+    for (const double start : run.at.drivers) {
       drivers.push_back({start + 0.021, 1.3, -0.7});
     }
     move_to(run, drivers);
@@ -143,7 +143,7 @@ TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
     for (std::size_t i = 1; i < bodies->size(); ++i) {
       const BodyDerivatives& body = (*bodies)[i];
       const BodyMotion& row = run.row.bodies[i];
-      const double size = run.plan.size;
+      const double size = run.plan().size;
       const double scale = 1 + std::abs(body.theta[2]) + std::abs(body.theta[3]) + body.p_WB[3].norm() / size;
       EXPECT_NEAR((body.p_WB[1] - row.v_WB).norm(), 0, 1e-11 * size * scale) << entry.path();
       EXPECT_NEAR(body.theta[1], row.omega, 1e-11 * scale) << entry.path();
@@ -163,7 +163,7 @@ TEST(Derivatives, AreTheRatesOfThoseBelow) {
   for (const char* name : {"ellipse_cam_roller", "watt_sixbar", "rolling_ellipses", "cam_chain"}) {
     const Profile profile = shipped(name);
     auto run = started(profile);
-    const double start = run.drivers.front() + 0.4, h = 1e-3;
+    const double start = run.at.drivers.front() + 0.4, h = 1e-3;
     const auto at = [&](double u) {
       const std::vector<DriverMotion> drivers{{u, 1, 0}};
       move_to(run, drivers);

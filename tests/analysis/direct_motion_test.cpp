@@ -21,8 +21,8 @@ TEST_P(DirectMotions, StandWhereTheRunStands) {
   const Mechanism& mechanism = profile.mechanism;
   auto run = start_run(mechanism, schedule.first_positions());
   ASSERT_TRUE(run);
-  ASSERT_TRUE(DirectMotion::is_possible(run->plan));
-  DirectMotion direct(mechanism, run->plan, branch_of(*run));
+  ASSERT_TRUE(DirectMotion::is_possible(run->plan()));
+  DirectMotion direct(mechanism, run->plan(), branch_of(*run));
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const DriverMotion motion{schedule.state(k).si.position, 1.3, -0.4};
     move_to(*run, {motion});
@@ -31,9 +31,9 @@ TEST_P(DirectMotions, StandWhereTheRunStands) {
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
       const BodyMotion& ours = direct.bodies()[i];
       const BodyMotion& theirs = run->row.bodies[i];
-      EXPECT_NEAR((ours.X_WB.p_WB - theirs.X_WB.p_WB).norm(), 0, 1e-12 * run->plan.size);
+      EXPECT_NEAR((ours.X_WB.p_WB - theirs.X_WB.p_WB).norm(), 0, 1e-12 * run->plan().size);
       EXPECT_NEAR(std::remainder(ours.theta - theirs.theta, 2 * kPi), 0, 1e-12);
-      EXPECT_NEAR((ours.v_WB - theirs.v_WB).norm(), 0, 1e-10 * (run->plan.size + theirs.v_WB.norm()));
+      EXPECT_NEAR((ours.v_WB - theirs.v_WB).norm(), 0, 1e-10 * (run->plan().size + theirs.v_WB.norm()));
       EXPECT_NEAR(ours.alpha, theirs.alpha, 1e-9 * (1 + std::abs(theirs.alpha)));
     }
   }
@@ -77,7 +77,8 @@ TEST(Branches, OfARunStartedOnThemAreTheirs) {
   ASSERT_EQ(branch_count(plan), 4);
   int started = 0;
   for (int branch = 0; branch < 4; ++branch) {
-    const auto run = start_on_branch(profile.mechanism, plan, schedule.first_positions(), branch);
+    const auto run =
+        start_on_branch(make_run_model(profile.mechanism, plan), schedule.first_positions(), branch);
     if (!run) continue;
     ++started;
     EXPECT_EQ(branch_of(*run), branch);

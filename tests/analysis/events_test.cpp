@@ -62,7 +62,7 @@ TEST(StrokeEnds, OfAnOutputAtRestAreNone) {
 
 // Both positions at which two contacts hold at once, by the list of all contacts.
 double smallest_distance_of_two_free_contacts(const Run& run, double u) {
-  const auto& tracked = std::get<TrackedPair>(run.plan.groups[1].kind);
+  const auto& tracked = std::get<TrackedPair>(run.plan().groups[1].kind);
   const CurveContacts all = find_curve_contacts(tracked.pair, u);
   double smallest = INFINITY;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {

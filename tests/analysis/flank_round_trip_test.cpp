@@ -81,7 +81,7 @@ Worst round_trip(const CamAndFollower& made, double scale) {
     const double u = 0.1 + i * 2 * kPi / 360;
     move_to(*run, {{u, 1, 0}});
     EXPECT_EQ(run->row.status, RowStatus::kOk) << u;
-    const auto here = joint_motion(run->mechanism, run->mechanism.joints[1], run->row.bodies);
+    const auto here = joint_motion(run->mechanism(), run->mechanism().joints[1], run->row.bodies);
     const auto& law = made.motion.law;
     worst.s = std::max(worst.s, std::abs(here.position - made.motion.follower_rest - law(u)) / scale);
     worst.v = std::max(worst.v, std::abs(here.velocity - law.derivative(1, u)) / scale);

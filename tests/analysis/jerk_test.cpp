@@ -128,7 +128,7 @@ TEST(JerksOfARun, AreTheDifferencesOfItsAccelerations) {
 
 // The mechanism with circles of curvature in place of its conics, posed as it stands.
 Mechanism with_circles(const Run& run) {
-  Mechanism mechanism = run.mechanism;
+  Mechanism mechanism = run.mechanism();
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     mechanism.bodies[i].guess_p_WB = run.row.bodies[i].X_WB.p_WB;
     mechanism.bodies[i].guess_theta = run.row.bodies[i].theta;
@@ -173,7 +173,7 @@ TEST(JerksOfARun, OfARollingPairAreThoseOfThePair) {
   higherpair::Run run = start_run(shipped("rolling_ellipses").mechanism, {0}).value();
   move_to(run, {{0.8, 3, 0}});
   const JerkRow jerks = jerks_of(run);
-  const auto* track = std::get_if<RollingTrack>(&run.state.tracks.back());
+  const auto* track = std::get_if<RollingTrack>(&run.at.state.tracks.back());
   ASSERT_NE(track, nullptr);
   const PairJerk pair = rolling_jerk(track->pair, track->at);
   ASSERT_TRUE(jerks.bodies.back() && jerks.linkage.back() && pair.linkage_d3q);

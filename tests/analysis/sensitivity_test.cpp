@@ -69,18 +69,18 @@ std::vector<double> details_of(const higherpair::Run& run) {
     all.push_back(contact.force.value_or(0));
     all.push_back(contact.friction.value_or(0));
   }
-  for (std::size_t i = 0; i < run.mechanism.contacts.size(); ++i) {
-    const Contact& contact = run.mechanism.contacts[i];
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    const Contact& contact = run.mechanism().contacts[i];
     const auto side = [&](const CurveRef& ref) -> ContactBody {
-      return {curve_of(run.mechanism, ref), run.row.bodies[static_cast<std::size_t>(ref.body)], nullptr};
+      return {curve_of(run.mechanism(), ref), run.row.bodies[static_cast<std::size_t>(ref.body)], nullptr};
     };
     const ContactDetails details = higherpair::details_of(side(contact.first), side(contact.second),
                                                           run.row.contacts[i].at, run.row.contacts[i].phi);
     for (const auto& [arc, ref] :
          {std::pair(details.side1.arc, contact.first), {details.side2.arc, contact.second}}) {
       // Where the arc begins depends on the curve's axis but for whole turns.
-      const double turn = arc_length(curve_of(run.mechanism, ref), 2 * kPi);
-      const bool closed = is_conic(curve_of(run.mechanism, ref)) && curve_of(run.mechanism, ref).q > 0;
+      const double turn = arc_length(curve_of(run.mechanism(), ref), 2 * kPi);
+      const bool closed = is_conic(curve_of(run.mechanism(), ref)) && curve_of(run.mechanism(), ref).q > 0;
       all.push_back(closed ? turn * std::sin(2 * kPi * arc / turn) : arc);
     }
     all.insert(all.end(), {details.lengths[2].value_or(0), details.side1.rho.value_or(0)});
@@ -146,7 +146,7 @@ TEST_P(Sensitivities, AreTheDifferencesBetweenRunsWithOtherDimensions) {
   const Mechanism& mechanism = profile.mechanism;
   const auto row = row_of(mechanism, start, motions);
   ASSERT_TRUE(row);
-  const double size = row->run.plan.size;
+  const double size = row->run.plan().size;
   std::vector<Mechanism> parameters = parameters_of(mechanism);
   std::shuffle(parameters.begin(), parameters.end(), std::mt19937(5));
   parameters.resize(std::min<std::size_t>(parameters.size(), 14));
@@ -296,7 +296,7 @@ joint = "a"
   EXPECT_NEAR(of_row->bodies[2].omega, -3.0 / 2, 1e-13);
   EXPECT_NEAR(of_row->bodies[2].X_WB.p_WB.x(), 1, 1e-13);
   // And to the angle in which the second disc was started.
-  Mechanism angle = zero_of(row->run.mechanism);
+  Mechanism angle = zero_of(row->run.mechanism());
   angle.bodies[2].guess_theta = 1;
   const auto by_angle = Sensitivity::at_start(row->start, angle, {0});
   ASSERT_TRUE(by_angle);
@@ -306,7 +306,7 @@ joint = "a"
 // As arcs do where a curve's axis turns through the direction from which its angle is measured.
 TEST(SensitivityOf, AColumnThatJumpsAtTheRowItselfIsThatOfTheRowsOwnSide) {
   const auto row = row_of(shipped("four_bar").mechanism, {0.3}, {{0.7, 1, 0}});
-  Mechanism derivative = zero_of(row->run.mechanism);
+  Mechanism derivative = zero_of(row->run.mechanism());
   derivative.bodies[1].points.back().p_B.x() = 1;
   const auto by = Sensitivity::at_start(row->start, derivative, {0});
   const auto of_row = by->of_row(row->run, {{0.7, 1, 0}}, {{}});

@@ -64,11 +64,11 @@ double opening(double omega) {
 
 ContactForces follow(const Analysis& analysis, double from, double to, double omega) {
   return follow_contact_forces(analysis.run, straight_path({{from, omega, 0}}, {{to, omega, 0}}),
-                               preloads_of(analysis.run.mechanism, analysis.run.plan));
+                               preloads_of(analysis.run.mechanism(), analysis.run.plan()));
 }
 
 std::optional<std::vector<double>> smallest(const Analysis& analysis, const ContactForces& forces) {
-  return smallest_preloads(forces, analysis.run.mechanism, analysis.run.plan.size);
+  return smallest_preloads(forces, analysis.run.mechanism(), analysis.run.plan().size);
 }
 
 // The smallest force among all contacts, in the motion of `text`.
@@ -378,7 +378,7 @@ TEST(SmallestPreloads, AreZeroWhereNothingOpens) {
 TEST(SmallestPreloads, LeaveDampersAlone) {
   const Analysis analysis(
       cam("[springs]\noil = { between = [\"follower.P\", \"ground.S\"], damping = 2 }\n"));
-  const auto preloads = preloads_of(analysis.run.mechanism, analysis.run.plan);
+  const auto preloads = preloads_of(analysis.run.mechanism(), analysis.run.plan());
   ASSERT_EQ(preloads.size(), 1U);
   EXPECT_EQ(preloads[0].on, Preload::On::kJoint);
 }
@@ -412,8 +412,9 @@ TEST(SmallestPreloads, AreRoundedToNumbersThatKeepTheContactClosed) {
     PreloadRounding rounding;
     rounding.margin = {unit / 2};
     rounding.round = [&](std::size_t, double x) { return std::round(x / unit) * unit; };
-    const double x =
-        smallest_preloads(forces, analysis.run.mechanism, analysis.run.plan.size, &rounding).value().at(0);
+    const double x = smallest_preloads(forces, analysis.run.mechanism(), analysis.run.plan().size, &rounding)
+                         .value()
+                         .at(0);
     EXPECT_LE(x, least);
     EXPECT_GT(x, least - 1.001 * unit);
   }

@@ -42,8 +42,12 @@ struct Analysis {
     return at({{position, velocity, acceleration}});
   }
 
-  [[nodiscard]] std::size_t joint(const std::string& name) const { return index(run.mechanism.joints, name); }
-  [[nodiscard]] std::size_t body(const std::string& name) const { return index(run.mechanism.bodies, name); }
+  [[nodiscard]] std::size_t joint(const std::string& name) const {
+    return index(run.mechanism().joints, name);
+  }
+  [[nodiscard]] std::size_t body(const std::string& name) const {
+    return index(run.mechanism().bodies, name);
+  }
 
   Profile profile;
   Run run;

@@ -141,7 +141,9 @@ TEST(GearTeeth, PressAtTheirPressureAngle) {
   const Vector2d u = c2 / a;
   for (const double load : {-3.0, 3.0}) {
     Analysis of(train(fmt::format("type = \"gears\"\npressure_angle = {}\n", alpha)));
-    of.run.mechanism.loads[0].torque = load;
+    Mechanism loaded = of.run.mechanism();
+    loaded.loads[0].torque = load;
+    of.run.model = make_run_model(std::move(loaded), of.run.plan());
     const Reactions& reactions = of.at(0.7, 0, 0);
     ASSERT_TRUE(reactions.defined);
     const double r2 = a / 1.25;  // r1 = r2/4

@@ -155,7 +155,7 @@ struct Sum {
 class BodyBalance {
 public:
   BodyBalance(const Run& run, const Reactions& reactions, int body)
-      : run_(run), mechanism_(run.mechanism), body_(body) {
+      : run_(run), mechanism_(run.mechanism()), body_(body) {
     const auto& mass = mechanism_.bodies[static_cast<std::size_t>(body)].mass;
     const PointMotion G = point_motion(motion(body), mass ? mass->center_of_mass_B : Vector2d(0.1, 0));
     G_ = G.p_W;
@@ -170,7 +170,7 @@ public:
   }
 
   [[nodiscard]] double left() const {
-    return std::max(sum_.force.norm(), std::abs(sum_.moment) / run_.plan.size) / sum_.largest;
+    return std::max(sum_.force.norm(), std::abs(sum_.moment) / run_.plan().size) / sum_.largest;
   }
 
 private:
@@ -326,7 +326,7 @@ protected:
 
 TEST_P(Laws, EveryBodyByItselfObeysNewtonAndEuler) {
   at_random_rows([](const higherpair::Run& run, const auto&, const Reactions& reactions) {
-    for (std::size_t i = 1; i < run.mechanism.bodies.size(); ++i) {
+    for (std::size_t i = 1; i < run.mechanism().bodies.size(); ++i) {
       EXPECT_LE(BodyBalance(run, reactions, static_cast<int>(i)).left(), 1e-11) << "body " << i;
     }
   });
@@ -364,7 +364,7 @@ TEST_P(Laws, EffortsDoNotNeedTheMechanismToMove) {
 
 // Kinetic energy, and that of gravity and springs.
 double energy(const Run& run) {
-  const Mechanism& mechanism = run.mechanism;
+  const Mechanism& mechanism = run.mechanism();
   double sum = 0;
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     if (const auto& mass = mechanism.bodies[i].mass) {
@@ -390,14 +390,14 @@ double power(const Run& run, const std::vector<DriverMotion>& drivers, const Rea
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     sum += reactions.drivers[i].effort.value() * drivers[i].velocity;
   }
-  for (const Load& load : run.mechanism.loads) {
+  for (const Load& load : run.mechanism().loads) {
     const BodyMotion& body = run.row.bodies[static_cast<std::size_t>(load.body)];
     const Vector2d force = load.frame == LoadFrame::kBody ? body.X_WB.R_WB * load.force : load.force;
     sum += force.dot(point_motion(body, load.p_B).v_W) + load.torque * body.omega;
   }
-  for (Spring spring : run.mechanism.springs) {
+  for (Spring spring : run.mechanism().springs) {
     spring.stiffness = 0;
-    const double damping = spring_tension(run.mechanism, spring, run.row.bodies);
+    const double damping = spring_tension(run.mechanism(), spring, run.row.bodies);
     sum -= spring.damping > 0 ? damping * damping / spring.damping : 0;
   }
   return sum;

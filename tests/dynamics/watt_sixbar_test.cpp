@@ -54,8 +54,8 @@ double largest_error(Run& run, InverseDynamics& dynamics, const nlohmann::json& 
   EXPECT_TRUE(reactions.defined);
   double error = 0;
   double largest = 0;
-  for (std::size_t i = 0; i < run.mechanism.joints.size(); ++i) {
-    const nlohmann::json& pin = expected.at(run.mechanism.joints[i].name);
+  for (std::size_t i = 0; i < run.mechanism().joints.size(); ++i) {
+    const nlohmann::json& pin = expected.at(run.mechanism().joints[i].name);
     const double fx = number(pin.at(0)), fy = number(pin.at(1));
     largest = std::max({largest, std::abs(fx), std::abs(fy)});
     error = std::max({error, std::abs(reactions.joints[i].fx.value() - fx),

@@ -30,7 +30,7 @@ std::vector<std::string> notes(const std::string& text) {
 Diagnostics notes_at_start(const Profile& profile) {
   const auto schedule = DriverSchedule::analyze(profile);
   const auto run = start_run(profile.mechanism, schedule.value().first_positions(), 1e-9);
-  return run ? start_notes(profile, run->state.bodies) : Diagnostics{};
+  return run ? start_notes(profile, run->at.state.bodies) : Diagnostics{};
 }
 
 TEST(Notes, AreNoneAboutTheShippedProfiles) {

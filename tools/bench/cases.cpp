@@ -63,7 +63,7 @@ Case make_case(const std::string& name, const Oval& cam, const std::vector<Oval>
 }  // namespace
 
 const ContactTrack& track_of(const Run& run) {
-  for (const PairTrack& track : run.state.tracks) {
+  for (const PairTrack& track : run.at.state.tracks) {
     if (const auto* contact = std::get_if<ContactTrack>(&track)) {
       return *contact;
     }

@@ -26,7 +26,7 @@ double angle_difference(double a, double b) {
 }
 
 const BodyMotion& body_of(const Run& run, const std::string& name) {
-  const auto& bodies = run.mechanism.bodies;
+  const auto& bodies = run.mechanism().bodies;
   const auto found =
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.name == name; });
   require(found != bodies.end(), "no body " + name);
@@ -70,7 +70,7 @@ void check_sixbar_forces(const SixBarByHand& bar, const SixBarByHand::Motion& ha
   const SixBarByHand::Forces forces = bar.forces_of(hand);
   static const char* const kNames[] = {"A", "B", "C", "E", "H", "D", "F"};
   for (std::size_t i = 0; i < forces.pins.size(); ++i) {
-    const auto& joints = run.mechanism.joints;
+    const auto& joints = run.mechanism().joints;
     const auto found = std::find_if(joints.begin(), joints.end(),
                                     [&](const Joint& joint) { return joint.name == kNames[i]; });
     require(found != joints.end(), "no such pin");
@@ -103,7 +103,7 @@ LinkageCase<SixBarByHand> checked_watt_sixbar() {
   LinkageCase<SixBarByHand> reference{sixbar(), started("watt_sixbar_forces")};
   Run run = reference.run;
   InverseDynamics dynamics(run);
-  const double start = run.drivers.front();
+  const double start = run.at.drivers.front();
   for (int i = 0; i < kChecks; ++i) {
     const double theta = start + 2 * kPi * i / kChecks;
     const SixBarByHand::Motion hand = reference.by_hand.motion_at(theta);

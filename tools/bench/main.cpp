@@ -201,7 +201,7 @@ void register_plan(const std::string& name, const Run& start, double floor) {
   const auto measure = [=](benchmark::State& state, bool with_forces) {
     Run run = start;
     InverseDynamics dynamics(run);
-    const double from = start.drivers.front();
+    const double from = start.at.drivers.front();
     std::vector<DriverMotion> motions(1);
     const auto step = [&](int k) {
       motions[0] = {from + driver_position(k), 1, 0};

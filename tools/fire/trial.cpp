@@ -233,12 +233,12 @@ Failure contact_laws(const Mechanism& m, const MotionRow& row, double size, int 
 }
 
 Failure row_laws(const Run& run, int k) {
-  for (const Joint& joint : run.mechanism.joints) {
-    if (auto f = joint_laws(run.mechanism, joint, run.row, k)) {
+  for (const Joint& joint : run.mechanism().joints) {
+    if (auto f = joint_laws(run.mechanism(), joint, run.row, k)) {
       return f;
     }
   }
-  return contact_laws(run.mechanism, run.row, run.plan.size, k);
+  return contact_laws(run.mechanism(), run.row, run.plan().size, k);
 }
 
 // A difference that does not know how near the mechanism stands to a limit: what rounding does to it shows in
@@ -268,7 +268,7 @@ Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
       };
     };
     const BodyMotion& B = run.row.bodies[i];
-    const std::string& name = run.mechanism.bodies[i].name;
+    const std::string& name = run.mechanism().bodies[i].name;
     const double rounding = 1e-13 * (1 + std::abs(B.theta)) / std::abs(h);
     if (auto f = compare("omega", B.omega, steady_difference(h, beside(false)), noise, rounding, k)) {
       f.detail = name + ": " + f.detail;

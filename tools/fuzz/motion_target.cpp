@@ -20,7 +20,7 @@ void check(const Run& run, const Row& row) {
   if (row.status == RowStatus::kNotAssemblable) {
     return;
   }
-  bool sound = row.status != RowStatus::kOk || run.row.residual <= run.tolerance * run.plan.size;
+  bool sound = row.status != RowStatus::kOk || run.row.residual <= run.tolerance * run.plan().size;
   for (const BodyMotion& body : run.row.bodies) {
     sound = sound && body.X_WB.p_WB.allFinite() && std::isfinite(body.theta);
     sound = sound && (row.status != RowStatus::kOk || (std::isfinite(body.omega) && body.v_WB.allFinite()));

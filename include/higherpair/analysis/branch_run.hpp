@@ -21,9 +21,8 @@ namespace higherpair {
 
 /// As start_run, on this branch. The numbers of redundant mechanisms are not checked. None where it cannot be
 /// assembled there at the first positions of the drivers.
-[[nodiscard]] std::optional<Run> start_on_branch(const Mechanism& mechanism, Plan plan,
-                                                 const std::vector<double>& drivers, int branch,
-                                                 double tolerance = 1e-9);
+[[nodiscard]] std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers,
+                                                 int branch, double tolerance = 1e-9);
 
 /// By how much a group of links cannot be put together between the bodies that it hangs on, where these
 /// stand: what its reach is short of [m]; < 0: what it has to spare. None for groups that are no dyads.
@@ -35,7 +34,7 @@ namespace higherpair {
                                                               const std::vector<double>& drivers);
 
 /// The same at the first positions of a mechanism that need not have an assembly on the branch.
-[[nodiscard]] std::vector<std::optional<double>> first_closure_gaps(const Mechanism& mechanism, Plan plan,
+[[nodiscard]] std::vector<std::optional<double>> first_closure_gaps(RunModel model,
                                                                     const std::vector<double>& drivers,
                                                                     int branch);
 

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/state.hpp"
 
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -115,32 +116,57 @@ struct Loss {
   RunEvent event;
 };
 
-/// A running analysis: a mechanism, its plan and where it stands.
-struct Run {
-  Mechanism mechanism;
-  Plan plan;
-  double tolerance = 1e-9;                  ///< of plan.size: larger residuals are not `ok`
-  const std::atomic<bool>* stop = nullptr;  ///< once true, move_to gives up within an inner step: its row
-                                            ///< and events mean nothing then; may be null
-  State state;                              ///< where it stood last; rates per unit of the path
-  std::vector<double> drivers;              ///< the drivers' coordinates there
-  bool held = true;      ///< false: lost at a limit; `state` is the last position before it
-  bool between = false;  ///< the row is in `trial`, near a crossing of branches, and `state` short of it
-  Loss lost;             ///< where, while not held
+/// What runs of one mechanism share and none of them changes.
+struct RunModel {
+  std::shared_ptr<const Mechanism> mechanism;
+  std::shared_ptr<const Plan> plan;  ///< of the mechanism, as make_plan gives it
+};
+
+/// Where a run stands. A value: that of another run of the same model puts a run there.
+struct Standing {
+  State state;                  ///< the last position; rates per unit of the path
+  std::vector<double> drivers;  ///< the drivers' coordinates there
+  std::vector<double> targets;  ///< the drivers of the last row, which may not have been reached
+  std::optional<State> beside;  ///< the last row, where it is next to a crossing of branches or at a limit,
+                                ///< and `state` short of it
+  bool held = true;             ///< false: lost at a limit; `state` is the last position before it
+  Loss lost;                    ///< where, while not held
   std::vector<OutputJoint> outputs;
   std::vector<OverlapWatch> watches;     ///< of Mechanism::contacts
-  MotionRow row;                         ///< of the last move_to
-  std::vector<RunEvent> events;          ///< of the last move_to
-  std::optional<RunEvent> limit_here;    ///< of these, a limit at the row itself
+  std::vector<Crossing> reported;        ///< change points ahead that events have named; s: the driver
+  std::optional<RunEvent> limit_here;    ///< a limit at the last row itself
   std::optional<RunEvent> limit_before;  ///< the same of the row before
-  State trial;                           ///< where steps are tried, and the drivers there
-  std::vector<double> trial_drivers;
-  std::vector<DriverMotion> trial_motions;
-  std::vector<Crossing> crossings;  ///< of the present step
-  std::vector<Crossing> reported;   ///< change points ahead of `state` that events have named; s: the driver
-  std::vector<double> targets;      ///< of the last move_to
-  Path path;                        ///< to them
 };
+
+/// Where steps are tried; means nothing from one row to the next.
+struct StepWorkspace {
+  State trial;
+  std::vector<double> drivers;  ///< in `trial`
+  std::vector<DriverMotion> motions;
+  std::vector<Crossing> crossings;  ///< of the present step
+  Path path;                        ///< to the next row
+};
+
+/// A running analysis. A copy goes on from where it stands, on its own and in any thread.
+struct Run {
+  RunModel model;
+  double tolerance = 1e-9;  ///< of the plan's size: larger residuals are not `ok`
+  Standing at;
+  StepWorkspace work;
+  MotionRow row;                            ///< of the last move_to
+  std::vector<RunEvent> events;             ///< of the last move_to
+  const std::atomic<bool>* stop = nullptr;  ///< once true, move_to gives up within an inner step: its row
+                                            ///< and events mean nothing then; may be null
+
+  /// Where boundaries touch: the mechanism with curves that are like them at the row's contacts.
+  std::optional<Mechanism> local;
+
+  [[nodiscard]] const Mechanism& mechanism() const { return local ? *local : *model.mechanism; }
+  [[nodiscard]] const Plan& plan() const { return *model.plan; }
+};
+
+/// A model with a mechanism and a plan of its own.
+[[nodiscard]] RunModel make_run_model(Mechanism mechanism, Plan plan);
 
 /// Assembles a mechanism at the first positions of its drivers: of all assemblies the one whose joint points
 /// are nearest to their places in the poses (least sum of squares), contacts as their `approach` says.
@@ -148,9 +174,8 @@ struct Run {
                                                         const std::vector<double>& drivers,
                                                         double tolerance = 1e-9);
 
-/// The same with the plan of the mechanism, as make_plan gives it.
-[[nodiscard]] tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, Plan plan,
-                                                        const std::vector<double>& drivers,
+/// The same with what other runs may share.
+[[nodiscard]] tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<double>& drivers,
                                                         double tolerance = 1e-9);
 
 /// Whether whoever asked for the run wants it no longer.

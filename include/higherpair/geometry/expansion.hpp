@@ -191,7 +191,8 @@ template <class C, int N, Terms kTerms>
 [[nodiscard]] CosineAndSine<Expansion<C, N, kTerms>> cosine_and_sine(const Expansion<C, N, kTerms>& x,
                                                                      const C& cosine_at, const C& sine_at) {
   CosineAndSine<Expansion<C, N, kTerms>> r;
-  auto& [cosine, sine] = r;
+  auto& cosine = r.cosine;
+  auto& sine = r.sine;
   cosine.c[0] = cosine_at;
   sine.c[0] = sine_at;
   for (std::size_t k = 1; k <= x.kLast; ++k) {
