@@ -60,7 +60,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   if (!group.contacts.empty() || !turning_drivers || pins.size() != group.bodies.size()) {
     return false;
   }
-  // As many pins as bodies make no loop if every body hangs on them.
+  // As many pins as bodies make no loop if every body is attached by them.
   std::vector<int> loose = group.bodies;
   const auto is_loose = [&](int body) { return std::find(loose.begin(), loose.end(), body) != loose.end(); };
   for (std::size_t left = loose.size() + 1; loose.size() < left;) {

@@ -15,7 +15,7 @@ namespace higherpair {
 /// Sets whether the group's bodies stand where their conditions have lost their rank, and on which branch.
 void judge_coupled(const Planned& model, std::size_t g, State& state);
 
-/// The determinant of the group's conditions where its bodies stand, scaled: GroupState::sine.
+/// The determinant of the group's conditions at the present poses of its bodies, scaled: GroupState::sine.
 [[nodiscard]] double coupled_sine(const Planned& model, std::size_t g, const State& state);
 
 /// Velocities and accelerations from the same conditions.

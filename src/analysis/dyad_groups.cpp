@@ -40,7 +40,7 @@ GuideMotion guide_on(const BodyLine& line, const State& state) {
   return guide_motion(body_in(state, line.body), line.p_B, line.u_B);
 }
 
-// At a singular position the sine is 0 up to rounding; it counts as 0.
+// At a singular position the sine is 0 to within rounding; it counts as 0.
 double sine_unless_singular(LinkageStatus status, double sine) {
   return status == LinkageStatus::kSingular ? 0 : sine;
 }

@@ -219,7 +219,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   return false;
 }
 
-// Finds the contact of a body that hangs on bodies which stand; place_group then starts from it.
+// Finds the contact of a body that depends on bodies placed before; place_group then starts from it.
 bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) {
   const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const CarriedBody& follower = touching.follower;

@@ -20,7 +20,7 @@ public:
   /// \pre run.at.state holds the poses
   explicit FirstPosition(const Run& run);
 
-  /// Places group g in this mode; the groups before it stand. False where it cannot be placed.
+  /// Places group g in this mode; the groups before it are placed. False where it cannot be placed.
   bool place(std::size_t g, int mode);
 
   [[nodiscard]] const State& posed() const { return posed_; }

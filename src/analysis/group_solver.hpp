@@ -36,22 +36,22 @@ enum class GroupStatus {
 void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state);
 
-/// GroupState::sine of a group that can cross over to another branch, from where its bodies stand.
+/// GroupState::sine of a group that can cross over to another branch, at the present poses of its bodies.
 [[nodiscard]] double sine_of(const Planned& model, std::size_t g, const State& state);
 
 /// The motion of a carried body for its coordinate q and the rates of q.
 [[nodiscard]] BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier, double q,
                                         double q_dot, double q_ddot);
 
-/// The coordinate of a carried body where it stands; continuous.
+/// The coordinate of a carried body at its present position; continuous.
 [[nodiscard]] double carried_coordinate(const CarriedBody& carried, const BodyMotion& carrier,
                                         const BodyMotion& body);
 
 /// Sliding, rolling and normal rates of a contact from the velocities of its bodies.
 void set_contact_rates(const Planned& model, int contact, State& state);
 
-/// The contact of a touching body as a pair: body 1 the known one where it stands (coordinate u), body 2 the
-/// follower on its carrier where that stands.
+/// The contact of a touching body as a pair: body 1 the known one at its present position (coordinate u),
+/// body 2 the follower on its carrier at the present position of that.
 struct StandingPair {
   ContactPair pair;
   double u = 0;

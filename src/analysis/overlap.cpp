@@ -147,7 +147,7 @@ std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double
 }
 
 // Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places what
-// hangs on the follower anew.
+// depends on the follower anew.
 std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
   const auto& tracked = std::get<TrackedPair>(run.plan().groups[g].kind);
   const auto& track = std::get<ContactTrack>(run.work.trial.tracks[g]);

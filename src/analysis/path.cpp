@@ -194,7 +194,7 @@ private:
                        passage.after.span == passed_.before.span &&
                        std::abs(s_ + passage.x - passed_.x) <= kSmallestStep * scale_;
     if (again || !place_at_joint(run_, path_, s_, passage)) {
-      // It rests on the joint, to rounding: either span will do.
+      // It rests on the joint, to within rounding: either span will do.
       (void)try_step(run_, path_, s_, step_);
       return false;
     }

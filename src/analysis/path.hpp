@@ -24,7 +24,7 @@ void set_place(RunEvent& event, const Path& path, double s);
 void name_item(const Run& run, std::size_t g, RunEvent& event);
 
 /// Follows the path; false if the branch is lost on the way (run.at.held is then false and an event says
-/// where). Sets run.at.drivers to where run.at.state stands, and run.at.beside to the end itself where that
+/// where). Sets run.at.drivers to where run.at.state is, and run.at.beside to the end itself where that
 /// is near a crossing or a limit.
 bool follow(Run& run, const Path& path);
 

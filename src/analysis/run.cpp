@@ -65,7 +65,7 @@ bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow&
          });
 }
 
-// Bodies whose rates a singular group leaves undefined: its own, and all that hang on them.
+// Bodies whose rates a singular group leaves undefined: its own, and all that depend on them.
 void mark_rates(const Run& run, MotionRow& row) {
   if (!row.all_rates) {
     std::fill(row.has_rates.begin(), row.has_rates.end(), true);
@@ -119,8 +119,8 @@ bool may_be_free(const Run& run) {
   return false;
 }
 
-// From a position that is assembled: all that a run needs. A contact that stands at a limit, from where
-// nothing tells how it goes on.
+// From a position that is assembled: all that a run needs. A contact that is at a limit, from where
+// the continuation is not determined.
 std::optional<int> set_out(Run& run) {
   const std::vector<double>& drivers = run.at.drivers;
   set_unit_motions(drivers, run.work.motions);

@@ -27,10 +27,10 @@ void mark_places(Run& run);
 /// placed.
 [[nodiscard]] bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage);
 
-/// Lets run.at.state, which stands at the joint at s, go on with the span after it. An event says what jumps.
+/// Lets run.at.state, which is at the joint at s, go on with the span after it. An event says what jumps.
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage);
 
-/// Whether the contact of group g stands at an end or a concave corner of a boundary; the sentence that says
+/// Whether the contact of group g is at an end or a concave corner of a boundary; the sentence that says
 /// so.
 [[nodiscard]] std::optional<std::string> end_reached(const Run& run, std::size_t g);
 

@@ -29,7 +29,7 @@ struct StepResult {
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);
 
-/// Places all groups and sets their rates in run.work.trial, `x` beyond run.at.state, which stands at s; in
+/// Places all groups and sets their rates in run.work.trial, `x` beyond run.at.state, which is at s; in
 /// the modes of run.at.state and without asking whether they agree with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // The tolerances of this room. Lengths are shares of the mechanism's size, steps of a path shares of a unit
-// of its drivers (unit_of in step.hpp). Those of steps along a motion stand where the motion is followed.
+// of its drivers (unit_of in step.hpp). Those of steps along a motion are beside the code that follows it.
 
 namespace higherpair {
 

@@ -30,7 +30,7 @@ double radius_of(const End& end) {
   return end.corner ? 0 : end.point.kappa == 0 ? kInfinity : 1 / end.point.kappa;
 }
 
-// How two ends stand to each other, with t = n1 turned.
+// How two ends lie relative to each other, with t = n1 turned.
 struct Offset {
   Vector2d n_W, t_W;
   double g = 0, s = 0;  // [m]

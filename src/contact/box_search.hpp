@@ -128,7 +128,7 @@ template <int N>
   return larger;
 }
 
-/// How far a box is to be cut.
+/// How finely a box is subdivided.
 struct Finest {
   double width = 0;   ///< no side longer than this, ...
   double change = 0;  ///< ... and F changes along no side by more, ...

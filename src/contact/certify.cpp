@@ -93,7 +93,7 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
     }
     ++matched[*best];
     const DecidedRoot& root = (*roots)[*best];
-    // Next to another contact it is open to rounding which of the two cuts in.
+    // Next to another contact rounding decides which of the two cuts in.
     const bool crowded = std::any_of(roots->begin(), roots->end(), [&](const DecidedRoot& other) {
       return &other != &root && other.decision.contacts > 0 &&
              distance(contact, other, turns) <= kCrowded * scale;

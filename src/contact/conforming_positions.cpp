@@ -157,7 +157,7 @@ struct Arc {
   }
 };
 
-// Without a change of sign an end is the root, to rounding.
+// Without a change of sign an end is the root, to within rounding.
 double bracketed_root(const std::function<double(double)>& f, double low, double high) {
   const double f_low = f(low);
   const double f_high = f(high);
@@ -251,7 +251,7 @@ private:
     }
   }
 
-  // Two conics have at most four such contacts at one position, or coincide; then one stands for all.
+  // Two conics have at most four such contacts at one position, or coincide; then one represents all.
   void drop_coincident() {
     std::vector<CriticalPosition> kept;
     for (const CriticalPosition& at : found_) {

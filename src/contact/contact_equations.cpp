@@ -14,7 +14,7 @@ using boost::numeric::overlap;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Of a sliding body angle and rotation are given, equal up to rounding: the bounds hold both.
+// Of a sliding body angle and rotation are given, equal to within rounding: the bounds hold both.
 Interval angle_of_body(const OneFreedom& motion, double q) {
   if (motion.turns) {
     return q;

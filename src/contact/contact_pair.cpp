@@ -11,7 +11,7 @@
 namespace higherpair {
 namespace {
 
-// 2 atan(x); the series is exact to rounding for small x.
+// 2 atan(x); the series is exact to within rounding for small x.
 double twice_arc_tangent(double x) {
   const double x2 = x * x;
   return x2 < 1e-5 ? 2 * x * (1 - x2 * (1 / 3.0 - x2 * (1 / 5.0 - x2 / 7.0))) : 2 * std::atan(x);

@@ -97,7 +97,7 @@ std::vector<Foot> sliding_feet(const Curve& curve, const Vector2d& direction_B) 
   return feet;
 }
 
-// What stands in for curve 2: a fixed circle (or point) about O2, or a fixed line along d.
+// What replaces curve 2: a fixed circle (or point) about O2, or a fixed line along d.
 std::optional<Curve> stand_in(const OneFreedom& motion, const Vector2d& foot_B, double size) {
   if (!motion.turns) {
     const auto line = make_line(pose_at(motion, 0) * foot_B, perp(motion.direction_W));

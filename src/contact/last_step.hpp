@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-// The end of the osculating iteration: one step to second order that is exact to rounding, so that no further
-// pass has to confirm it.
+// The end of the osculating iteration: one step to second order that is exact to within rounding, so that no
+// further pass has to confirm it.
 
 namespace higherpair {
 

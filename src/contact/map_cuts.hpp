@@ -10,7 +10,7 @@ namespace higherpair {
 
 /// A place at which branches may begin and end.
 struct MapCut {
-  double low = 0, high = 0;  ///< of the critical positions that it stands for
+  double low = 0, high = 0;  ///< of the critical positions that it represents
   std::vector<int> events;   ///< indices into MapCuts::events
   bool runaway = false;      ///< contacts may run off to infinity here
   bool crossing = false;     ///< branches may cross here

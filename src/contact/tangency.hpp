@@ -12,7 +12,7 @@ namespace higherpair {
 /// A pair of curves in extended numbers: the doubles of the pair taken as exact, lengths divided by a power
 /// of two near the size of the pair, the origin at the follower's pivot or at its q = 0.
 struct TangencyProblem {
-  Form<Extended> first;   ///< where the driver stands
+  Form<Extended> first;   ///< at the driver position
   Form<Extended> second;  ///< of the follower at q = 0
   PencilMotion<Extended> motion;
   double length = 1;                         ///< [m] that one unit of this problem is

@@ -8,7 +8,7 @@
 
 // The tolerances of this room. Without another word they are shares of what they are compared with: of the
 // size of the pair or of the curves, of a radian, of a unit of the coordinate (a radian, or the size). Those
-// of steps along a motion stand where the motion is followed.
+// of steps along a motion are beside the code that follows it.
 
 namespace higherpair {
 

@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kIsCrossing = 1e-12;       // of its scale: a ∂gap/∂q that is 0 to rounding
+constexpr double kIsCrossing = 1e-12;       // of its scale: a ∂gap/∂q that is 0 to within rounding
 constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
 constexpr double kSmooth = 1e-7;            // of dq/du: what two ways to interpolate it may differ by
 constexpr double kRounding = 1e-14;         // of q
@@ -21,7 +21,7 @@ constexpr double kNearLimit = 1e-7;         // of its scale: a ∂gap/∂q that 
 constexpr double kAtLimit = 1e-14;          // of the driver's scale: a limit that is at the driver's position
 constexpr double kClosed = 1e-13;           // of the lengths: gap that an interpolated crossing may leave
 
-// Sets the points, the normal, nearly n_W, and ∂gap/∂q for bodies that stand next to where branches cross;
+// Sets the points, the normal, nearly n_W, and ∂gap/∂q for bodies that are next to where branches cross;
 // false where they do not touch.
 bool close_at(const ContactTrack& track, const Vector2d& n_W, ContactPosition& at) {
   const auto& [curve1, motion1, curve2, motion2] = track.pair;

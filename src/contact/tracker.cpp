@@ -29,7 +29,7 @@ enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
 //                              position has lost its rank there, and its rates are noise
 Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_stop_at_crossing) {
   // With a change of sign a limit may lie within the step instead, with the branch there again beyond it:
-  // shorter steps will tell.
+  // shorter steps will decide.
   const bool crosses = predicted_gap_q * track.at.gap_q < 0;
   const int branch = crosses ? -track.branch : track.branch;
   const Step step = try_step(track, h, branch);
@@ -56,7 +56,7 @@ bool is_ahead(const ContactTrack& track, const LimitPosition& limit, double h) {
          std::abs(limit.q - at.q - way) <= std::abs(way) / 2 + 1e-6 * unit2;
 }
 
-// What stands in the way of a step towards u that failed: the limit if it can be located, the present place
+// What prevents a step towards u that failed: the limit if it can be located, the present place
 // if the steps have become too small.
 std::optional<LimitPosition> obstacle(const ContactTrack& track, double u, double h, bool look_for_limit) {
   const ContactPosition& at = track.at;

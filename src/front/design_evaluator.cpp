@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
-// What dyads have to spare, of the size: on the very edge of their reach motion is lost to rounding.
+// What dyads have to spare, of the size: on the very edge of their reach rounding loses the motion.
 constexpr double kSpare = 1e-7;
 
 // By so much constraints are held more than they have to be, so that what the optimiser tolerates is no

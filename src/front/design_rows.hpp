@@ -34,7 +34,7 @@ struct DesignRows {
                                               ///< [m]; of a row that is missing where it was last
   std::vector<double> positions;              ///< of the first driver in the rows [rad or m]
 
-  /// The bodies where the only driver stands at a position within the rows; rates for its unit velocity. \pre
+  /// The bodies where the only driver is at a position within the rows; rates for its unit velocity. \pre
   /// nothing is missing
   [[nodiscard]] const std::vector<BodyMotion>& bodies_at(double driver);
 

@@ -117,7 +117,7 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                    type_known.push_back(type.has_value());
                    mechanism.joints.push_back(joint);
                  });
-  if (ends_known) {  // else the pin that a carrier hangs on may be the one that is wrong
+  if (ends_known) {  // else the pin that a carrier depends on may be the one that is wrong
     set_carriers(root.reading(), gears, mechanism);
   }
   return type_known;

@@ -73,7 +73,8 @@ void read_curves(Reading& reading, const Item& item, Body& body, LateCurves& lat
 /// Makes the flanks of cams, and their offsets.
 void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechanism& mechanism);
 
-/// \return for each joint of the mechanism whether its type is known: units of what refers to it hang on it.
+/// \return for each joint of the mechanism whether its type is known: units of what refers to it depend on
+/// it.
 [[nodiscard]] std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism);
 
 /// Gears or a belt whose carrier is found when all pins are known.

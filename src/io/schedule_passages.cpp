@@ -11,7 +11,7 @@ namespace {
 // Places nearer to each other than this, relative to the duration or the time between rows, are one.
 constexpr double kSameTime = 1e-12;
 
-// Of the times at which a law stands still, those at which it turns back.
+// Of the times at which a law is at rest, those at which it turns back.
 std::vector<double> where_it_turns(const MotionLaw& law, double from, double to) {
   std::vector<double> turns;
   double last = law(from);

@@ -23,7 +23,7 @@ void read_distribution(TableReader& table, const Item& item, std::optional<Sweep
                        SweepVariable& variable);
 
 /// `variables` of a sweep: their paths, which have to exist in the document, and their values. Where the
-/// method is not known, only what does not hang on it is checked.
+/// method is not known, only what does not depend on it is checked.
 void read_sweep_variables(TableReader& sweep, const Table& document, std::optional<SweepMethod> method,
                           SweepTask& task);
 

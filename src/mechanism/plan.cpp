@@ -53,8 +53,8 @@ std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& l
   return names;
 }
 
-// Whether a body that only turns freely is a roller: it hangs on one pin and touches with circles about it,
-// so that its turning changes nothing else.
+// Whether a body that only turns freely is a roller: it is attached by one pin and touches with circles about
+// it, so that its turning changes nothing else.
 bool is_idle(const Mechanism& mechanism, const LooseBody& loose) {
   if (!loose.turning_only) {
     return false;

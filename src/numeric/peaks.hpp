@@ -12,7 +12,7 @@
 
 namespace higherpair {
 
-// The largest value of a function of one variable that is smooth but for jumps and kinks, to rounding:
+// The largest value of a function of one variable that is smooth but for jumps and kinks, to within rounding:
 // samples say near which places it can be, and there the function is resolved by Chebyshev series.
 
 /// A place and the value there.
@@ -100,7 +100,7 @@ public:
     }
   }
 
-  /// The first of the places at which `f` is largest, to rounding; none where it is nowhere defined.
+  /// The first of the places at which `f` is largest, to within rounding; none where it is nowhere defined.
   /// \param limits  its noise is raised to the rounding of the largest sample
   template <class F>
   [[nodiscard]] std::optional<Peak> largest(const F& f, PeakLimits limits) {

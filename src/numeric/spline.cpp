@@ -20,7 +20,7 @@ constexpr int kHighest = 5;
 using Polynomial = std::array<double, kHighest + 1>;
 
 // Weights on smoothness in units in which the points are 1 apart, as powers of ten: from a spline that goes
-// through all points, to rounding, to a polynomial.
+// through all points, to within rounding, to a polynomial.
 constexpr double kLightest = -10;
 constexpr double kHeaviest = 16;
 constexpr int kHalvings = 30;

@@ -17,7 +17,7 @@ struct BodyDerivatives {
   std::array<double, kHighestDerivative + 1> theta;   ///< of the angle [rad/s^k]
 };
 
-/// The time derivatives of all bodies up to `order` where run.row stands. With every coordinate a power
+/// The time derivatives of all bodies up to `order` at run.row. With every coordinate a power
 /// series in time, the conditions of joints, contacts (gap, common normal, no slip) and drivers hold order by
 /// order:
 ///     J x_k = -(what lower orders leave of the conditions at order k),

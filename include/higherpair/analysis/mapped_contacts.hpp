@@ -21,7 +21,7 @@ struct MappedContact {
   std::optional<int> driver;   ///< of Mechanism::drivers: its coordinate is u, up to the sign known.sign
   double u = 0;                ///< at the drivers' positions [rad or m]
   double posed = 0;            ///< follower's coordinate in the poses [rad or m]
-  std::optional<double> q;     ///< where the mechanism stands; none where it cannot be started
+  std::optional<double> q;     ///< in the present position; none where it cannot be started
   Vector2d n_W = Vector2d::UnitX();  ///< there: outward normal of body 1
 };
 

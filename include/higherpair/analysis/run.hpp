@@ -15,10 +15,10 @@ namespace higherpair {
 enum class RowStatus {
   kOk,
   kNotAssemblable,  ///< the mechanism cannot be put together at this driver position on its branch
-  kSingular,        ///< the closure has lost rank to rounding: positions hold, some rates are not defined
-  kOverlap,         ///< touching bodies overlap elsewhere
-  kNotConverged,    ///< the closure residual exceeds the tolerance
-  kContactOpen,     ///< a contact would have to pull; of rows with forces only
+  kSingular,  ///< the closure has lost rank to within rounding: positions hold, some rates are not defined
+  kOverlap,   ///< touching bodies overlap elsewhere
+  kNotConverged,  ///< the closure residual exceeds the tolerance
+  kContactOpen,   ///< a contact would have to pull; of rows with forces only
 };
 
 /// Everything that one row of a motion table shows; SI units, ground frame.
@@ -96,7 +96,7 @@ struct OutputJoint {
   double fastest = 0;                        ///< largest speed so far, per unit of the path
 };
 
-/// What is looked out for at a contact.
+/// Overlap monitoring of one contact.
 struct OverlapWatch {
   bool needed = false;    ///< whether the bodies could overlap elsewhere
   bool overlaps = false;  ///< they do now
@@ -122,7 +122,7 @@ struct RunModel {
   std::shared_ptr<const Plan> plan;  ///< of the mechanism, as make_plan gives it
 };
 
-/// Where a run stands. A value: that of another run of the same model puts a run there.
+/// The position of a run. A value: that of another run of the same model puts a run there.
 struct Standing {
   State state;                  ///< the last position; rates per unit of the path
   std::vector<double> drivers;  ///< the drivers' coordinates there
@@ -147,7 +147,7 @@ struct StepWorkspace {
   Path path;                        ///< to the next row
 };
 
-/// A running analysis. A copy goes on from where it stands, on its own and in any thread.
+/// A running analysis. A copy goes on from where it is, on its own and in any thread.
 struct Run {
   RunModel model;
   double tolerance = 1e-9;  ///< of the plan's size: larger residuals are not `ok`

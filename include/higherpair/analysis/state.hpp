@@ -15,8 +15,8 @@ namespace higherpair {
 
 /// What a group remembers between positions.
 struct GroupState {
-  int mode = 1;          ///< assembly mode σ, or the sign of ∂gap/∂q of a contact: the branch
-  double sine = 1;       ///< goes through 0, with its sign, where branches cross; 0 to rounding: singular
+  int mode = 1;     ///< assembly mode σ, or the sign of ∂gap/∂q of a contact: the branch
+  double sine = 1;  ///< goes through 0, with its sign, where branches cross; 0 to within rounding: singular
   double sine_rate = 0;  ///< per unit of the path
   double lever = 1;      ///< what `sine` is of the order of, away from there
   double noise = 0;      ///< |sine| up to which it says nothing but 0

@@ -67,8 +67,8 @@ enum class MapStatus {
   kNotAlgebraic,       ///< a curve by its support: its critical positions are not known
   kTouchesEverywhere,  ///< the distance of the curves does not depend on q, and they touch
   kTouchesNowhere,     ///< it does not depend on q, and they do not touch
-  kTangentAtInfinity,  ///< hyperbolas that share an asymptote wherever they stand
-  kLimitEverywhere,    ///< the driver does not move the follower, which stands at a limit position
+  kTangentAtInfinity,  ///< hyperbolas that share an asymptote at every relative position
+  kLimitEverywhere,    ///< the driver does not move the follower, which is at a limit position
 };
 
 /// What the status means, as a sentence.
@@ -92,9 +92,10 @@ struct ContactMap {
 /// and has to be met by its counterpart followed back. What has no counterpart ends at the cut between.
 /// A turning driver's branches go on past the ends of the range, so that u of a branch that holds
 /// `range.start` begins below it; every other begins within the range.
-/// Folds and cusps are exact to rounding, divided by the slope of the conditions there; those nearer together
-/// than 1e-10 (of a radian, of the size) are not told apart: an island smaller than that is two events
-/// without branches. Cost: some 10 ms for each interval and each fold's circle, for two conics. \pre samples
+/// Folds and cusps are exact to within rounding, divided by the slope of the conditions there; those nearer
+/// together than 1e-10 (of a radian, of the size) are not told apart: an island smaller than that is two
+/// events without branches. Cost: some 10 ms for each interval and each fold's circle, for two conics. \pre
+/// samples
 /// >= 2
 [[nodiscard]] ContactMap map_contacts(const ContactPair& pair, const MapRange& range);
 

@@ -9,7 +9,7 @@ namespace higherpair {
 /// A tangency of two curves at which the contact cannot be written as a smooth function of the driver.
 enum class CriticalType {
   kFold,        ///< ∂gap/∂q = 0: two contacts merge, the driver goes no further on either
-  kCrossing,    ///< ∂gap/∂q = ∂gap/∂u = 0 to rounding: branches cross, or an isolated point
+  kCrossing,    ///< ∂gap/∂q = ∂gap/∂u = 0 to within rounding: branches cross, or an isolated point
   kConforming,  ///< κ1 + κ2 = 0 of opposed, κ1 = κ2 of other normals: two contacts merge in a cusp
 };
 
@@ -21,7 +21,7 @@ struct CriticalPosition : TangentPosition {
 
 struct CriticalPositions {
   std::vector<CriticalPosition> found;
-  bool everywhere = false;  ///< the contact stands at a limit wherever the driver stands
+  bool everywhere = false;  ///< the contact is at a limit at every position of the driver
 };
 
 /// All folds of a pair over all driver positions.
@@ -29,7 +29,7 @@ struct CriticalPositions {
 /// A fold is a contact whose common normal passes through the follower's pivot O2 (of a sliding follower: is
 /// perpendicular to its direction d). The points of curve 2 with such a normal, at most four on a conic, do
 /// not depend on u and q (the roots of a quartic; the foot of O2 on a line). So curve 2 may be replaced by
-/// the circle about O2 through such a point (by the line along d through it), which stands still: the folds
+/// the circle about O2 through such a point (by the line along d through it), which is at rest: the folds
 /// are the contacts of curve 1, moved by u, with it, which find_curve_contacts lists completely. Two lines,
 /// two points and a face that slides have no folds.
 [[nodiscard]] CriticalPositions find_folds(const ContactPair& pair);

@@ -23,12 +23,12 @@ struct ContactDetails {
   std::string_view linkage;  ///< four-bar, slider-crank, …; link where a body is not on ground
   std::array<std::optional<double>, 4> lengths;  ///< r1 … r4 [m]; none where a link has an infinite end
   std::optional<double> pressure;  ///< angle between n and the direction in which body 2's joint lets p move
-                                   ///< [rad], 0 … π/2; none for a body without such a joint that stands still
+                                   ///< [rad], 0 … π/2; none for a body without such a joint that is at rest
   std::optional<double> transmission;  ///< angle between n and O2C2 [rad], 0 … π/2; none where body 2 is flat
                                        ///< or has no pivot on ground
 };
 
-/// One body of a contact, where it stands.
+/// One body of a contact, at its present position.
 struct ContactBody {
   const Curve& curve;
   const BodyMotion& motion;

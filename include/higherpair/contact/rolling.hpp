@@ -16,7 +16,7 @@ struct RollingTrack {
 
 /// What rolling leaves open at a position [m]: the largest of gap, tangential distance, and difference of the
 /// arcs (at the start: distance of the contact point from where both material points can have one velocity).
-/// 0 up to rounding for a pair that can roll.
+/// 0 to within rounding for a pair that can roll.
 struct RollingResult {
   double mismatch = 0;
   bool converged = false;

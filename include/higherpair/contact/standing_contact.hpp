@@ -6,12 +6,14 @@
 
 namespace higherpair {
 
-/// Whether a body's joint moves its curve within itself, to rounding: a circle or a point about its own
-/// centre, a line along itself. How the bodies stand does not change with such a joint's coordinate.
+/// Whether a body's joint moves its curve within itself, to within rounding: a circle or a point about its
+/// own centre, a line along itself. The relative position of the bodies does not change with such a joint's
+/// coordinate.
 [[nodiscard]] bool moves_in_itself(const Curve& curve, const OneFreedom& motion);
 
 /// A contact of a driver that moves its curve within itself and a follower that the contact does not hold
-/// (gap = ∂gap/∂q = 0): the follower is at rest wherever the driver stands, but its rates are not determined.
+/// (gap = ∂gap/∂q = 0): the follower is at rest at every position of the driver, but its rates are not
+/// determined.
 struct StandingContact {
   ContactPosition at;
 };

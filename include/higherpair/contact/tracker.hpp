@@ -33,13 +33,13 @@ struct LimitPosition {
 };
 
 enum class TrackStatus {
-  kOk,              ///< the track stands at the driver position asked for
+  kOk,              ///< the track is at the driver position asked for
   kNotAssemblable,  ///< no contact of this branch there; the track waits for a position where there is one
 };
 
 struct TrackResult {
   TrackStatus status = TrackStatus::kNotAssemblable;
-  /// Passed on the way, if any. Where u itself is one, the track stands there with ∂gap/∂q = 0, and its
+  /// Passed on the way, if any. Where u itself is one, the track is there with ∂gap/∂q = 0, and its
   /// rates, which are not defined, are 0.
   std::optional<LimitPosition> limit;
 };

@@ -17,7 +17,7 @@ struct Sought {
   double noise = 0;  ///< values up to this are rounding: 0
 };
 
-/// Quantities that are worked out together where a run stands.
+/// Quantities that are worked out together at the position of a run.
 struct PathQuantities {
   std::vector<Sought> sought;  ///< one for each
   /// Writes their values for a run that has moved to a parameter of the path; it finds NaN there, which means

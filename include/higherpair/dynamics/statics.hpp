@@ -32,7 +32,7 @@ public:
   void stand(const Run& run);
 
   /// Solves for the multipliers. `wrenches` (of Mechanism::bodies) is used up. False where there is no
-  /// balance: the conditions are dependent here, to rounding.
+  /// balance: the conditions are dependent here, to within rounding.
   [[nodiscard]] bool balance(std::vector<Wrench>& wrenches);
 
   /// Lets those flanks of gears' teeth carry that press in the last balance; true where others did, so that

@@ -83,7 +83,7 @@ struct MapReport {
   std::vector<ContactMapReport> contacts;
 };
 
-/// Maps every contact that slips and whose bodies both hang on ground. Fails where none has a map.
+/// Maps every contact that slips and whose bodies both depend on ground. Fails where none has a map.
 [[nodiscard]] Result<MapReport> map_of(const Model& model, const MapSettings& settings = {});
 
 }  // namespace higherpair

@@ -57,7 +57,7 @@ public:
   /// Number of variants of this part, and of the first of them.
   [[nodiscard]] std::int64_t size() const;
   [[nodiscard]] std::int64_t first() const;
-  /// The part is cut into blocks of equally many variants; how many hangs on the profile alone.
+  /// The part is cut into blocks of equally many variants; how many depends on the profile alone.
   [[nodiscard]] std::int64_t blocks() const;
   [[nodiscard]] std::int64_t variants_of(std::int64_t block) const;
 

@@ -46,7 +46,7 @@ public:
     return (angle - angle_) * (angle - angle_) <= kSmallTurn2;
   }
 
-  /// The rotation by `angle` [rad], to rounding.
+  /// The rotation by `angle` [rad], to within rounding.
   [[nodiscard]] Rotation<double> at(double angle) const {
     if (!is_near(angle)) {
       return Rotation<double>::from_angle(angle);
@@ -56,7 +56,8 @@ public:
     return {R_.cos - (versine * R_.cos + sine * R_.sin), R_.sin - (versine * R_.sin - sine * R_.cos)};
   }
 
-  /// The angle [rad] of a rotation, to rounding; of all that differ by turns the one nearest to `reference`.
+  /// The angle [rad] of a rotation, to within rounding; of all that differ by turns the one nearest to
+  /// `reference`.
   [[nodiscard]] double angle_of(const Rotation<double>& R, double reference) const {
     const double sine = R_.cos * R.sin - R_.sin * R.cos;
     const double cosine = R_.cos * R.cos + R_.sin * R.sin;
@@ -64,7 +65,7 @@ public:
     return nearest_turn(near ? angle_ + small_angle(sine) : std::atan2(R.sin, R.cos), reference);
   }
 
-  /// What is to be known for angles about this one: the same as long as it is near.
+  /// Precomputed for angles near this one; unchanged while it stays near.
   [[nodiscard]] KnownRotation renewed_at(double angle) const {
     return is_near(angle) ? *this : KnownRotation(angle);
   }

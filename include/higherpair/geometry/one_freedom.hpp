@@ -16,7 +16,7 @@ struct OneFreedom {
 };
 
 /// The pose at the coordinate q.
-/// \param turn  the rotation by q, of no account for a body that slides
+/// \param turn  the rotation by q, ignored for a sliding body
 [[nodiscard]] inline Pose<double> pose_at(const OneFreedom& freedom, double q, const Rotation<double>& turn) {
   if (freedom.turns) {
     return {turn, freedom.p_WO - turn * freedom.p_BO};
@@ -38,7 +38,7 @@ struct OneFreedom {
   return freedom.turns ? Vector2d(freedom.p_WO - p_W) : Vector2d::Zero();
 }
 
-/// Sets the rates of a body whose pose stands, from the first two time derivatives of its coordinate.
+/// Sets the rates of a body whose pose is known, from the first two time derivatives of its coordinate.
 inline void set_rates_at(const OneFreedom& freedom, double q_dot, double q_ddot, BodyMotion& body) {
   body.omega = freedom.turns ? q_dot : 0;
   body.alpha = freedom.turns ? q_ddot : 0;

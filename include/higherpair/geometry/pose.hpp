@@ -36,7 +36,7 @@ struct Rotation {
   }
 };
 
-/// Where the frame of a body B stands in ground W: a point p_B of the body is at `R_WB * p_B + p_WB`.
+/// The pose of the frame of body B in ground W: a point p_B of the body is at `R_WB * p_B + p_WB`.
 template <class T>
 struct Pose {
   Rotation<T> R_WB;

@@ -5,8 +5,8 @@
 
 namespace higherpair {
 
-/// The root of f between 0 and h, to rounding; h may be negative. None where the values at the two ends have
-/// one sign, or f is not finite somewhere on the search.
+/// The root of f between 0 and h, to within rounding; h may be negative. None where the values at the two
+/// ends have one sign, or f is not finite somewhere on the search.
 [[nodiscard]] std::optional<double> root_between(const std::function<double(double)>& f, double at_0,
                                                  double h, double at_h);
 

@@ -46,12 +46,12 @@ struct FourBarMotion {
   std::optional<FourBarRates> rates;  ///< with kOk only
 };
 
-/// Driven by the crank. kSingular: links 3 and 4 are parallel to rounding (a limit position of the crank or a
-/// change point); if A is on O4 besides, one of infinitely many positions is given.
+/// Driven by the crank. kSingular: links 3 and 4 are parallel to within rounding (a limit position of the
+/// crank or a change point); if A is on O4 besides, one of infinitely many positions is given.
 [[nodiscard]] FourBarMotion four_bar_by_crank(const FourBar& linkage, const AngleMotion& link2,
                                               AssemblyMode mode);
 
-/// Driven by the coupler. kSingular: links 2 and 4 are parallel to rounding.
+/// Driven by the coupler. kSingular: links 2 and 4 are parallel to within rounding.
 [[nodiscard]] FourBarMotion four_bar_by_coupler(const FourBar& linkage, const AngleMotion& link3,
                                                 AssemblyMode mode);
 

@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// A position in which a link of a four-bar stands still while the others move: the two other moving links
+/// A position in which a link of a four-bar is at rest while the others move: the two other moving links
 /// lie in line (crank and coupler at the rocker's limits, coupler and rocker at the crank's) or are parallel
 /// (crank and rocker at the coupler's). It is a dead point for that link as a driver.
 struct FourBarLimit {

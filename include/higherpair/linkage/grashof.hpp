@@ -11,7 +11,7 @@ namespace higherpair {
 /// Which links of a four-bar turn fully. s, l: shortest and longest length, p, q: the others.
 enum class GrashofClass {
   kCannotClose,   ///< l > s + p + q: there is no such linkage
-  kChangePoint,   ///< s + l = p + q to rounding: all links can be in line (also l = s + p + q)
+  kChangePoint,   ///< s + l = p + q to within rounding: all links can be in line (also l = s + p + q)
   kCrankRocker,   ///< s + l < p + q, link 2 is the shortest and turns fully
   kRockerCrank,   ///< s + l < p + q, link 4 is the shortest and turns fully
   kDoubleCrank,   ///< s + l < p + q, ground is the shortest: 2, 3 and 4 turn fully
@@ -25,7 +25,7 @@ enum class GrashofClass {
 [[nodiscard]] GrashofClass classify_grashof(const FourBar& linkage);
 
 /// p + q - s - l [m]: positive if some link turns fully against another and never passes a change point, 0 if
-/// the lengths balance to rounding.
+/// the lengths balance to within rounding.
 [[nodiscard]] double grashof_margin(const FourBar& linkage);
 
 /// Whether a link turns fully against ground without passing a change point: the margin is positive and the

@@ -43,13 +43,13 @@ struct InvertedSliderCrankMotion {
   std::optional<InvertedSliderCrankRates> rates;  ///< with kOk only
 };
 
-/// Driven by the crank. kSingular: r3 = 0 to rounding (the slot stands across the line from O2 to the pin).
-/// With r4 = 0 this is where the pin meets O2: then one of infinitely many positions is given.
+/// Driven by the crank. kSingular: r3 = 0 to within rounding (the slot is perpendicular to the line from O2
+/// to the pin). With r4 = 0 this is where the pin meets O2: then one of infinitely many positions is given.
 [[nodiscard]] InvertedSliderCrankMotion inverted_slider_crank_by_crank(const InvertedSliderCrank& linkage,
                                                                        const AngleMotion& link2,
                                                                        AssemblyMode mode);
 
-/// Driven by the slot. kSingular: the crank stands across the slot to rounding.
+/// Driven by the slot. kSingular: the crank is perpendicular to the slot to within rounding.
 [[nodiscard]] InvertedSliderCrankMotion inverted_slider_crank_by_slot(const InvertedSliderCrank& linkage,
                                                                       const AngleMotion& link3,
                                                                       AssemblyMode mode);

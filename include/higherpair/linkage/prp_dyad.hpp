@@ -25,7 +25,7 @@ struct PrpMotion {
     Vector2d v_WC = Vector2d::Zero();  ///< [m/s]
     Vector2d a_WC = Vector2d::Zero();  ///< [m/s²]
   };
-  /// kNotAssemblable: the guides are parallel to rounding and apart. kSingular: they coincide; one of
+  /// kNotAssemblable: the guides are parallel to within rounding and apart. kSingular: they coincide; one of
   /// infinitely many positions is given, C = P2.
   LinkageStatus status = LinkageStatus::kNotAssemblable;
   double sine = 0;       ///< q; like its rate it holds with every status. C runs to infinity where q = 0

@@ -10,7 +10,7 @@
 namespace higherpair {
 
 /// The sum of four lengths with signs, right to its last digit even where they cancel; exactly zero where
-/// they balance to rounding (`kBalanceRoundings`), so that a change point stays one in binary.
+/// they balance to within rounding (`kBalanceRoundings`), so that a change point stays one in binary.
 template <class T>
 [[nodiscard]] T balance(T a, T b, T c, T d) {
   using std::abs;

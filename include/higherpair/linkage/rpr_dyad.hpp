@@ -96,8 +96,8 @@ struct RprMotion {
 
 /// \param e     offset of the guide from A, with sign [m]
 /// \param mode  kPlus: s > 0.
-/// kSingular: s = 0 to rounding. With e = 0 this is where B meets A: a change point, and one of infinitely
-/// many positions is given.
+/// kSingular: s = 0 to within rounding. With e = 0 this is where B meets A: a change point, and one of
+/// infinitely many positions is given.
 [[nodiscard]] RprMotion rpr_dyad(const PointMotion& A, const PointMotion& B, double e, AssemblyMode mode);
 
 }  // namespace higherpair

@@ -122,7 +122,7 @@ struct RrpMotion {
 
 /// \param r     length of the link [m]
 /// \param mode  kPlus: C is ahead of A, (C - A)·u > 0.
-/// kSingular: the link stands across the guide to rounding.
+/// kSingular: the link is perpendicular to the guide to within rounding.
 /// \pre r > 0: without length the link has no direction, and A itself must run on the guide.
 [[nodiscard]] RrpMotion rrp_dyad(const PointMotion& A, const GuideMotion& guide, double r, AssemblyMode mode);
 /// @}

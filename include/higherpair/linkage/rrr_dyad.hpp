@@ -118,10 +118,9 @@ struct RrrMotion {
 };
 
 /// Links of lengths a (from A) and b (from B) [m] that meet at C.
-/// kSingular: their directions are parallel to rounding, or A and B coincide (then one of infinitely many
-/// positions is given). Near a change point this knows less than `four_bar.hpp`: |AB| alone is held against
-/// a ± b.
-/// \pre a > 0, b > 0.
+/// kSingular: their directions are parallel to within rounding, or A and B coincide (then one of infinitely
+/// many positions is given). Near a change point this knows less than `four_bar.hpp`: |AB| alone is held
+/// against a ± b. \pre a > 0, b > 0.
 [[nodiscard]] RrrMotion rrr_dyad(const PointMotion& A, const PointMotion& B, double a, double b,
                                  AssemblyMode mode);
 

@@ -42,7 +42,7 @@ struct ScotchYokeMotion {
 /// Driven by the crank: always kOk.
 [[nodiscard]] ScotchYokeMotion scotch_yoke_by_crank(const ScotchYoke& linkage, const AngleMotion& link2);
 
-/// Driven by the yoke. kSingular: the crank stands across the slot to rounding.
+/// Driven by the yoke. kSingular: the crank is perpendicular to the slot to within rounding.
 [[nodiscard]] ScotchYokeMotion scotch_yoke_by_yoke(const ScotchYoke& linkage, const SlideMotion& yoke,
                                                    AssemblyMode mode);
 

@@ -45,15 +45,15 @@ struct SliderCrankMotion {
   std::optional<SliderCrankRates> rates;  ///< with kOk only
 };
 
-/// Driven by the crank. kSingular: the coupler stands across the line to rounding.
+/// Driven by the crank. kSingular: the coupler is perpendicular to the line to within rounding.
 [[nodiscard]] SliderCrankMotion slider_crank_by_crank(const SliderCrank& linkage, const AngleMotion& link2,
                                                       AssemblyMode mode);
 
-/// Driven by the coupler. kSingular: the crank stands across the line to rounding.
+/// Driven by the coupler. kSingular: the crank is perpendicular to the line to within rounding.
 [[nodiscard]] SliderCrankMotion slider_crank_by_coupler(const SliderCrank& linkage, const AngleMotion& link3,
                                                         AssemblyMode mode);
 
-/// Driven by the slider. kSingular: crank and coupler are parallel to rounding; if the slider is on O2
+/// Driven by the slider. kSingular: crank and coupler are parallel to within rounding; if the slider is on O2
 /// besides (r2 = r3, r4 = 0, r1 = 0), one of infinitely many positions is given, the limit for r1 > 0.
 [[nodiscard]] SliderCrankMotion slider_crank_by_slider(const SliderCrank& linkage, const SlideMotion& slider,
                                                        AssemblyMode mode);

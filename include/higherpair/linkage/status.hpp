@@ -16,8 +16,8 @@ enum class AssemblyMode { kPlus = 1, kMinus = -1 };
 /// How a position came out. `slack` and `noise` are those of `Reach`.
 enum class LinkageStatus {
   kNotAssemblable,  ///< slack < -noise: the links cannot meet; no value of the result means anything
-  kSingular,        ///< |slack| <= noise: a dead point to rounding; the position holds, rates do not exist
-  kOk,              ///< slack > noise: position and rates hold
+  kSingular,  ///< |slack| <= noise: a dead point to within rounding; the position holds, rates do not exist
+  kOk,        ///< slack > noise: position and rates hold
 };
 
 /// How far a linkage is from the position in which its links only just meet.

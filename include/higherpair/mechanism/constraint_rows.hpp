@@ -23,7 +23,7 @@ struct ConstraintRow {
   double value = 0;  ///< [m]
 };
 
-/// How a contact stands, seen from its first body: 1 is the first, 2 the second body of the file.
+/// The state of a contact, seen from its first body: 1 is the first, 2 the second body of the file.
 struct ContactMotion {
   CommonNormal at;
   bool touches = true;  ///< false while a contact that may part is open: the rest means nothing

@@ -19,7 +19,7 @@ struct FourBarInMechanism {
   FourBar linkage;  ///< lengths; theta1 = 0
 };
 
-/// What stands still in a slider-crank.
+/// What is at rest in a slider-crank.
 enum class SliderCrankInversion {
   kGuide,    ///< the guide of the slider: crank and slider
   kCrank,    ///< the link with two pins next to the guide: a turning guide (Whitworth)

@@ -33,7 +33,7 @@ struct MobilityCount {
 
 [[nodiscard]] MobilityCount count_mobility(const Mechanism& mechanism);
 
-/// Where all bodies and contacts stand together.
+/// The positions of all bodies and contacts at one instant.
 struct MechanismPosition {
   std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts

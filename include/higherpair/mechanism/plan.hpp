@@ -115,7 +115,7 @@ struct TouchingBody {
   bool follower_is_second = true;  ///< whether the contact names it second
 };
 
-/// A body that hangs on one pin and whose turning nothing sets: it keeps the angle of its pose.
+/// A body that is attached by one pin only and whose turning nothing sets: it keeps the angle of its pose.
 struct IdleBody {
   BodyPoint pin;  ///< on the known body
   int body = 0;
