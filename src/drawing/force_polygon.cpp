@@ -1,4 +1,5 @@
 #include "higherpair/drawing/polygon.hpp"
+#include "higherpair/dynamics/applied_loads.hpp"
 #include "higherpair/geometry/motion.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 

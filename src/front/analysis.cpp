@@ -1,4 +1,5 @@
 #include "analysis_impl.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "column_set.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/contact_report.hpp"
 #include "model_data.hpp"
 

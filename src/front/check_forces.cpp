@@ -1,6 +1,7 @@
 // Forces of contacts and drivers along the path, and Hertz's pressure.
 #include "check_parts.hpp"
 #include "higherpair/cam/hertz.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "higherpair/front/drawing.hpp"
 
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "model_data.hpp"

@@ -1,6 +1,6 @@
 #include "higherpair/front/polygon.hpp"
 
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "reach.hpp"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // A row of a running analysis takes no memory from the heap once the first has been made.
 #include "analysis/counting_allocator.hpp"
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/profile_reader.hpp"
 

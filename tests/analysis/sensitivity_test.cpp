@@ -3,7 +3,7 @@
 
 #include "analysis/run_testing.hpp"
 #include "higherpair/contact/details.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/geometry/arc_length.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // Laws that the reactions of any mechanism obey, on random ones of many kinds: every body by itself obeys
 // Newton and Euler, both ways to the effort agree, and the powers sum up to the rate of the energy.
 #include "dynamics/sketch.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>

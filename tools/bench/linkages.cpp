@@ -1,7 +1,7 @@
 #include "linkages.hpp"
 
 #include "cases.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "front/column_set.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/drawing/scene.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "laws.hpp"
 #include "linkages.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/run.hpp"
+#include "higherpair/analysis/row.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/description.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/run.hpp"
+#include "higherpair/analysis/row.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/error.hpp"
 #include "higherpair/io/units.hpp"
@@ -98,7 +98,7 @@ public:
   [[nodiscard]] bool next(Row& row);
   /// Positions and rates of all bodies and contacts in the row that next() gave last; SI units, ground frame.
   [[nodiscard]] const MotionRow& motion() const;
-  /// With RunSettings::forces, of the same row; valid until the next one. Else none.
+  /// With RunSettings::forces the reactions in that row; else null.
   [[nodiscard]] const Reactions* reactions() const;
   /// Whether RunSettings::stop ended it.
   [[nodiscard]] bool stopped() const;

@@ -1,4 +1,4 @@
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 
 #include "higherpair/analysis/unit_motion.hpp"
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/dynamics/statics.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// Inverse dynamics of a running analysis: Newton's and Euler's equations of every moving body with gravity,
+/// inertia, loads, springs and dampers, solved for what joints, contacts and drivers must do. Contacts slip
+/// without friction. Bodies without mass have no inertia. Idle bodies (Plan::idle_bodies, as a roller) do not
+/// spin up: a moment about their pin, which nothing resists, is left out.
+class InverseDynamics {
+public:
+  explicit InverseDynamics(const Run& run);
+
+  /// The reactions in run.row; valid until the next call. `run` must be the one of the constructor,
+  /// or a copy. With one driver and no surplus of conditions nothing is allocated.
+  const Reactions& solve(const Run& run);
+
+private:
+  void read_joints(const Run& run);
+  void read_contacts(const Run& run);
+  void read_efforts(const Run& run);
+  void add_virtual_power(const Run& run);
+  [[nodiscard]] std::optional<double> determined(std::size_t row, double factor) const;
+  [[nodiscard]] double power(const std::vector<BodyMotion>& bodies) const;
+
+  Statics statics_;
+  std::vector<Wrench> wrenches_;  ///< gravity, loads, springs and inertia of each body
+  std::vector<Wrench> left_;      ///< the same, used up by the balance
+  Reactions reactions_;
+  State unit_;  ///< with a unit rate of one of several drivers
+};
+
+}  // namespace higherpair
