@@ -215,6 +215,10 @@ bool is_empty(const BranchesReport& report) {
 
 }  // namespace
 
+bool can_certify() {
+  return has_exact_arithmetic();
+}
+
 Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings) {
   const Model::Data& data = model.data();
   const auto schedule = first_schedule(data);

@@ -1,7 +1,6 @@
 #include "branches_command.hpp"
 
 #include "branches_report.hpp"
-#include "higherpair/contact/certify.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "run_command.hpp"
@@ -33,7 +32,7 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
 }  // namespace
 
 int branches_command(const BranchesOptions& options) {
-  if (options.certify && !has_exact_arithmetic()) {
+  if (options.certify && !can_certify()) {
     fmt::print(stderr,
                "higherpair: --certify: this build has no exact arithmetic; configure it with "
                "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");

@@ -3,7 +3,7 @@
 #include "design_command.hpp"
 #include "draw_command.hpp"
 #include "export_command.hpp"
-#include "higherpair/analysis/derivatives.hpp"
+#include "higherpair/analysis/row.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
 #include "output_options.hpp"

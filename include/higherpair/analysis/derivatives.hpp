@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/analysis/row.hpp"
 #include "higherpair/analysis/run.hpp"
 
 #include <array>
@@ -8,8 +9,6 @@
 #include <vector>
 
 namespace higherpair {
-
-inline constexpr int kHighestDerivative = 6;
 
 /// Time derivatives of a body's frame in ground, from the 0th to the one asked for; the others are 0.
 struct BodyDerivatives {

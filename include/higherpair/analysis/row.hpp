@@ -9,6 +9,9 @@
 
 namespace higherpair {
 
+/// Time derivatives are worked out up to this one.
+inline constexpr int kHighestDerivative = 6;
+
 enum class RowStatus {
   kOk,
   kNotAssemblable,  ///< the mechanism cannot be put together at this driver position on its branch

@@ -51,6 +51,9 @@ struct BranchesReport {
   bool certified = false;                       ///< it was asked for
 };
 
+/// Whether this build can certify contacts: it has exact arithmetic.
+[[nodiscard]] bool can_certify();
+
 /// Lists them. Fails where there is none, with the reason, and as kInternal where exact arithmetic does not
 /// agree.
 [[nodiscard]] Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings = {});
