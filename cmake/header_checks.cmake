@@ -1,8 +1,9 @@
-# Every public header compiles on its own, and may be included twice: one small unit for each, target header_checks.
+# Every header of `folder` compiles on its own with the library, and may be included twice: one small unit for each,
+# target header_checks.
 # Most headers include Eigen/Core, by themselves or through others of ours; they are compiled after Eigen/Core, which
 # saves most of the time and hides nothing, as they would include it anyway.
-function(higherpair_check_headers)
-  set(base ${PROJECT_SOURCE_DIR}/include)
+function(higherpair_check_headers name library folder)
+  set(base ${PROJECT_SOURCE_DIR}/${folder})
   set(after_eigen Eigen/Core)
   set(others "")
   foreach(header IN LISTS ARGN)
@@ -27,13 +28,12 @@ function(higherpair_check_headers)
   endwhile()
   list(REMOVE_ITEM after_eigen Eigen/Core)
 
-  add_custom_target(header_checks)
-  higherpair_add_header_units(header_checks_after_eigen ${after_eigen})
-  target_precompile_headers(header_checks_after_eigen PRIVATE <Eigen/Core>)
-  higherpair_add_header_units(header_checks_alone ${others})
+  higherpair_add_header_units(header_checks_${name}_after_eigen ${library} ${after_eigen})
+  target_precompile_headers(header_checks_${name}_after_eigen PRIVATE <Eigen/Core>)
+  higherpair_add_header_units(header_checks_${name}_alone ${library} ${others})
 endfunction()
 
-function(higherpair_add_header_units target)
+function(higherpair_add_header_units target library)
   if(NOT ARGN)
     return()
   endif()
@@ -44,7 +44,7 @@ function(higherpair_add_header_units target)
     list(APPEND units ${unit})
   endforeach()
   add_library(${target} OBJECT ${units})
-  target_link_libraries(${target} PRIVATE higherpair::higherpair)
+  target_link_libraries(${target} PRIVATE ${library})
   target_compile_options(${target} PRIVATE -O0)
   higherpair_set_warnings(${target})
   add_dependencies(header_checks ${target})

@@ -60,14 +60,16 @@ std::vector<std::string> parts(const fs::path& path) {
   return names;
 }
 
+// Of include/, which is installed, or of src/include, which rooms share with each other.
 bool is_public(const fs::path& file) {
-  return !file.empty() && *file.begin() == "include";
+  const std::vector<std::string> names = parts(file);
+  return !names.empty() && (names[0] == "include" || (names.size() > 1 && names[1] == "include"));
 }
 
-// The room of a file of the library, "" if it stands in none; nothing for a file outside the library.
+// The room of a file of the library, "" if it is in none; nothing for a file outside the library.
 std::optional<std::string> room_of(const fs::path& file) {
   const std::vector<std::string> names = parts(file);
-  const std::size_t at = is_public(file) ? 2 : 1;
+  const std::size_t at = !is_public(file) ? 1 : names[0] == "include" ? 2 : 3;
   if (names.size() < 2 || (names[0] != "include" && names[0] != "src")) {
     return std::nullopt;
   }

@@ -64,6 +64,19 @@ TEST(IncludeRules, APrivateHeaderIsFoundByAnyOfItsNames) {
                           "a public header includes a private one"));
 }
 
+TEST(IncludeRules, HeadersThatRoomsShareKeepTheirOrder) {
+  EXPECT_THAT(include_violations("src/include/higherpair/contact/box.hpp",
+                                 "#include \"higherpair/geometry/curve.hpp\"\n"),
+              IsEmpty());
+  EXPECT_THAT(
+      include_violations("src/include/higherpair/contact/box.hpp",
+                         "#include \"higherpair/analysis/run.hpp\"\n#include \"contact/pencil.hpp\"\n"),
+      ElementsAre("src/include/higherpair/contact/box.hpp:1: higherpair/analysis/run.hpp: "
+                  "contact may not use analysis",
+                  "src/include/higherpair/contact/box.hpp:2: contact/pencil.hpp: "
+                  "a public header includes a private one"));
+}
+
 TEST(IncludeRules, APrivateHeaderIsForItsOwnRoom) {
   for (const std::string header : {"analysis/step.hpp", "../analysis/step.hpp"}) {
     EXPECT_THAT(
