@@ -1,0 +1,164 @@
+#include "chain_rows.hpp"
+
+#include "numeric/arctangent.hpp"
+#include "numeric/pack.hpp"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+
+// The rows of a chain in packs. The loop is compiled for several instruction sets, of which the widest that
+// the machine has is taken; whichever it is, the numbers are the same to the last bit.
+
+namespace higherpair {
+namespace {
+
+using Quantity = ChainColumn::Quantity;
+
+constexpr int kMostBodies = 64;
+constexpr int kMostGroups = 64;
+
+// What the loop is told; plain, since all of it is read in every turn.
+struct RowsOf {
+  const Plan& plan;
+  std::span<const double> modes;
+  const ChainSchedule& schedule;
+  std::span<ChainTask> tasks;
+  std::span<ChainWatch<double>> watches;
+};
+
+// The driver's velocity and acceleration in the rows: rates are those for a unit velocity times these.
+template <class T>
+struct RowRates {
+  T velocity, acceleration;
+
+  [[nodiscard]] T first(const T& unit) const { return velocity * unit; }
+  [[nodiscard]] T second(const T& unit_first, const T& unit_second) const {
+    return velocity * velocity * unit_second + acceleration * unit_first;
+  }
+};
+
+template <class T>
+[[nodiscard]] inline T angle_of_rows(const ChainAngle& angle, const T& position, const ChainBody<T>* bodies) {
+  if (angle.source == ChainAngle::Source::kRotation) {
+    const Rotation<T>& R = bodies[angle.body].R_WB;
+    return arctangent(R.sin, R.cos);
+  }
+  return T(angle.factor) * position + T(angle.offset);
+}
+
+template <ChainRates kRates, class T>
+[[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const RowRates<T>& rates,
+                                     const ChainBody<T>* bodies) {
+  const Quantity quantity = task.column.quantity;
+  const ChainBody<T>& body = bodies[task.column.body];
+  if (quantity == Quantity::kAngle) {
+    return angle_of_rows(task.angle, position, bodies);
+  }
+  if (quantity == Quantity::kOmega) {
+    return rates.first(body.omega);
+  }
+  if (quantity == Quantity::kAlpha) {
+    return rates.second(body.omega, body.alpha);
+  }
+  const ChainPoint<T> point = chain_point<kRates>(body, task.p_B);
+  if (quantity <= Quantity::kY) {
+    return quantity == Quantity::kX ? point.p_W.x() : point.p_W.y();
+  }
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    if (quantity == Quantity::kVx || quantity == Quantity::kVy) {
+      return rates.first(quantity == Quantity::kVx ? point.v_W.x() : point.v_W.y());
+    }
+  }
+  if constexpr (kRates >= ChainRates::kAccelerations) {
+    return quantity == Quantity::kAx ? rates.second(point.v_W.x(), point.a_W.x())
+                                     : rates.second(point.v_W.y(), point.a_W.y());
+  }
+  return T(0);
+}
+
+template <ChainRates kRates, int W>
+[[gnu::always_inline]] inline void fill(const RowsOf& rows) {
+  using T = Pack<W>;
+  std::array<ChainBody<T>, kMostBodies> bodies;
+  std::array<ChainWatch<T>, kMostGroups> watches;
+  bodies[0] = ChainBody<T>();
+  const std::size_t groups = rows.plan.groups.size();
+  for (std::size_t g = 0; g < groups; ++g) {
+    watches[g] = ChainWatch<T>();
+  }
+  const ChainSchedule& schedule = rows.schedule;
+  for (std::size_t k = 0; k < schedule.position.size(); k += W) {
+    const ChainDriver<T> driver{T::load(&schedule.position[k]),
+                                {T::load(&schedule.cosine[k]), T::load(&schedule.sine[k])}};
+    for (std::size_t g = 0; g < groups; ++g) {
+      solve_group<kRates>(rows.plan.groups[g], rows.modes[g], driver, bodies.data(), watches[g]);
+    }
+    const RowRates<T> rates{T::load(&schedule.velocity[k]), T::load(&schedule.acceleration[k])};
+    for (ChainTask& task : rows.tasks) {
+      value_of_rows<kRates>(task, driver.position, rates, bodies.data()).store(&task.values[k]);
+    }
+  }
+  for (std::size_t g = 0; g < groups; ++g) {
+    const double sum = sum_of_lanes(watches[g].sum);
+    rows.watches[g] = {std::isnan(sum) ? sum : largest_lane(watches[g].margin), sum,
+                       largest_lane(watches[g].far2)};
+  }
+}
+
+template <int W>
+[[gnu::always_inline]] inline void fill(const RowsOf& rows, ChainRates rates) {
+  switch (rates) {
+    case ChainRates::kNone:
+      return fill<ChainRates::kNone, W>(rows);
+    case ChainRates::kVelocities:
+      return fill<ChainRates::kVelocities, W>(rows);
+    case ChainRates::kAccelerations:
+      return fill<ChainRates::kAccelerations, W>(rows);
+  }
+}
+
+[[gnu::flatten]] void fill_by_2(const RowsOf& rows, ChainRates rates) {
+  fill<2>(rows, rates);
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+[[gnu::flatten, gnu::target("avx2")]] void fill_by_4(const RowsOf& rows, ChainRates rates) {
+  fill<4>(rows, rates);
+}
+
+[[gnu::flatten, gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] void fill_by_8(
+    const RowsOf& rows, ChainRates rates) {
+  fill<8>(rows, rates);
+}
+#endif
+
+using Fill = void (*)(const RowsOf&, ChainRates);
+
+Fill widest() {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl")) {
+    return fill_by_8;
+  }
+  if (__builtin_cpu_supports("avx2")) {
+    return fill_by_4;
+  }
+#endif
+  return fill_by_2;
+}
+
+}  // namespace
+
+bool chain_fits_packs(std::size_t bodies, std::size_t groups) {
+  return bodies <= kMostBodies && groups <= kMostGroups;
+}
+
+void fill_chain_rows(const Plan& plan, std::span<const double> modes, const ChainSchedule& schedule,
+                     ChainRates rates, std::span<ChainTask> tasks, std::span<ChainWatch<double>> watches) {
+  assert(schedule.position.size() % kChainRows == 0);
+  static const Fill fill_widest = widest();
+  fill_widest({plan, modes, schedule, tasks, watches}, rates);
+}
+
+}  // namespace higherpair

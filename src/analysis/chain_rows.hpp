@@ -1,0 +1,49 @@
+#pragma once
+
+#include "chain_kernel.hpp"
+#include "higherpair/analysis/dyad_chain.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// Rows are worked out so many at a time, or in parts of it.
+inline constexpr std::size_t kChainRows = 8;
+
+/// The driver in the rows, each kind of number in an array of its own; filled up to a multiple of kChainRows.
+struct ChainSchedule {
+  std::vector<double> position;  ///< [rad or m]
+  std::vector<double> cosine;
+  std::vector<double> sine;
+  std::vector<double> velocity;
+  std::vector<double> acceleration;
+};
+
+/// Where a body's angle comes from.
+struct ChainAngle {
+  enum class Source { kFixed, kDriver, kRotation } source = Source::kFixed;
+  int body = 0;       ///< of kRotation: whose rotation says it
+  double factor = 0;  ///< of the driver's position
+  double offset = 0;  ///< [rad]
+};
+
+/// A column with what it takes to fill it in.
+struct ChainTask {
+  ChainColumn column;
+  Vector2d p_B = Vector2d::Zero();
+  ChainAngle angle;
+  std::vector<double> values;
+};
+
+/// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.
+/// Of angles by kRotation the one in (-π, π], without its offset. \param modes    of the groups: +1 or -1
+/// \param watches  of the groups: the result for all rows
+void fill_chain_rows(const Plan& plan, std::span<const double> modes, const ChainSchedule& schedule,
+                     ChainRates rates, std::span<ChainTask> tasks, std::span<ChainWatch<double>> watches);
+
+/// What the loop has room for.
+[[nodiscard]] bool chain_fits_packs(std::size_t bodies, std::size_t groups);
+
+}  // namespace higherpair
