@@ -161,8 +161,10 @@ inline void solve_group(const RrrDyad& dyad, double mode, ChainBody<T>* bodies, 
     const RrrRates<T> rates = rrr_rates(position, length_a, length_b, D_dot, D_ddot);
     a.omega = rates.omega_a;
     b.omega = rates.omega_b;
-    a.alpha = rates.alpha_a;
-    b.alpha = rates.alpha_b;
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      a.alpha = rates.alpha_a;
+      b.alpha = rates.alpha_b;
+    }
   }
   hang<kRates>(a, A, dyad.a_pA);
   hang<kRates>(b, B, dyad.b_pB);
@@ -209,7 +211,9 @@ inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, 
     const Vector2<T> a = kRates >= ChainRates::kAccelerations ? seen.a_W : Vector2<T>(T(0), T(0));
     const RrpRates<T> rates = rrp_rates(position, length, seen.v_W, a);
     link.omega = carrier.omega + rates.omega_leg;
-    link.alpha = carrier.alpha + rates.alpha_leg;
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      link.alpha = carrier.alpha + rates.alpha_leg;
+    }
   }
   hang<kRates>(link, A, dyad.pA);
   if (dyad.slider) {
@@ -243,7 +247,9 @@ inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, 
     }
     const RprRates<T> rates = rpr_rates(position, offset, D_dot, D_ddot);
     link.omega = rates.omega;
-    link.alpha = rates.alpha;
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      link.alpha = rates.alpha;
+    }
   }
   hang<kRates>(link, A, dyad.pA);
   if (dyad.slider) {

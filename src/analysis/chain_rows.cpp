@@ -6,6 +6,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
 
 // The rows of a chain in packs. The loop is compiled for several instruction sets, of which the widest that
 // the machine has is taken; whichever it is, the numbers are the same to the last bit.
@@ -15,8 +18,8 @@ namespace {
 
 using Quantity = ChainColumn::Quantity;
 
-constexpr int kMostBodies = 64;
-constexpr int kMostGroups = 64;
+constexpr std::size_t kMostBodies = 64;
+constexpr std::size_t kMostGroups = 64;
 
 // What the loop is told; plain, since all of it is read in every turn.
 struct RowsOf {
@@ -24,7 +27,22 @@ struct RowsOf {
   std::span<const double> modes;
   const ChainSchedule& schedule;
   std::span<ChainTask> tasks;
+  std::size_t bodies;
   std::span<ChainWatch<double>> watches;
+};
+
+// Room for so many of them at most, of which no more are made than are there: packs are large.
+template <class Item, std::size_t kMost>
+class Room {
+public:
+  explicit Room(std::size_t count) { std::uninitialized_default_construct_n(data(), count); }
+
+  [[nodiscard]] Item* data() { return reinterpret_cast<Item*>(bytes_.data()); }
+  [[nodiscard]] Item& operator[](std::size_t i) { return data()[i]; }
+
+private:
+  static_assert(std::is_trivially_destructible_v<Item>);
+  alignas(Item) std::array<std::byte, kMost * sizeof(Item)> bytes_;
 };
 
 // The driver's velocity and acceleration in the rows: rates are those for a unit velocity times these.
@@ -80,23 +98,32 @@ template <ChainRates kRates, class T>
 template <ChainRates kRates, int W>
 [[gnu::always_inline]] inline void fill(const RowsOf& rows) {
   using T = Pack<W>;
-  std::array<ChainBody<T>, kMostBodies> bodies;
-  std::array<ChainWatch<T>, kMostGroups> watches;
-  bodies[0] = ChainBody<T>();
+  constexpr std::size_t kPacks = kChainRows / W;
+  const std::size_t bodies = rows.bodies;
   const std::size_t groups = rows.plan.groups.size();
-  for (std::size_t g = 0; g < groups; ++g) {
-    watches[g] = ChainWatch<T>();
-  }
+  Room<ChainBody<T>, kPacks * kMostBodies> room(kPacks * bodies);
+  Room<ChainWatch<T>, kMostGroups> watches(groups);
   const ChainSchedule& schedule = rows.schedule;
-  for (std::size_t k = 0; k < schedule.position.size(); k += W) {
-    const ChainDriver<T> driver{T::load(&schedule.position[k]),
-                                {T::load(&schedule.cosine[k]), T::load(&schedule.sine[k])}};
-    for (std::size_t g = 0; g < groups; ++g) {
-      solve_group<kRates>(rows.plan.groups[g], rows.modes[g], driver, bodies.data(), watches[g]);
+  for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
+    std::array<ChainDriver<T>, kPacks> driver;
+    std::array<RowRates<T>, kPacks> rates;
+    for (std::size_t i = 0; i < kPacks; ++i) {
+      const std::size_t at = k + i * W;
+      driver[i] = {T::load(&schedule.position[at]),
+                   {T::load(&schedule.cosine[at]), T::load(&schedule.sine[at])}};
+      rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
     }
-    const RowRates<T> rates{T::load(&schedule.velocity[k]), T::load(&schedule.acceleration[k])};
+    for (std::size_t g = 0; g < groups; ++g) {
+      for (std::size_t i = 0; i < kPacks; ++i) {
+        solve_group<kRates>(rows.plan.groups[g], rows.modes[g], driver[i], room.data() + i * bodies,
+                            watches[g]);
+      }
+    }
     for (ChainTask& task : rows.tasks) {
-      value_of_rows<kRates>(task, driver.position, rates, bodies.data()).store(&task.values[k]);
+      for (std::size_t i = 0; i < kPacks; ++i) {
+        value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies)
+            .store(&task.values[k + i * W]);
+      }
     }
   }
   for (std::size_t g = 0; g < groups; ++g) {
@@ -155,10 +182,11 @@ bool chain_fits_packs(std::size_t bodies, std::size_t groups) {
 }
 
 void fill_chain_rows(const Plan& plan, std::span<const double> modes, const ChainSchedule& schedule,
-                     ChainRates rates, std::span<ChainTask> tasks, std::span<ChainWatch<double>> watches) {
+                     ChainRates rates, std::span<ChainTask> tasks, std::size_t bodies,
+                     std::span<ChainWatch<double>> watches) {
   assert(schedule.position.size() % kChainRows == 0);
   static const Fill fill_widest = widest();
-  fill_widest({plan, modes, schedule, tasks, watches}, rates);
+  fill_widest({plan, modes, schedule, tasks, bodies, watches}, rates);
 }
 
 }  // namespace higherpair

@@ -9,8 +9,8 @@
 
 namespace higherpair {
 
-/// Rows are worked out so many at a time, or in parts of it.
-inline constexpr std::size_t kChainRows = 8;
+/// Rows are worked out so many at a time: several packs, since one would wait for its own results.
+inline constexpr std::size_t kChainRows = 16;
 
 /// The driver in the rows, each kind of number in an array of its own; filled up to a multiple of kChainRows.
 struct ChainSchedule {
@@ -41,7 +41,8 @@ struct ChainTask {
 /// Of angles by kRotation the one in (-π, π], without its offset. \param modes    of the groups: +1 or -1
 /// \param watches  of the groups: the result for all rows
 void fill_chain_rows(const Plan& plan, std::span<const double> modes, const ChainSchedule& schedule,
-                     ChainRates rates, std::span<ChainTask> tasks, std::span<ChainWatch<double>> watches);
+                     ChainRates rates, std::span<ChainTask> tasks, std::size_t bodies,
+                     std::span<ChainWatch<double>> watches);
 
 /// What the loop has room for.
 [[nodiscard]] bool chain_fits_packs(std::size_t bodies, std::size_t groups);

@@ -307,7 +307,8 @@ bool DyadChain::solve(const Mechanism& mechanism) {
       task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
     }
   }
-  fill_chain_rows(own.plan, own.best_modes, own.schedule, own.rates, own.tasks, own.watches);
+  fill_chain_rows(own.plan, own.best_modes, own.schedule, own.rates, own.tasks, own.bodies.size(),
+                  own.watches);
   if (!stays_on_branches(own.plan, own.watches, own.step, own.bounds)) {
     return false;
   }

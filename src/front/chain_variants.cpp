@@ -187,9 +187,9 @@ bool ChainVariants::solve(std::span<const double> numbers) {
   }
   // What overflows in the units of the table is undefined there.
   for (std::size_t i = 0; i < recipe_->columns.size(); ++i) {
-    const Extremes extremes = extremes_of(chain_.values(i));
-    if (!std::isfinite(recipe_->scales[i].apply(extremes.low)) ||
-        !std::isfinite(recipe_->scales[i].apply(extremes.high))) {
+    extremes_[i] = extremes_of(chain_.values(i));
+    if (!std::isfinite(recipe_->scales[i].apply(extremes_[i].low)) ||
+        !std::isfinite(recipe_->scales[i].apply(extremes_[i].high))) {
       return false;
     }
   }
@@ -198,8 +198,8 @@ bool ChainVariants::solve(std::span<const double> numbers) {
 
 Measured ChainVariants::value(std::size_t measure, bool wants_where) const {
   const std::size_t slot = recipe_->slots[measure];
-  return measured(recipe_->measures[measure], {chain_.values(slot), recipe_->scales[slot], recipe_->where},
-                  wants_where);
+  const Series series{chain_.values(slot), extremes_[slot], recipe_->scales[slot], recipe_->where};
+  return measured(recipe_->measures[measure], series, wants_where);
 }
 
 }  // namespace higherpair

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -59,11 +60,15 @@ public:
 
 private:
   ChainVariants(const ChainRecipe& recipe, DyadChain chain)
-      : recipe_(&recipe), mechanism_(recipe.mechanism), chain_(std::move(chain)) {}
+      : recipe_(&recipe),
+        mechanism_(recipe.mechanism),
+        chain_(std::move(chain)),
+        extremes_(recipe.columns.size()) {}
 
   const ChainRecipe* recipe_;
   Mechanism mechanism_;
   DyadChain chain_;
+  std::vector<Extremes> extremes_;  // of the columns, in the variant solved last
 };
 
 }  // namespace higherpair

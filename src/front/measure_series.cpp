@@ -41,7 +41,7 @@ namespace {
 class SeriesMeasure {
 public:
   SeriesMeasure(const Series& series, bool wants_where)
-      : series_(series), extremes_(extremes_of(series.values)), wants_where_(wants_where) {}
+      : series_(series), extremes_(series.extremes), wants_where_(wants_where) {}
 
   [[nodiscard]] Measured highest() const {
     const double best = scaled(extremes_.high);

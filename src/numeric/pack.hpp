@@ -12,19 +12,35 @@ namespace higherpair {
 
 namespace pack_detail {
 
+// The attribute is lost where it depends on a template's argument.
 template <int W>
 struct Lanes;
-// The attribute is lost where it depends on a template's argument.
-#define HIGHERPAIR_LANES(W)                                                    \
-  template <>                                                                  \
-  struct Lanes<W> {                                                            \
-    typedef double Doubles __attribute__((vector_size((W) * sizeof(double)))); \
-    typedef long long Bits __attribute__((vector_size((W) * sizeof(double)))); \
-  };
-HIGHERPAIR_LANES(2)
-HIGHERPAIR_LANES(4)
-HIGHERPAIR_LANES(8)
-#undef HIGHERPAIR_LANES
+template <>
+struct Lanes<2> {
+  typedef double Doubles __attribute__((vector_size(2 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(2 * sizeof(double))));
+};
+template <>
+struct Lanes<4> {
+  typedef double Doubles __attribute__((vector_size(4 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(4 * sizeof(double))));
+};
+template <>
+struct Lanes<8> {
+  typedef double Doubles __attribute__((vector_size(8 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(8 * sizeof(double))));
+};
+
+// GCC fills lanes one by one in whatever way but this one.
+template <int W>
+[[gnu::always_inline]] inline typename Lanes<W>::Doubles all(double value) {
+  using Doubles = typename Lanes<W>::Doubles;
+#ifdef __clang__
+  return value - Doubles{};
+#else
+  return __builtin_shuffle(Doubles{value}, typename Lanes<W>::Bits{});
+#endif
+}
 
 }  // namespace pack_detail
 
@@ -43,7 +59,7 @@ struct Pack {
   Doubles lanes;
 
   Pack() = default;
-  [[gnu::always_inline]] explicit Pack(double value) : lanes(value - Doubles{}) {}
+  [[gnu::always_inline]] explicit Pack(double value) : lanes(pack_detail::all<W>(value)) {}
   [[gnu::always_inline]] explicit Pack(const Doubles& values) : lanes(values) {}
 
   [[gnu::always_inline]] static Pack load(const double* from) {
