@@ -37,14 +37,27 @@ struct ChainTask {
   std::vector<double> values;
 };
 
-/// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.
-/// Of angles by kRotation the one in (-π, π], without its offset. \param modes    of the groups: +1 or -1
-/// \param watches  of the groups: the result for all rows
-void fill_chain_rows(const Plan& plan, std::span<const double> modes, const ChainSchedule& schedule,
-                     ChainRates rates, std::span<ChainTask> tasks, std::size_t bodies,
-                     std::span<ChainWatch<double>> watches);
+/// What there is room for.
+inline constexpr std::size_t kMostChainBodies = 64;
+inline constexpr std::size_t kMostChainGroups = 64;
 
-/// What the loop has room for.
-[[nodiscard]] bool chain_fits_packs(std::size_t bodies, std::size_t groups);
+/// All rows of a chain.
+struct ChainRowsJob {
+  const Plan& plan;
+  std::span<const double> modes;  ///< of the groups: +1 or -1
+  const ChainSchedule& schedule;
+  ChainRates rates;
+  std::size_t bodies;  ///< so many, with ground
+  std::span<ChainTask> tasks;
+  std::span<ChainWatch<double>> watches;  ///< of the groups: the result for all rows
+};
+
+/// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.
+/// Of angles by kRotation the one in (-π, π], without its offset. By the widest packs that the machine has.
+void fill_chain_rows(const ChainRowsJob& job);
+
+/// In packs of 4 and 8, where the machine has AVX2, and AVX-512F, DQ and VL.
+void fill_by_4(const ChainRowsJob& job);
+void fill_by_8(const ChainRowsJob& job);
 
 }  // namespace higherpair

@@ -39,7 +39,8 @@ bool is_chain(const Mechanism& mechanism, const Plan& plan) {
     }
     dyads += traits_of(group).two_modes ? 1 : 0;
   }
-  return dyads <= kMostDyads && chain_fits_packs(mechanism.bodies.size(), plan.groups.size());
+  return dyads <= kMostDyads && mechanism.bodies.size() <= kMostChainBodies &&
+         plan.groups.size() <= kMostChainGroups;
 }
 
 ChainRates rates_for(const std::vector<ChainColumn>& columns) {
@@ -307,8 +308,8 @@ bool DyadChain::solve(const Mechanism& mechanism) {
       task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
     }
   }
-  fill_chain_rows(own.plan, own.best_modes, own.schedule, own.rates, own.tasks, own.bodies.size(),
-                  own.watches);
+  fill_chain_rows(
+      {own.plan, own.best_modes, own.schedule, own.rates, own.bodies.size(), own.tasks, own.watches});
   if (!stays_on_branches(own.plan, own.watches, own.step, own.bounds)) {
     return false;
   }
