@@ -46,9 +46,11 @@ public:
         variables_(data.task.plan.variables.size()),
         numbers_(data.paths.size()) {
     if (!data.writes_rows()) measures_.emplace(data.measures, data.run_columns);
+    if (data.chain) chain_ = ChainVariants::of(*data.chain);
   }
 
-  [[nodiscard]] Result<Model> model(std::int64_t variant) {
+  /// The values of all paths.
+  [[nodiscard]] const std::vector<double>& numbers(std::int64_t variant) {
     data_.variants.values(variant, variables_);
     std::size_t next = 0;
     for (std::size_t i = 0; i < variables_.size(); ++i) {
@@ -56,12 +58,19 @@ public:
         numbers_[next++] = variables_[i];
       }
     }
-    return models_.with(numbers_);
+    return numbers_;
   }
+
+  [[nodiscard]] Result<Model> model(std::int64_t variant) { return models_.with(numbers(variant)); }
+  [[nodiscard]] ModelVariants& models() { return models_; }
 
   /// Its rows appended to the block; false where it was stopped.
   [[nodiscard]] bool add(std::int64_t variant, SweepBlock& block) {
     variant_ = variant;
+    if (chain_ && chain_->solve(numbers(variant))) {
+      add_proven(block);
+      return data_.run.stop == nullptr || !data_.run.stop->load();
+    }
     const Result<Model> made = model(variant);
     auto analysis = made ? made->start(data_.run) : Result<Analysis>(tl::unexpected(made.error()));
     if (!analysis) {
@@ -127,16 +136,25 @@ private:
       }
     }
     begin_row(block);
-    put_results(block);
+    put_results(block, [&](std::size_t i) { return measures_->value(i); });
     if (data_.task.counts) {
       put_counts(counts, analysis.events(), block);
     }
     end_row(static_cast<int>(worst), analysis.good() ? "" : cause_of(analysis, worst, worst_at), block);
   }
 
-  void put_results(SweepBlock& block) const {
-    for (std::size_t i = 0; i < measures_->size(); ++i) {
-      const Measured measured = measures_->value(i);
+  // A variant of which it is known that all is well.
+  void add_proven(SweepBlock& block) {
+    begin_row(block);
+    put_results(block, [&](std::size_t i) { return chain_->value(i, data_.task.results[i].where); });
+    end_row(static_cast<int>(RowStatus::kOk), "", block);
+    ++block.good;
+  }
+
+  template <class Value>
+  void put_results(SweepBlock& block, const Value& value) const {
+    for (std::size_t i = 0; i < data_.task.results.size(); ++i) {
+      const Measured measured = value(i);
       block.values.push_back(std::isfinite(measured.value) ? measured.value : kUndefined);
       if (data_.task.results[i].where) block.values.push_back(measured.where);
     }
@@ -165,6 +183,7 @@ private:
   const Sweep::Data& data_;
   ModelVariants models_;
   std::optional<MeasureSet> measures_;  // where results are written
+  std::optional<ChainVariants> chain_;  // where there is a recipe
   std::vector<double> variables_;
   std::vector<double> numbers_;  // the same, one for each path
   Row row_;
@@ -186,6 +205,21 @@ SweepForecast forecast_of(const Sweep::Data& data) {
     }
   }
   return forecast;
+}
+
+// Events are not known to a chain, nor what every row is.
+std::optional<ChainRecipe> chain_of(const Sweep::Data& data) {
+  constexpr std::int64_t kTries = 5;
+  if (data.writes_rows() || data.task.counts) {
+    return std::nullopt;
+  }
+  Worker worker(data);
+  const std::int64_t size = data.end - data.begin;
+  std::vector<std::vector<double>> tries;
+  for (std::int64_t k = 0; k < std::min(size, kTries); ++k) {
+    tries.push_back(worker.numbers(data.begin + cut(size, k, kTries)));
+  }
+  return ChainRecipe::of(data.model, data.paths, data.run, data.measures, worker.models(), tries);
 }
 
 Result<void> check(const Model& model, const SweepSettings& settings) {
@@ -222,6 +256,7 @@ Result<Sweep> Sweep::of(const Model& model, const SweepSettings& settings) {
                                                   "variant {}: {}",
                                                   forecast.tried, forecast.variant, forecast.cause)}}});
   }
+  data->chain = chain_of(*data);
   return Sweep(std::make_shared<const Data>(*std::move(data)));
 }
 

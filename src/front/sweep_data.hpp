@@ -1,8 +1,10 @@
 #pragma once
 
+#include "chain_variants.hpp"
 #include "higherpair/front/sweep.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,7 @@ struct Sweep::Data {
   std::int64_t end = 0;                ///< behind the last
   std::int64_t block_variants = 1;
   SweepForecast forecast;
+  std::optional<ChainRecipe> chain;  ///< where most variants need not be read and run
 
   [[nodiscard]] bool writes_rows() const { return !task.rows.empty(); }
 };

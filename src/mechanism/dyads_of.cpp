@@ -80,7 +80,7 @@ RprDyad link_with_line(const Mechanism& mechanism, const Joint& pin, int link, c
 
 }  // namespace
 
-std::optional<OuterJoints> sort_joints(const Mechanism& mechanism, const std::vector<int>& joints, int a,
+std::optional<OuterJoints> sort_joints(const Mechanism& mechanism, std::span<const int> joints, int a,
                                        int b) {
   OuterJoints sorted{-1, -1, -1};
   for (const int index : joints) {

@@ -3,6 +3,7 @@
 #include "joint_ends.hpp"
 
 #include <optional>
+#include <span>
 
 // The closed-form groups of a plan from the joints of their bodies.
 
@@ -17,8 +18,8 @@ struct OuterJoints {
 
 /// None where they are not one of each.
 /// \param joints  indices of Mechanism::joints
-[[nodiscard]] std::optional<OuterJoints> sort_joints(const Mechanism& mechanism,
-                                                     const std::vector<int>& joints, int a, int b);
+[[nodiscard]] std::optional<OuterJoints> sort_joints(const Mechanism& mechanism, std::span<const int> joints,
+                                                     int a, int b);
 
 /// A body on a pin and a slot: the slot is on the known body, or on the body itself. None where the point in
 /// the slot is the pin.

@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
+#include "higherpair/mechanism/redimension.hpp"
 #include "recognise.hpp"
 #include "structure.hpp"
 
@@ -200,6 +201,17 @@ Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   }
   fill_in(other, mechanism, sets);
   return other;
+}
+
+void redimension_groups(Plan& plan, const Mechanism& mechanism) {
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    Group& group = plan.groups[g];
+    group.kind = kind_of(mechanism, {group.bodies, group.joints, group.contacts, group.drivers},
+                         std::span(plan.groups).first(g));
+    if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
+      dyad->size = plan.size;
+    }
+  }
 }
 
 }  // namespace higherpair

@@ -13,7 +13,7 @@ bool is_grounded(const Joint& joint) {
 }
 
 // The driver that moves a body against ground, if one does.
-std::optional<int> grounded_driver(const std::vector<Group>& before, int body) {
+std::optional<int> grounded_driver(std::span<const Group> before, int body) {
   for (const Group& group : before) {
     const auto* driven = std::get_if<DrivenBody>(&group.kind);
     if (driven != nullptr && driven->carried.body == body && driven->carried.carrier == 0) {
@@ -23,8 +23,8 @@ std::optional<int> grounded_driver(const std::vector<Group>& before, int body) {
   return std::nullopt;
 }
 
-std::optional<GroupKind> tracked_pair(const Mechanism& mechanism, const BodySet& set,
-                                      const std::vector<Group>& before) {
+std::optional<GroupKind> tracked_pair(const Mechanism& mechanism, const GroupItems& set,
+                                      std::span<const Group> before) {
   const int body = set.bodies.front();
   const Contact& contact = mechanism.contacts[static_cast<std::size_t>(set.contacts.front())];
   TrackedPair tracked;
@@ -47,8 +47,8 @@ std::optional<GroupKind> tracked_pair(const Mechanism& mechanism, const BodySet&
   return tracked;
 }
 
-std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const BodySet& set,
-                                       const std::vector<Group>& before) {
+std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const GroupItems& set,
+                                       std::span<const Group> before) {
   const int body = set.bodies.front();
   if (set.joints.size() == 2 && set.contacts.empty() && set.drivers.empty()) {
     const Joint& one = joint_of(mechanism, set.joints[0]);
@@ -90,7 +90,7 @@ std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const BodySet
                       contact.second.body == body};
 }
 
-std::optional<GroupKind> recognise_geared(const Mechanism& mechanism, const BodySet& set) {
+std::optional<GroupKind> recognise_geared(const Mechanism& mechanism, const GroupItems& set) {
   if (set.bodies.size() != 1 || set.joints.size() != 2 || !set.contacts.empty() || !set.drivers.empty()) {
     return std::nullopt;
   }
@@ -104,7 +104,7 @@ std::optional<GroupKind> recognise_geared(const Mechanism& mechanism, const Body
   return GearedBody{known_end(mechanism, pin, body), body, point_of(mechanism, end_on(pin, body)), gears};
 }
 
-std::optional<GroupKind> recognise_two(const Mechanism& mechanism, const BodySet& set) {
+std::optional<GroupKind> recognise_two(const Mechanism& mechanism, const GroupItems& set) {
   if (set.joints.size() != 3 || !set.contacts.empty() || !set.drivers.empty()) {
     return std::nullopt;
   }
@@ -168,23 +168,24 @@ std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body)
   return freedom;
 }
 
-Group recognise(const Mechanism& mechanism, const BodySet& set, const std::vector<Group>& before) {
-  Group group{set.bodies, set.joints, set.contacts, set.drivers, CoupledBodies{}};
+GroupKind kind_of(const Mechanism& mechanism, const GroupItems& items, std::span<const Group> before) {
   std::optional<GroupKind> kind;
-  const bool geared = std::any_of(set.joints.begin(), set.joints.end(), [&](int joint) {
+  const bool geared = std::any_of(items.joints.begin(), items.joints.end(), [&](int joint) {
     return couples_turning(joint_of(mechanism, joint).type);
   });
   if (geared) {
-    kind = recognise_geared(mechanism, set);
-  } else if (set.bodies.size() == 1) {
-    kind = recognise_one(mechanism, set, before);
-  } else if (set.bodies.size() == 2) {
-    kind = recognise_two(mechanism, set);
+    kind = recognise_geared(mechanism, items);
+  } else if (items.bodies.size() == 1) {
+    kind = recognise_one(mechanism, items, before);
+  } else if (items.bodies.size() == 2) {
+    kind = recognise_two(mechanism, items);
   }
-  if (kind) {
-    group.kind = *std::move(kind);
-  }
-  return group;
+  return kind ? *std::move(kind) : GroupKind(CoupledBodies{});
+}
+
+Group recognise(const Mechanism& mechanism, const BodySet& set, const std::vector<Group>& before) {
+  const GroupItems items{set.bodies, set.joints, set.contacts, set.drivers};
+  return {set.bodies, set.joints, set.contacts, set.drivers, kind_of(mechanism, items, before)};
 }
 
 }  // namespace higherpair

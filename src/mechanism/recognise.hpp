@@ -3,9 +3,23 @@
 #include "higherpair/mechanism/plan.hpp"
 #include "structure.hpp"
 
+#include <span>
 #include <vector>
 
 namespace higherpair {
+
+/// What a group consists of.
+struct GroupItems {
+  std::span<const int> bodies;
+  std::span<const int> joints;
+  std::span<const int> contacts;
+  std::span<const int> drivers;
+};
+
+/// The closed form that places a group's bodies, given the groups before it; CoupledBodies where there is
+/// none.
+[[nodiscard]] GroupKind kind_of(const Mechanism& mechanism, const GroupItems& items,
+                                std::span<const Group> before);
 
 /// Finds the closed-form group that a set of bodies is, given those before it; coupled bodies where it is
 /// none.

@@ -8,6 +8,7 @@
 #include "higherpair/linkage/four_bar.hpp"
 #include "laws.hpp"
 #include "linkages.hpp"
+#include "variants.hpp"
 
 #include <algorithm>
 #include <array>
@@ -217,6 +218,44 @@ void register_plan(const std::string& name, const Run& start, double floor) {
   add("plan_with_forces/" + name, [=](benchmark::State& state) { measure(state, true); });
 }
 
+// The fastest of many variants by hand [ns].
+double measure_variant_floor(const DriverTable& driver) {
+  double best = INFINITY;
+  for (int turn = 0; turn < 2000; ++turn) {
+    const auto start = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize(variant_by_hand({1, 2 + 1e-9 * turn, 3.5, 4, 2, 1}, driver, 10));
+    best = std::min(best, nanoseconds_since(start));
+  }
+  return best;
+}
+
+// Block after block of a sweep; an iteration is one variant.
+void register_variants(const std::vector<VariantCase>& cases) {
+  const DriverTable driver = driver_table();
+  const double floor = measure_variant_floor(driver);
+  add("variant/by_hand (its floor)", [=](benchmark::State& state) {
+    double crank = 2;
+    for (auto _ : state) {
+      benchmark::DoNotOptimize(variant_by_hand({1, crank += 1e-9, 3.5, 4, 2, 1}, driver, 10));
+    }
+    state.counters["variant_floors"] = 1;
+  });
+  for (const VariantCase& one : cases) {
+    add("variant/" + one.name, [=](benchmark::State& state) {
+      const Sweep& sweep = one.sweep;
+      double best = INFINITY;
+      std::int64_t block = 0;
+      const std::int64_t variants = sweep.variants_of(0);
+      while (state.KeepRunningBatch(variants)) {
+        const auto start = std::chrono::steady_clock::now();
+        benchmark::DoNotOptimize(sweep.block(block++ % (sweep.blocks() - 1)).values.data());
+        best = std::min(best, nanoseconds_since(start) / static_cast<double>(variants));
+      }
+      state.counters["variant_floors"] = best / floor;
+    });
+  }
+}
+
 // Returns the exit code.
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
@@ -233,6 +272,7 @@ int run(int argc, char** argv) {
   const LinkageCase<FourBarByHand> four_bar = checked_four_bar();
   const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
   const std::vector<LawCase> laws = checked_laws();
+  const std::vector<VariantCase> variants = checked_variants();
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -244,6 +284,7 @@ int run(int argc, char** argv) {
   register_laws(laws, floor);
   register_plan("four_bar", four_bar.run, floor);
   register_plan("watt_sixbar", watt.run, floor);
+  register_variants(variants);
   for (const Case& reference : cases) {
     register_tracking(reference, floor);
   }

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "higherpair/analysis/state.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// A number of a body, or of one of its points, in every row of a run; SI units, ground frame.
+struct ChainColumn {
+  enum class Quantity { kX, kY, kAngle, kVx, kVy, kOmega, kAx, kAy, kAlpha };
+  int body = 0;
+  std::optional<int> point;  ///< of Body::points; none: the frame's origin
+  Quantity quantity = Quantity::kX;
+};
+
+/// The rows of linkages that differ in dimensions alone, of each at once: for many variants of one mechanism.
+///
+/// A linkage of one driver on ground and of dyads (RRR, RRP, RPR), each hanging on bodies before it, has its
+/// rows in closed form once the mode of every dyad is known. A Run follows the motion to know that the modes
+/// stay. Here that is proven: from the rows and from bounds of the second derivatives between them no dyad
+/// comes near a limit. Where it cannot be proven there is no answer, and a Run has to be asked.
+///
+/// One thread at a time. solve() allocates only where two assemblies are as near to the poses as each other.
+class DyadChain {
+public:
+  /// None where the mechanism is no such linkage: more or other groups, several drivers, ends of slides,
+  /// contacts, surplus conditions.
+  /// \param rows  the driver in every row, as move_to() would be told
+  [[nodiscard]] static std::optional<DyadChain> of(const Mechanism& mechanism, const Plan& plan,
+                                                   std::span<const DriverMotion> rows,
+                                                   std::vector<ChainColumn> columns);
+  DyadChain(DyadChain&& other) noexcept;
+  DyadChain& operator=(DyadChain&& other) noexcept;
+  ~DyadChain();
+
+  /// Works out the columns. True only where a Run, started at the first row and moved to one after the other,
+  /// would have given every row as `ok`, with no event but ends of strokes, at a tolerance of 1e-9 or above;
+  /// its numbers are the same to within rounding.
+  /// \param mechanism  the one of of() with other coordinates of points
+  [[nodiscard]] bool solve(const Mechanism& mechanism);
+
+  /// Of each row, of the last solve().
+  [[nodiscard]] std::span<const double> values(std::size_t column) const;
+
+private:
+  struct Impl;
+  explicit DyadChain(std::unique_ptr<Impl> impl);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace higherpair

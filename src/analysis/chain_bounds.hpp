@@ -1,0 +1,31 @@
+#pragma once
+
+#include "chain_kernel.hpp"
+
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// How fast a body moves at most for a unit velocity of the driver.
+struct MotionBound {
+  Vector2d p_B = Vector2d::Zero();  ///< a point of it
+  double speed = 0;                 ///< of this point
+  double acceleration = 0;
+  double omega = 0;
+  double alpha = 0;
+};
+
+/// Whether between positions of the driver no group of a chain comes near a limit or a crossing of branches,
+/// so that the solution in the modes of the first position is the one to which the motion leads.
+///
+/// What must not reach its limit is known at every position (`watches`). Between two of them, `step` apart, a
+/// function f is off its chord by no more than step²/8 max |f″|. Here |f″| is bounded from lengths and from
+/// bounds of the rates of the bodies before, group by group; once the group is known to stay away from its
+/// limit, its own rates are bounded too.
+/// \param watches  of Plan::groups
+/// \param bounds   of the bodies; the result where it is true
+[[nodiscard]] bool stays_on_branches(const Plan& plan, std::span<const ChainWatch<double>> watches,
+                                     double step, std::vector<MotionBound>& bounds);
+
+}  // namespace higherpair

@@ -1,0 +1,275 @@
+#pragma once
+
+#include "higherpair/linkage/rpr_dyad.hpp"
+#include "higherpair/linkage/rrp_dyad.hpp"
+#include "higherpair/linkage/rrr_dyad.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <limits>
+
+// The closed forms of a plan's groups on one position (T = double) or on several at once (T = Pack): the same
+// kernels that a Run uses, without a branch. Rates are those for a unit velocity of the driver.
+
+namespace higherpair {
+
+/// How many derivatives are worked out.
+enum class ChainRates { kNone, kVelocities, kAccelerations };
+
+template <class T>
+struct ChainPoint {
+  Vector2<T> p_W, v_W, a_W;
+};
+
+template <class T>
+struct ChainBody {
+  Rotation<T> R_WB;
+  Vector2<T> p_WB = Vector2<T>(T(0), T(0));
+  Vector2<T> v_WB = Vector2<T>(T(0), T(0));
+  Vector2<T> a_WB = Vector2<T>(T(0), T(0));
+  T omega{0};
+  T alpha{0};
+};
+
+/// What the proof that no branch was left looks at, over all positions of a group.
+template <class T>
+struct ChainWatch {
+  /// Largest |cos| of the angle between the links of an RRR dyad, or |sin| of that between link and line of
+  /// an RRP dyad, above 1 where it cannot be put together; largest -s² of an RPR dyad.
+  T margin{-std::numeric_limits<double>::infinity()};
+  T sum{0};   ///< of these: keeps what is not a number, which a largest value may lose
+  T far2{0};  ///< largest squared distance of the two known points
+
+  void note(const T& value) {
+    using std::max;
+    margin = max(margin, value);
+    sum = sum + value;
+  }
+};
+
+/// Where the driver stands.
+template <class T>
+struct ChainDriver {
+  T position{0};     ///< [rad or m]
+  Rotation<T> turn;  ///< the rotation by it
+};
+
+template <class T>
+[[nodiscard]] inline Vector2<T> all_lanes(const Vector2d& v) {
+  return Vector2<T>(T(v.x()), T(v.y()));
+}
+
+template <class T>
+[[nodiscard]] inline Rotation<T> all_lanes(const Rotation<double>& R) {
+  return {T(R.cos), T(R.sin)};
+}
+
+template <ChainRates kRates, class T>
+[[nodiscard]] inline ChainPoint<T> chain_point(const ChainBody<T>& body, const Vector2d& p_B) {
+  const Vector2<T> r = body.R_WB * all_lanes<T>(p_B);
+  ChainPoint<T> point;
+  point.p_W = Vector2<T>(body.p_WB.x() + r.x(), body.p_WB.y() + r.y());
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    point.v_W = Vector2<T>(body.v_WB.x() - body.omega * r.y(), body.v_WB.y() + body.omega * r.x());
+  }
+  if constexpr (kRates >= ChainRates::kAccelerations) {
+    const T square = body.omega * body.omega;
+    point.a_W = Vector2<T>(body.a_WB.x() - body.alpha * r.y() - square * r.x(),
+                           body.a_WB.y() + body.alpha * r.x() - square * r.y());
+  }
+  return point;
+}
+
+// A body whose point p_B moves as `point`.
+template <ChainRates kRates, class T>
+inline void hang(ChainBody<T>& body, const ChainPoint<T>& point, const Vector2d& p_B) {
+  const Vector2<T> r = body.R_WB * all_lanes<T>(Vector2d(-p_B));
+  body.p_WB = Vector2<T>(point.p_W.x() + r.x(), point.p_W.y() + r.y());
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    body.v_WB = Vector2<T>(point.v_W.x() - body.omega * r.y(), point.v_W.y() + body.omega * r.x());
+  }
+  if constexpr (kRates >= ChainRates::kAccelerations) {
+    const T square = body.omega * body.omega;
+    body.a_WB = Vector2<T>(point.a_W.x() - body.alpha * r.y() - square * r.x(),
+                           point.a_W.y() + body.alpha * r.x() - square * r.y());
+  }
+}
+
+template <ChainRates kRates, class T>
+inline void solve_group(const DrivenBody& driven, const ChainDriver<T>& driver, ChainBody<T>* bodies) {
+  const CarriedBody& carried = driven.carried;
+  const OneFreedom& freedom = carried.freedom;
+  ChainBody<T>& body = bodies[carried.body];
+  const T sign(carried.sign);
+  ChainPoint<T> joint{all_lanes<T>(freedom.p_WO), Vector2<T>(T(0), T(0)), Vector2<T>(T(0), T(0))};
+  if (freedom.turns) {
+    body.R_WB = {driver.turn.cos, sign * driver.turn.sin};
+    body.omega = sign;
+  } else {
+    body.R_WB = all_lanes<T>(freedom.R_WB);
+    const Vector2<T> along = all_lanes<T>(freedom.direction_W);
+    const T q = sign * driver.position;
+    joint.p_W = Vector2<T>(joint.p_W.x() + q * along.x(), joint.p_W.y() + q * along.y());
+    joint.v_W = Vector2<T>(sign * along.x(), sign * along.y());
+    body.omega = T(0);
+  }
+  body.alpha = T(0);
+  hang<kRates>(body, joint, freedom.p_BO);
+}
+
+template <ChainRates kRates, class T>
+inline void ride(const Rider& rider, const ChainPoint<T>& point, ChainBody<T>* bodies) {
+  const ChainBody<T>& carrier = bodies[rider.carrier];
+  ChainBody<T>& body = bodies[rider.body];
+  body.R_WB = carrier.R_WB * all_lanes<T>(rider.relative);
+  body.omega = carrier.omega;
+  body.alpha = carrier.alpha;
+  hang<kRates>(body, point, rider.p_B);
+}
+
+template <class T>
+[[nodiscard]] inline CosineLine<T> all_lanes(const CosineLine<double>& line) {
+  return {T(line.at_0), T(line.at_mid), T(line.at_pi), T(line.half_swing)};
+}
+
+template <ChainRates kRates, class T>
+inline void solve_group(const RrrDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
+  const ChainPoint<T> A = chain_point<kRates>(bodies[dyad.A.body], dyad.A.p_B);
+  const ChainPoint<T> B = chain_point<kRates>(bodies[dyad.B.body], dyad.B.p_B);
+  const Vector2<T> D(B.p_W.x() - A.p_W.x(), B.p_W.y() - A.p_W.y());
+  const T length_a(dyad.length_a);
+  const T length_b(dyad.length_b);
+  Reach<T> reach;
+  if (dyad.loop) {
+    const Rotation<T> arm = bodies[dyad.arm.body].R_WB * all_lanes<T>(dyad.arm.u_B);
+    const Rotation<T> ground = bodies[dyad.ground.body].R_WB * all_lanes<T>(dyad.ground.u_B);
+    reach = reach_at(all_lanes<T>(dyad.loop->stretch), all_lanes<T>(dyad.loop->fold), arm * ground.inverse());
+  } else {
+    reach = rrr_reach(D, length_a, length_b, T(0));
+  }
+  const RrrPosition<T> position = rrr_position(D, length_a, length_b, reach, T(mode));
+  watch.note(T(1) - reach.slack() / T(2 * dyad.length_a * dyad.length_b));
+  ChainBody<T>& a = bodies[dyad.link_a];
+  ChainBody<T>& b = bodies[dyad.link_b];
+  a.R_WB = position.u_a * all_lanes<T>(dyad.along_a.inverse());
+  b.R_WB = position.u_b * all_lanes<T>(dyad.along_b.inverse());
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    const Vector2<T> D_dot(B.v_W.x() - A.v_W.x(), B.v_W.y() - A.v_W.y());
+    Vector2<T> D_ddot(T(0), T(0));
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      D_ddot = Vector2<T>(B.a_W.x() - A.a_W.x(), B.a_W.y() - A.a_W.y());
+    }
+    const RrrRates<T> rates = rrr_rates(position, length_a, length_b, D_dot, D_ddot);
+    a.omega = rates.omega_a;
+    b.omega = rates.omega_b;
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      a.alpha = rates.alpha_a;
+      b.alpha = rates.alpha_b;
+    }
+  }
+  hang<kRates>(a, A, dyad.a_pA);
+  hang<kRates>(b, B, dyad.b_pB);
+}
+
+// How A moves for one who rides on the line: see seen_from.
+template <ChainRates kRates, class T>
+[[nodiscard]] inline ChainPoint<T> seen_from_line(const Rotation<T>& u, const ChainBody<T>& carrier,
+                                                  const ChainPoint<T>& P, const ChainPoint<T>& A) {
+  const Rotation<T> R = u.inverse();
+  ChainPoint<T> seen;
+  seen.p_W = R * Vector2<T>(A.p_W.x() - P.p_W.x(), A.p_W.y() - P.p_W.y());
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    const Vector2<T> v = R * Vector2<T>(A.v_W.x() - P.v_W.x(), A.v_W.y() - P.v_W.y());
+    seen.v_W = Vector2<T>(v.x() + carrier.omega * seen.p_W.y(), v.y() - carrier.omega * seen.p_W.x());
+  }
+  if constexpr (kRates >= ChainRates::kAccelerations) {
+    const Vector2<T> a = R * Vector2<T>(A.a_W.x() - P.a_W.x(), A.a_W.y() - P.a_W.y());
+    const T square = carrier.omega * carrier.omega;
+    const T twice = T(2) * carrier.omega;
+    seen.a_W =
+        Vector2<T>(a.x() + carrier.alpha * seen.p_W.y() + square * seen.p_W.x() + twice * seen.v_W.y(),
+                   a.y() - carrier.alpha * seen.p_W.x() + square * seen.p_W.y() - twice * seen.v_W.x());
+  }
+  return seen;
+}
+
+template <ChainRates kRates, class T>
+inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
+  using std::max;
+  const ChainBody<T>& carrier = bodies[dyad.line.body];
+  const ChainPoint<T> A = chain_point<kRates>(bodies[dyad.A.body], dyad.A.p_B);
+  const ChainPoint<T> P = chain_point<kRates>(carrier, dyad.line.p_B);
+  const Rotation<T> u = carrier.R_WB * all_lanes<T>(dyad.line.u_B);
+  const ChainPoint<T> seen = seen_from_line<kRates>(u, carrier, P, A);
+  const T length(dyad.length);
+  const Reach<T> reach{length + seen.p_W.y(), length - seen.p_W.y(), T(0)};
+  const RrpPosition<T> position = rrp_position(seen.p_W.x(), length, reach, T(mode));
+  watch.note(T(1) - reach.slack() / length);
+  watch.far2 = max(watch.far2, seen.p_W.x() * seen.p_W.x() + seen.p_W.y() * seen.p_W.y());
+  ChainBody<T>& link = bodies[dyad.link];
+  link.R_WB = u * position.u_leg * all_lanes<T>(dyad.along.inverse());
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    const Vector2<T> a = kRates >= ChainRates::kAccelerations ? seen.a_W : Vector2<T>(T(0), T(0));
+    const RrpRates<T> rates = rrp_rates(position, length, seen.v_W, a);
+    link.omega = carrier.omega + rates.omega_leg;
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      link.alpha = carrier.alpha + rates.alpha_leg;
+    }
+  }
+  hang<kRates>(link, A, dyad.pA);
+  if (dyad.slider) {
+    ride<kRates>(*dyad.slider, chain_point<kRates>(link, dyad.pC), bodies);
+  }
+}
+
+/// The offset of the line of an RPR dyad from its pin A, both on the link.
+[[nodiscard]] inline double offset_of(const RprDyad& dyad) {
+  return cross(Vector2d(dyad.line.u_B.cos, dyad.line.u_B.sin), Vector2d(dyad.line.p_B - dyad.pA));
+}
+
+template <ChainRates kRates, class T>
+inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
+  using std::max;
+  const ChainPoint<T> A = chain_point<kRates>(bodies[dyad.A.body], dyad.A.p_B);
+  const ChainPoint<T> B = chain_point<kRates>(bodies[dyad.B.body], dyad.B.p_B);
+  const Vector2<T> D(B.p_W.x() - A.p_W.x(), B.p_W.y() - A.p_W.y());
+  const T offset(offset_of(dyad));
+  const Reach<T> reach = rpr_reach(D, offset, T(0));
+  const RprPosition<T> position = rpr_position(D, offset, reach, T(mode));
+  watch.note(-reach.fold);
+  watch.far2 = max(watch.far2, D.x() * D.x() + D.y() * D.y());
+  ChainBody<T>& link = bodies[dyad.link];
+  link.R_WB = position.u * all_lanes<T>(dyad.line.u_B.inverse());
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    const Vector2<T> D_dot(B.v_W.x() - A.v_W.x(), B.v_W.y() - A.v_W.y());
+    Vector2<T> D_ddot(T(0), T(0));
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      D_ddot = Vector2<T>(B.a_W.x() - A.a_W.x(), B.a_W.y() - A.a_W.y());
+    }
+    const RprRates<T> rates = rpr_rates(position, offset, D_dot, D_ddot);
+    link.omega = rates.omega;
+    if constexpr (kRates >= ChainRates::kAccelerations) {
+      link.alpha = rates.alpha;
+    }
+  }
+  hang<kRates>(link, A, dyad.pA);
+  if (dyad.slider) {
+    ride<kRates>(*dyad.slider, B, bodies);
+  }
+}
+
+/// Places the bodies of a group. \pre it is one of these kinds
+template <ChainRates kRates, class T>
+inline void solve_group(const Group& group, double mode, const ChainDriver<T>& driver, ChainBody<T>* bodies,
+                        ChainWatch<T>& watch) {
+  if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
+    solve_group<kRates>(*rrr, mode, bodies, watch);
+  } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
+    solve_group<kRates>(*rrp, mode, bodies, watch);
+  } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
+    solve_group<kRates>(*rpr, mode, bodies, watch);
+  } else if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
+    solve_group<kRates>(*driven, driver, bodies);
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,134 @@
+#pragma once
+
+#include "chain_rows.hpp"
+#include "numeric/arctangent.hpp"
+#include "numeric/pack.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+// The rows of a chain in packs of W. Each width is compiled by itself, for the instruction set that has such
+// registers; the numbers are the same to the last bit.
+
+namespace higherpair::chain_loop {
+
+using Quantity = ChainColumn::Quantity;
+
+// Room for so many of them at most, of which no more are made than are there: packs are large.
+template <class Item, std::size_t kMost>
+class Room {
+public:
+  explicit Room(std::size_t count) { std::uninitialized_default_construct_n(data(), count); }
+
+  [[nodiscard]] Item* data() { return reinterpret_cast<Item*>(bytes_.data()); }
+  [[nodiscard]] Item& operator[](std::size_t i) { return data()[i]; }
+
+private:
+  static_assert(std::is_trivially_destructible_v<Item>);
+  alignas(Item) std::array<std::byte, kMost * sizeof(Item)> bytes_;
+};
+
+// The driver's velocity and acceleration in the rows: rates are those for a unit velocity times these.
+template <class T>
+struct RowRates {
+  T velocity, acceleration;
+
+  [[nodiscard]] T first(const T& unit) const { return velocity * unit; }
+  [[nodiscard]] T second(const T& unit_first, const T& unit_second) const {
+    return velocity * velocity * unit_second + acceleration * unit_first;
+  }
+};
+
+template <class T>
+[[nodiscard]] inline T angle_of_rows(const ChainAngle& angle, const T& position, const ChainBody<T>* bodies) {
+  if (angle.source == ChainAngle::Source::kRotation) {
+    const Rotation<T>& R = bodies[angle.body].R_WB;
+    return arctangent(R.sin, R.cos);
+  }
+  return T(angle.factor) * position + T(angle.offset);
+}
+
+template <ChainRates kRates, class T>
+[[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const RowRates<T>& rates,
+                                     const ChainBody<T>* bodies) {
+  const Quantity quantity = task.column.quantity;
+  const ChainBody<T>& body = bodies[task.column.body];
+  if (quantity == Quantity::kAngle) {
+    return angle_of_rows(task.angle, position, bodies);
+  }
+  if (quantity == Quantity::kOmega) {
+    return rates.first(body.omega);
+  }
+  if (quantity == Quantity::kAlpha) {
+    return rates.second(body.omega, body.alpha);
+  }
+  const ChainPoint<T> point = chain_point<kRates>(body, task.p_B);
+  if (quantity <= Quantity::kY) {
+    return quantity == Quantity::kX ? point.p_W.x() : point.p_W.y();
+  }
+  if constexpr (kRates >= ChainRates::kVelocities) {
+    if (quantity == Quantity::kVx || quantity == Quantity::kVy) {
+      return rates.first(quantity == Quantity::kVx ? point.v_W.x() : point.v_W.y());
+    }
+  }
+  if constexpr (kRates >= ChainRates::kAccelerations) {
+    return quantity == Quantity::kAx ? rates.second(point.v_W.x(), point.a_W.x())
+                                     : rates.second(point.v_W.y(), point.a_W.y());
+  }
+  return T(0);
+}
+
+template <ChainRates kRates, int W>
+inline void fill(const ChainRowsJob& job) {
+  using T = Pack<W>;
+  constexpr std::size_t kPacks = kChainRows / W;
+  const std::size_t bodies = job.bodies;
+  const std::size_t groups = job.plan.groups.size();
+  Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
+  Room<ChainWatch<T>, kMostChainGroups> watches(groups);
+  const ChainSchedule& schedule = job.schedule;
+  for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
+    std::array<ChainDriver<T>, kPacks> driver;
+    std::array<RowRates<T>, kPacks> rates;
+    for (std::size_t i = 0; i < kPacks; ++i) {
+      const std::size_t at = k + i * W;
+      driver[i] = {T::load(&schedule.position[at]),
+                   {T::load(&schedule.cosine[at]), T::load(&schedule.sine[at])}};
+      rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
+    }
+    for (std::size_t g = 0; g < groups; ++g) {
+      for (std::size_t i = 0; i < kPacks; ++i) {
+        solve_group<kRates>(job.plan.groups[g], job.modes[g], driver[i], room.data() + i * bodies,
+                            watches[g]);
+      }
+    }
+    for (ChainTask& task : job.tasks) {
+      for (std::size_t i = 0; i < kPacks; ++i) {
+        value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies)
+            .store(&task.values[k + i * W]);
+      }
+    }
+  }
+  for (std::size_t g = 0; g < groups; ++g) {
+    const double sum = sum_of_lanes(watches[g].sum);
+    job.watches[g] = {std::isnan(sum) ? sum : largest_lane(watches[g].margin), sum,
+                      largest_lane(watches[g].far2)};
+  }
+}
+
+template <int W>
+inline void fill(const ChainRowsJob& job) {
+  switch (job.rates) {
+    case ChainRates::kNone:
+      return fill<ChainRates::kNone, W>(job);
+    case ChainRates::kVelocities:
+      return fill<ChainRates::kVelocities, W>(job);
+    case ChainRates::kAccelerations:
+      return fill<ChainRates::kAccelerations, W>(job);
+  }
+}
+
+}  // namespace higherpair::chain_loop

@@ -1,0 +1,205 @@
+#include "chain_variants.hpp"
+
+#include "analysis_impl.hpp"
+#include "higherpair/mechanism/numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+using Quantity = ChainColumn::Quantity;
+
+constexpr double kLeastTolerance = 1e-9;  // of DyadChain
+
+struct NamedQuantity {
+  std::string_view name;
+  Quantity quantity;
+  Dimension dimension;
+};
+
+// As add_motion_columns names them. Points have no angle of their own.
+constexpr std::array<NamedQuantity, 9> kQuantities{
+    {{"x", Quantity::kX, dimension::kLength},
+     {"y", Quantity::kY, dimension::kLength},
+     {"vx", Quantity::kVx, dimension::kVelocity},
+     {"vy", Quantity::kVy, dimension::kVelocity},
+     {"ax", Quantity::kAx, dimension::kAcceleration},
+     {"ay", Quantity::kAy, dimension::kAcceleration},
+     {"angle", Quantity::kAngle, dimension::kAngle},
+     {"omega", Quantity::kOmega, dimension::kAngularVelocity},
+     {"alpha", Quantity::kAlpha, dimension::kAngularAcceleration}}};
+constexpr std::size_t kOfPoints = 6;  // the first so many
+
+std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::string_view path) {
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const std::string place = fmt::format("bodies.{}.points.{}.", body.name, body.points[p].name);
+      if (path.starts_with(place) && path.size() == place.size() + 1 &&
+          (path.back() == '0' || path.back() == '1')) {
+        return ChainRecipe::Target{b, p, path.back() - '0'};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Adds the column of this name unless it is there; its place.
+std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, std::string_view name,
+                                      ChainRecipe& recipe) {
+  const auto add = [&](ChainColumn column, const Dimension& dimension) {
+    for (std::size_t i = 0; i < recipe.columns.size(); ++i) {
+      const ChainColumn& other = recipe.columns[i];
+      if (other.body == column.body && other.point == column.point && other.quantity == column.quantity) {
+        return i;
+      }
+    }
+    recipe.columns.push_back(column);
+    recipe.scales.push_back(from_si(dimension, units));
+    return recipe.columns.size() - 1;
+  };
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    for (std::size_t k = 0; k < kQuantities.size(); ++k) {
+      const NamedQuantity& of = kQuantities[k];
+      if (name == fmt::format("{}.{}", body.name, of.name)) {
+        return add({static_cast<int>(b), std::nullopt, of.quantity}, of.dimension);
+      }
+      for (std::size_t p = 0; k < kOfPoints && p < body.points.size(); ++p) {
+        if (name == fmt::format("{}.{}.{}", body.name, body.points[p].name, of.name)) {
+          return add({static_cast<int>(b), static_cast<int>(p), of.quantity}, of.dimension);
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// The driver in the rows; false where something happens between two of them that is no straight way.
+bool take_rows(const DriverSchedule& schedule, bool in_time, ChainRecipe& recipe) {
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    if (!schedule.turning_points(k).empty() || !schedule.law_jumps(k).empty()) {
+      return false;
+    }
+    const DriverState state = schedule.state(k);
+    recipe.rows.push_back({state.si.position, state.si.velocity, state.si.acceleration});
+    recipe.where.push_back(in_time ? schedule.time(k) : state.profile.position);
+  }
+  return true;
+}
+
+bool set_numbers(const ChainRecipe& recipe, std::span<const double> numbers, Mechanism& mechanism) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const ChainRecipe::Target& target = recipe.targets[i];
+    const double value = recipe.to_si.apply(numbers[i]);
+    if (!(std::abs(value) <= kLargestQuantity)) {
+      return false;
+    }
+    mechanism.bodies[target.body].points[target.point].p_B[target.axis] = value;
+  }
+  return true;
+}
+
+std::vector<double> numbers_of(const Mechanism& mechanism) {
+  std::vector<double> numbers;
+  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
+  return numbers;
+}
+
+bool same_rows(const std::vector<DriverMotion>& a, const std::vector<DriverMotion>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DriverMotion& x, const DriverMotion& y) {
+    return x.position == y.position && x.velocity == y.velocity && x.acceleration == y.acceleration;
+  });
+}
+
+// Whether a variant that is read is what the recipe makes of its numbers. One that cannot be read says
+// nothing.
+bool agrees(const ChainRecipe& recipe, std::span<const double> numbers, const RunSettings& run,
+            ModelVariants& models) {
+  const Result<Model> read = models.with(numbers);
+  if (!read) {
+    return true;
+  }
+  Mechanism written = recipe.mechanism;
+  const auto schedule = schedule_of(read->data(), run);
+  ChainRecipe other;
+  return set_numbers(recipe, numbers, written) && numbers_of(written) == numbers_of(read->mechanism()) &&
+         schedule && take_rows(*schedule, run.in_time, other) && same_rows(recipe.rows, other.rows) &&
+         recipe.where == other.where;
+}
+
+}  // namespace
+
+std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const std::string> paths,
+                                           const RunSettings& run, std::vector<Measure> measures,
+                                           ModelVariants& models,
+                                           std::span<const std::vector<double>> tries) {
+  if (run.forces || run.jerk || run.derivatives || !(run.tolerance >= kLeastTolerance) ||
+      !model.data().plan || model.mechanism().drivers.size() != 1 || measures.empty()) {
+    return std::nullopt;
+  }
+  const Units units = run.units.value_or(model.units());
+  ChainRecipe recipe;
+  recipe.mechanism = model.mechanism();
+  recipe.plan = *model.data().plan;
+  recipe.to_si = higherpair::to_si(dimension::kLength, model.units());
+  recipe.measures = std::move(measures);
+  for (const std::string& path : paths) {
+    const auto target = target_of(recipe.mechanism, path);
+    if (!target) {
+      return std::nullopt;
+    }
+    recipe.targets.push_back(*target);
+  }
+  for (const Measure& measure : recipe.measures) {
+    const auto slot = add_column(recipe.mechanism, units, measure.column, recipe);
+    if (!slot) {
+      return std::nullopt;
+    }
+    recipe.slots.push_back(*slot);
+  }
+  const auto schedule = schedule_of(model.data(), run);
+  if (!schedule || units != model.units() || !take_rows(*schedule, run.in_time, recipe) ||
+      !DyadChain::of(recipe.mechanism, recipe.plan, recipe.rows, recipe.columns)) {
+    return std::nullopt;
+  }
+  const bool agreed = std::all_of(tries.begin(), tries.end(), [&](const std::vector<double>& numbers) {
+    return agrees(recipe, numbers, run, models);
+  });
+  return agreed ? std::optional(std::move(recipe)) : std::nullopt;
+}
+
+std::optional<ChainVariants> ChainVariants::of(const ChainRecipe& recipe) {
+  auto chain = DyadChain::of(recipe.mechanism, recipe.plan, recipe.rows, recipe.columns);
+  return chain ? std::optional(ChainVariants(recipe, *std::move(chain))) : std::nullopt;
+}
+
+bool ChainVariants::solve(std::span<const double> numbers) {
+  if (!set_numbers(*recipe_, numbers, mechanism_) || !chain_.solve(mechanism_)) {
+    return false;
+  }
+  // What overflows in the units of the table is undefined there.
+  for (std::size_t i = 0; i < recipe_->columns.size(); ++i) {
+    extremes_[i] = extremes_of(chain_.values(i));
+    if (!std::isfinite(recipe_->scales[i].apply(extremes_[i].low)) ||
+        !std::isfinite(recipe_->scales[i].apply(extremes_[i].high))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Measured ChainVariants::value(std::size_t measure, bool wants_where) const {
+  const std::size_t slot = recipe_->slots[measure];
+  const Series series{chain_.values(slot), extremes_[slot], recipe_->scales[slot], recipe_->where};
+  return measured(recipe_->measures[measure], series, wants_where);
+}
+
+}  // namespace higherpair

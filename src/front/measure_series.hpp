@@ -1,0 +1,29 @@
+#pragma once
+
+#include "higherpair/front/measure.hpp"
+#include "higherpair/io/units.hpp"
+
+#include <span>
+
+namespace higherpair {
+
+struct Extremes {
+  double low = 0;
+  double high = 0;
+};
+/// \pre there are values, all of them numbers
+[[nodiscard]] Extremes extremes_of(std::span<const double> values);
+
+/// A column of a whole run, defined in every row.
+struct Series {
+  std::span<const double> values;  ///< in SI units
+  Extremes extremes;               ///< of them
+  Scaling scale;                   ///< to the units of the run; its factor > 0
+  std::span<const double> where;   ///< of each row, as Measured::where
+};
+
+/// What MeasureSet says of these rows, digit by digit.
+/// \param wants_where  false: Measured::where may be left undefined
+[[nodiscard]] Measured measured(const Measure& measure, const Series& series, bool wants_where);
+
+}  // namespace higherpair

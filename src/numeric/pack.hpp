@@ -1,0 +1,157 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+// Several doubles at once, for the kernels that are templates over their scalar (geometry/scalar.hpp).
+// Every operation is the one on doubles in each lane, rounded in the same way: what a kernel gives for a pack
+// is bit for bit what it gives for its lanes, whatever their number, as long as nothing is contracted
+// (-ffp-contract=off).
+
+namespace higherpair {
+
+namespace pack_detail {
+
+// The attribute is lost where it depends on a template's argument.
+template <int W>
+struct Lanes;
+template <>
+struct Lanes<2> {
+  typedef double Doubles __attribute__((vector_size(2 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(2 * sizeof(double))));
+};
+template <>
+struct Lanes<4> {
+  typedef double Doubles __attribute__((vector_size(4 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(4 * sizeof(double))));
+};
+template <>
+struct Lanes<8> {
+  typedef double Doubles __attribute__((vector_size(8 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(8 * sizeof(double))));
+};
+
+// GCC fills lanes one by one in whatever way but this one.
+template <int W>
+[[gnu::always_inline]] inline typename Lanes<W>::Doubles all(double value) {
+  using Doubles = typename Lanes<W>::Doubles;
+#ifdef __clang__
+  return value - Doubles{};
+#else
+  return __builtin_shuffle(Doubles{value}, typename Lanes<W>::Bits{});
+#endif
+}
+
+}  // namespace pack_detail
+
+/// Which lanes of a pack something holds in: all bits or none.
+template <int W>
+struct PackMask {
+  typename pack_detail::Lanes<W>::Bits bits;
+};
+
+/// `W` doubles, 2, 4 or 8: as many as a register of the machine should have.
+template <int W>
+struct Pack {
+  using Doubles = typename pack_detail::Lanes<W>::Doubles;
+  using Bits = typename pack_detail::Lanes<W>::Bits;
+
+  Doubles lanes;
+
+  Pack() = default;
+  [[gnu::always_inline]] explicit Pack(double value) : lanes(pack_detail::all<W>(value)) {}
+  [[gnu::always_inline]] explicit Pack(const Doubles& values) : lanes(values) {}
+
+  [[gnu::always_inline]] static Pack load(const double* from) {
+    Pack pack;
+    std::memcpy(&pack.lanes, from, sizeof pack.lanes);
+    return pack;
+  }
+  [[gnu::always_inline]] void store(double* to) const { std::memcpy(to, &lanes, sizeof lanes); }
+};
+
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define HIGHERPAIR_PACK_OPERATOR(op)                                                      \
+  template <int W>                                                                        \
+  [[gnu::always_inline]] inline Pack<W> operator op(const Pack<W>& a, const Pack<W>& b) { \
+    return Pack<W>(typename Pack<W>::Doubles(a.lanes op b.lanes));                        \
+  }
+#define HIGHERPAIR_PACK_COMPARISON(op)                                                        \
+  template <int W>                                                                            \
+  [[gnu::always_inline]] inline PackMask<W> operator op(const Pack<W>& a, const Pack<W>& b) { \
+    return {a.lanes op b.lanes};                                                              \
+  }
+// NOLINTEND(bugprone-macro-parentheses)
+HIGHERPAIR_PACK_OPERATOR(+)
+HIGHERPAIR_PACK_OPERATOR(-)
+HIGHERPAIR_PACK_OPERATOR(*)
+HIGHERPAIR_PACK_OPERATOR(/)
+HIGHERPAIR_PACK_COMPARISON(<)
+HIGHERPAIR_PACK_COMPARISON(>)
+HIGHERPAIR_PACK_COMPARISON(<=)
+HIGHERPAIR_PACK_COMPARISON(>=)
+HIGHERPAIR_PACK_COMPARISON(==)
+#undef HIGHERPAIR_PACK_OPERATOR
+#undef HIGHERPAIR_PACK_COMPARISON
+
+template <int W>
+[[gnu::always_inline]] inline Pack<W> operator-(const Pack<W>& a) {
+  return Pack<W>(typename Pack<W>::Doubles(-a.lanes));
+}
+
+template <int W>
+[[gnu::always_inline]] inline Pack<W> select(const PackMask<W>& mask, const Pack<W>& a, const Pack<W>& b) {
+  return Pack<W>(typename Pack<W>::Doubles(mask.bits ? a.lanes : b.lanes));
+}
+
+template <int W>
+[[gnu::always_inline]] inline Pack<W> sqrt(const Pack<W>& a) {
+  typename Pack<W>::Doubles roots;
+  for (int i = 0; i < W; ++i) {
+    roots[i] = __builtin_sqrt(a.lanes[i]);
+  }
+  return Pack<W>(roots);
+}
+
+template <int W>
+[[gnu::always_inline]] inline Pack<W> abs(const Pack<W>& a) {
+  using Bits = typename Pack<W>::Bits;
+  return Pack<W>(
+      reinterpret_cast<typename Pack<W>::Doubles>(reinterpret_cast<Bits>(a.lanes) & 0x7fffffffffffffffLL));
+}
+
+/// `a` with the sign of `b`.
+template <int W>
+[[gnu::always_inline]] inline Pack<W> copysign(const Pack<W>& a, const Pack<W>& b) {
+  using Bits = typename Pack<W>::Bits;
+  constexpr long long kMagnitude = 0x7fffffffffffffffLL;
+  return Pack<W>(reinterpret_cast<typename Pack<W>::Doubles>(
+      (reinterpret_cast<Bits>(a.lanes) & kMagnitude) | (reinterpret_cast<Bits>(b.lanes) & ~kMagnitude)));
+}
+
+/// The larger of both; `b` where one of them is not a number.
+template <int W>
+[[gnu::always_inline]] inline Pack<W> max(const Pack<W>& a, const Pack<W>& b) {
+  return Pack<W>(typename Pack<W>::Doubles(a.lanes > b.lanes ? a.lanes : b.lanes));
+}
+
+template <int W>
+[[gnu::always_inline]] inline double sum_of_lanes(const Pack<W>& a) {
+  double sum = a.lanes[0];
+  for (int i = 1; i < W; ++i) {
+    sum += a.lanes[i];
+  }
+  return sum;
+}
+
+/// The largest lane; any of those that are not numbers is lost.
+template <int W>
+[[gnu::always_inline]] inline double largest_lane(const Pack<W>& a) {
+  double largest = a.lanes[0];
+  for (int i = 1; i < W; ++i) {
+    largest = a.lanes[i] > largest ? a.lanes[i] : largest;
+  }
+  return largest;
+}
+
+}  // namespace higherpair

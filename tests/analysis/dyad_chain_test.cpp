@@ -1,0 +1,239 @@
+// Rows of linkages in closed form: where they are proven they are those of a run that follows the motion.
+#include "higherpair/analysis/dyad_chain.hpp"
+
+#include "analysis/mechanism_builder.hpp"
+#include "analysis/random_mechanism.hpp"
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/mechanism/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace higherpair::testing {
+namespace {
+
+using Quantity = ChainColumn::Quantity;
+
+constexpr std::array kOfBodies = {Quantity::kX,  Quantity::kY,  Quantity::kAngle,
+                                  Quantity::kVx, Quantity::kVy, Quantity::kOmega,
+                                  Quantity::kAx, Quantity::kAy, Quantity::kAlpha};
+
+std::vector<DriverMotion> turn(double start, double way, std::size_t rows) {
+  std::vector<DriverMotion> drivers;
+  for (std::size_t k = 0; k < rows; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(rows - 1);
+    drivers.push_back({start + way * share, 1.7 - share, 0.6});
+  }
+  return drivers;
+}
+
+std::vector<ChainColumn> all_columns(const Mechanism& mechanism) {
+  std::vector<ChainColumn> columns;
+  for (int body = 1; body < static_cast<int>(mechanism.bodies.size()); ++body) {
+    for (const Quantity quantity : kOfBodies) {
+      columns.push_back({body, std::nullopt, quantity});
+    }
+    columns.push_back({body, 0, Quantity::kX});
+    columns.push_back({body, 0, Quantity::kVy});
+    columns.push_back({body, 0, Quantity::kAx});
+  }
+  return columns;
+}
+
+double number_of(const ChainColumn& column, const Mechanism& mechanism, const MotionRow& row) {
+  const auto body = static_cast<std::size_t>(column.body);
+  const Vector2d p_B = column.point
+                           ? mechanism.bodies[body].points[static_cast<std::size_t>(*column.point)].p_B
+                           : Vector2d(0, 0);
+  const PointMotion point = point_motion(row.bodies[body], p_B);
+  switch (column.quantity) {
+    case Quantity::kX:
+      return point.p_W.x();
+    case Quantity::kY:
+      return point.p_W.y();
+    case Quantity::kAngle:
+      return row.bodies[body].theta;
+    case Quantity::kVx:
+      return point.v_W.x();
+    case Quantity::kVy:
+      return point.v_W.y();
+    case Quantity::kOmega:
+      return row.bodies[body].omega;
+    case Quantity::kAx:
+      return point.a_W.x();
+    case Quantity::kAy:
+      return point.a_W.y();
+    case Quantity::kAlpha:
+      return row.bodies[body].alpha;
+  }
+  return NAN;
+}
+
+enum class Outcome { kNoChain, kNotProven, kProven };
+
+// Holds a chain against a run, row by row; what the run finds on the way must not be missed. Rates are
+// sharper than their rounding times the inverse of the smallest sine (0.02), thrice.
+Outcome compare(const Mechanism& mechanism, const std::vector<DriverMotion>& rows) {
+  const auto plan = make_plan(mechanism);
+  const auto columns = all_columns(mechanism);
+  auto chain = plan ? DyadChain::of(mechanism, *plan, rows, columns) : std::nullopt;
+  if (!chain) {
+    return Outcome::kNoChain;
+  }
+  if (!chain->solve(mechanism)) {
+    return Outcome::kNotProven;
+  }
+  auto run = start_run(make_run_model(mechanism, *plan), {rows.front().position});
+  EXPECT_TRUE(run.has_value());
+  for (std::size_t k = 0; run && k < rows.size(); ++k) {
+    move_to(*run, {rows[k]});
+    EXPECT_EQ(run->row.status, RowStatus::kOk) << "row " << k;
+    for (const RunEvent& event : run->events) {
+      EXPECT_EQ(event.type, EventType::kStrokeEnd) << "row " << k << ": " << event.cause;
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double expected = number_of(columns[i], mechanism, run->row);
+      const double scale = std::max({1.0, std::abs(expected), std::abs(run->row.bodies[1].omega)});
+      const double precision = columns[i].quantity >= Quantity::kAx   ? 1e-8
+                               : columns[i].quantity >= Quantity::kVx ? 1e-10
+                                                                      : 1e-12;
+      EXPECT_LE(std::abs(chain->values(i)[k] - expected), precision * scale)
+          << "row " << k << " of column " << i << ", body " << columns[i].body;
+    }
+    if (::testing::Test::HasFailure()) {
+      return Outcome::kProven;
+    }
+  }
+  return Outcome::kProven;
+}
+
+// A four-bar with pins at (0, 0) and (ground, 0), its crank along x.
+Mechanism four_bar(double ground, double crank, double coupler, double rocker) {
+  Builder b;
+  const int first = b.body("crank", {0, 0}, 0);
+  const double d = ground - crank;
+  const double x = (d * d + coupler * coupler - rocker * rocker) / (2 * d);
+  const Vector2d B(crank + x, std::sqrt(std::max(coupler * coupler - x * x, 0.0)));
+  const int second = b.body("coupler", {crank, 0}, 0.3);
+  const int third = b.body("rocker", {ground, 0}, -0.4);
+  b.drive(b.revolute(0, first, {0, 0}));
+  b.revolute(first, second, {crank, 0});
+  b.revolute(second, third, B);
+  b.revolute(third, 0, {ground, 0});
+  return b.mechanism;
+}
+
+TEST(DyadChain, ProvenRowsOfRandomLinkagesAreThoseOfARun) {
+  int proven = 0;
+  int refused = 0;
+  for (unsigned seed = 1; seed <= 1500 && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomMechanism random = RandomBuilder(seed, 4 + 2 * (seed % 3)).build();
+    const double way = seed % 2 == 0 ? 1.3 : -0.4;
+    const Outcome outcome = compare(random.mechanism, turn(random.start, way, 10 + seed % 40));
+    proven += outcome == Outcome::kProven ? 1 : 0;
+    refused += outcome == Outcome::kNotProven ? 1 : 0;
+  }
+  EXPECT_GT(proven, 150);
+  EXPECT_GT(refused, 150);
+}
+
+TEST(DyadChain, FourBarsOfRandomLengthsAreProvenWhereTheyTurnFully) {
+  Random random(7);
+  int proven = 0;
+  int cranks = 0;
+  for (int k = 0; k < 400 && !HasFailure(); ++k) {
+    SCOPED_TRACE("four-bar " + std::to_string(k));
+    const double ground = random.between(0.5, 3), crank = random.between(0.3, 2);
+    const double coupler = random.between(0.5, 3), rocker = random.between(0.5, 3);
+    const Mechanism mechanism = four_bar(ground, crank, coupler, rocker);
+    const Outcome outcome = compare(mechanism, turn(0.1, 2 * kPi, 181));
+    // Full turns where ground and crank reach neither end of what the dyad does.
+    const double far = coupler + rocker - (ground + crank);
+    const double near = std::abs(ground - crank) - std::abs(coupler - rocker);
+    const bool turns = far > 0.05 && near > 0.05;
+    cranks += turns ? 1 : 0;
+    proven += turns && outcome == Outcome::kProven ? 1 : 0;
+    if (far < 0 || near < 0) {
+      EXPECT_EQ(outcome, Outcome::kNotProven);
+    }
+  }
+  EXPECT_GT(cranks, 30);
+  EXPECT_GE(proven, 0.97 * cranks);
+}
+
+// The links are in line at 180 degrees, halfway between two rows, and out of reach within a window far
+// narrower than a step: all rows can be assembled.
+TEST(DyadChain, LimitsBetweenTwoRowsAreNotPassedOver) {
+  for (const double short_by : {1e-3, 1e-5, 1e-8, 0.0, -1e-8, -1e-5}) {
+    SCOPED_TRACE(short_by);
+    const Mechanism mechanism = four_bar(2, 0.7, 1.2, 1.5 - short_by);
+    EXPECT_EQ(compare(mechanism, turn(0.05, 2 * kPi - 0.1, 60)), Outcome::kNotProven);
+  }
+  EXPECT_EQ(compare(four_bar(2, 0.7, 1.2, 1.6), turn(0.05, 2 * kPi - 0.1, 60)), Outcome::kProven);
+}
+
+TEST(DyadChain, AnglesGoOnOverManyTurnsBothWays) {
+  const Mechanism mechanism = four_bar(1, 2, 3.5, 4);
+  EXPECT_EQ(compare(mechanism, turn(0.2, 40 * kPi, 1441)), Outcome::kProven);
+  EXPECT_EQ(compare(mechanism, turn(31.2, -20 * kPi, 721)), Outcome::kProven);
+}
+
+TEST(DyadChain, OtherDimensionsOfOneMechanismFollowEachOther) {
+  Mechanism mechanism = four_bar(1, 2, 3.5, 4);
+  const auto rows = turn(0, 2 * kPi, 91);
+  const auto plan = make_plan(mechanism);
+  auto chain = DyadChain::of(mechanism, *plan, rows, {{3, std::nullopt, Quantity::kAlpha}});
+  ASSERT_TRUE(chain);
+  ASSERT_TRUE(chain->solve(mechanism));
+  const std::vector<double> first(chain->values(0).begin(), chain->values(0).end());
+  const Mechanism other = four_bar(1.1, 2, 3.4, 4.2);
+  ASSERT_TRUE(chain->solve(other));
+  EXPECT_NE(chain->values(0)[17], first[17]);
+  EXPECT_FALSE(chain->solve(four_bar(1.1, 2, 0.4, 0.5)));
+  ASSERT_TRUE(chain->solve(mechanism));
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), chain->values(0).begin()));
+}
+
+TEST(DyadChain, LinksWithoutLengthAndFarOriginsAreNotProven) {
+  Mechanism mechanism = four_bar(1, 2, 3.5, 4);
+  const auto rows = turn(0, 2 * kPi, 91);
+  const auto plan = make_plan(mechanism);
+  auto chain = DyadChain::of(mechanism, *plan, rows, {{3, std::nullopt, Quantity::kX}});
+  ASSERT_TRUE(chain);
+  Mechanism point = mechanism;
+  point.bodies[2].points[1].p_B = point.bodies[2].points[0].p_B;
+  EXPECT_FALSE(chain->solve(point));
+  Mechanism far = mechanism;
+  for (NamedPoint& place : far.bodies[0].points) {
+    place.p_B += Vector2d(1e6, 0);
+  }
+  EXPECT_FALSE(chain->solve(far));
+  EXPECT_TRUE(chain->solve(mechanism));
+}
+
+TEST(DyadChain, IsOnlyForOneDriverAndDyadsWithoutContactsAndEnds) {
+  const auto is_chain = [](const Mechanism& mechanism) {
+    const auto plan = make_plan(mechanism);
+    return plan && DyadChain::of(mechanism, *plan, turn(0, 1, 9), {}).has_value();
+  };
+  Mechanism mechanism = four_bar(1, 2, 3.5, 4);
+  EXPECT_TRUE(is_chain(mechanism));
+
+  Builder b;
+  const int crank = b.body("crank", {0, 0}, 0), rod = b.body("rod", {1, 0}, 0),
+            piston = b.body("piston", {3, 0}, 0);
+  b.drive(b.revolute(0, crank, {0, 0}));
+  b.revolute(crank, rod, {1, 0});
+  b.revolute(rod, piston, {3, 0});
+  b.prismatic(0, piston, {3, 0}, {1, 0}, 2);
+  EXPECT_TRUE(is_chain(b.mechanism));
+  b.mechanism.joints.back().to = 4;
+  EXPECT_FALSE(is_chain(b.mechanism));
+}
+
+}  // namespace
+}  // namespace higherpair::testing
