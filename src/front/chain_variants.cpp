@@ -1,6 +1,8 @@
 #include "chain_variants.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 
 #include <algorithm>
@@ -51,6 +53,12 @@ std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::st
   return std::nullopt;
 }
 
+// The coordinate of a pin whose first body is ground is the angle of the second one.
+constexpr std::array<NamedQuantity, 3> kOfPins{
+    {{"position", Quantity::kAngle, dimension::kAngle},
+     {"velocity", Quantity::kOmega, dimension::kAngularVelocity},
+     {"acceleration", Quantity::kAlpha, dimension::kAngularAcceleration}}};
+
 // Adds the column of this name unless it is there; its place.
 std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, std::string_view name,
                                       ChainRecipe& recipe) {
@@ -76,6 +84,16 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
         if (name == fmt::format("{}.{}.{}", body.name, body.points[p].name, of.name)) {
           return add({static_cast<int>(b), static_cast<int>(p), of.quantity}, of.dimension);
         }
+      }
+    }
+  }
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    const bool grounded = joint.type == JointType::kRevolute && joint.first.body == kGround &&
+                          !is_driven(mechanism, static_cast<int>(j));
+    for (const NamedQuantity& of : kOfPins) {
+      if (grounded && name == fmt::format("{}.{}", joint.name, of.name)) {
+        return add({joint.second.body, std::nullopt, of.quantity}, of.dimension);
       }
     }
   }
