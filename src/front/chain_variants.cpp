@@ -1,6 +1,8 @@
 #include "chain_variants.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 
 #include <algorithm>
@@ -16,7 +18,8 @@ namespace {
 
 using Quantity = ChainColumn::Quantity;
 
-constexpr double kLeastTolerance = 1e-9;  // of DyadChain
+constexpr double kLeastTolerance = 1e-9;       // of DyadChain
+constexpr std::int64_t kMostRows = 1LL << 16;  // all of them are kept
 
 struct NamedQuantity {
   std::string_view name;
@@ -51,6 +54,12 @@ std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::st
   return std::nullopt;
 }
 
+// The coordinate of a pin whose first body is ground is the angle of the second one.
+constexpr std::array<NamedQuantity, 3> kOfPins{
+    {{"position", Quantity::kAngle, dimension::kAngle},
+     {"velocity", Quantity::kOmega, dimension::kAngularVelocity},
+     {"acceleration", Quantity::kAlpha, dimension::kAngularAcceleration}}};
+
 // Adds the column of this name unless it is there; its place.
 std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, std::string_view name,
                                       ChainRecipe& recipe) {
@@ -76,6 +85,16 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
         if (name == fmt::format("{}.{}.{}", body.name, body.points[p].name, of.name)) {
           return add({static_cast<int>(b), static_cast<int>(p), of.quantity}, of.dimension);
         }
+      }
+    }
+  }
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    const bool grounded = joint.type == JointType::kRevolute && joint.first.body == kGround &&
+                          !is_driven(mechanism, static_cast<int>(j));
+    for (const NamedQuantity& of : kOfPins) {
+      if (grounded && name == fmt::format("{}.{}", joint.name, of.name)) {
+        return add({joint.second.body, std::nullopt, of.quantity}, of.dimension);
       }
     }
   }
@@ -119,20 +138,24 @@ bool same_rows(const std::vector<DriverMotion>& a, const std::vector<DriverMotio
   });
 }
 
+enum class Agreement { kNone, kUnknown, kFull };
+
 // Whether a variant that is read is what the recipe makes of its numbers. One that cannot be read says
 // nothing.
-bool agrees(const ChainRecipe& recipe, std::span<const double> numbers, const RunSettings& run,
-            ModelVariants& models) {
+Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, const RunSettings& run,
+                    ModelVariants& models) {
   const Result<Model> read = models.with(numbers);
   if (!read) {
-    return true;
+    return Agreement::kUnknown;
   }
   Mechanism written = recipe.mechanism;
   const auto schedule = schedule_of(read->data(), run);
   ChainRecipe other;
-  return set_numbers(recipe, numbers, written) && numbers_of(written) == numbers_of(read->mechanism()) &&
-         schedule && take_rows(*schedule, run.in_time, other) && same_rows(recipe.rows, other.rows) &&
-         recipe.where == other.where;
+  const bool same = set_numbers(recipe, numbers, written) &&
+                    numbers_of(written) == numbers_of(read->mechanism()) && schedule &&
+                    take_rows(*schedule, run.in_time, other) && same_rows(recipe.rows, other.rows) &&
+                    recipe.where == other.where;
+  return same ? Agreement::kFull : Agreement::kNone;
 }
 
 }  // namespace
@@ -166,14 +189,20 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
     recipe.slots.push_back(*slot);
   }
   const auto schedule = schedule_of(model.data(), run);
-  if (!schedule || units != model.units() || !take_rows(*schedule, run.in_time, recipe) ||
+  if (!schedule || schedule->size() > kMostRows || units != model.units() ||
+      !take_rows(*schedule, run.in_time, recipe) ||
       !DyadChain::of(recipe.mechanism, recipe.plan, recipe.rows, recipe.columns)) {
     return std::nullopt;
   }
-  const bool agreed = std::all_of(tries.begin(), tries.end(), [&](const std::vector<double>& numbers) {
-    return agrees(recipe, numbers, run, models);
-  });
-  return agreed ? std::optional(std::move(recipe)) : std::nullopt;
+  bool known = false;
+  for (const std::vector<double>& numbers : tries) {
+    const Agreement agrees = agreement(recipe, numbers, run, models);
+    if (agrees == Agreement::kNone) {
+      return std::nullopt;
+    }
+    known = known || agrees == Agreement::kFull;
+  }
+  return known ? std::optional(std::move(recipe)) : std::nullopt;
 }
 
 std::optional<ChainVariants> ChainVariants::of(const ChainRecipe& recipe) {

@@ -213,11 +213,12 @@ std::optional<ChainRecipe> chain_of(const Sweep::Data& data) {
   if (data.writes_rows() || data.task.counts) {
     return std::nullopt;
   }
+  // Of the whole sweep: all its parts are worked out in the same way.
   Worker worker(data);
-  const std::int64_t size = data.end - data.begin;
+  const std::int64_t size = data.variants.size();
   std::vector<std::vector<double>> tries;
   for (std::int64_t k = 0; k < std::min(size, kTries); ++k) {
-    tries.push_back(worker.numbers(data.begin + cut(size, k, kTries)));
+    tries.push_back(worker.numbers(cut(size, k, kTries)));
   }
   return ChainRecipe::of(data.model, data.paths, data.run, data.measures, worker.models(), tries);
 }

@@ -1,5 +1,6 @@
 // A row of a running analysis takes no memory from the heap once the first has been made.
 #include "analysis/counting_allocator.hpp"
+#include "higherpair/analysis/dyad_chain.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/higherpair.hpp"
@@ -85,6 +86,28 @@ INSTANTIATE_TEST_SUITE_P(Profiles, RowAllocation,
                                            "flat_faced_oscillating", "flat_faced_translating",
                                            "rolling_ellipses"),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(ChainAllocation, FurtherVariantsOfALinkageTakeNone) {
+  for (const char* name : {"four_bar", "slider_crank", "watt_sixbar"}) {
+    const std::string path = std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml";
+    const Profile profile = read_profile_file(path).value();
+    std::vector<DriverMotion> rows;
+    for (int k = 0; k < kRows; ++k) {
+      rows.push_back({2 * kPi * k / kRows, 1, 0});
+    }
+    Mechanism mechanism = profile.mechanism;
+    auto chain =
+        DyadChain::of(mechanism, make_plan(mechanism).value(), rows,
+                      {{2, std::nullopt, ChainColumn::Quantity::kAngle}, {3, 0, ChainColumn::Quantity::kAx}});
+    ASSERT_TRUE(chain) << name;
+    ASSERT_TRUE(chain->solve(mechanism)) << name;
+    mechanism.bodies[1].points[1].p_B *= 1.01;
+    const std::size_t before = allocation_count();
+    const bool proven = chain->solve(mechanism);
+    EXPECT_EQ(allocation_count() - before, 0U) << name;
+    EXPECT_TRUE(proven) << name;
+  }
+}
 
 }  // namespace
 }  // namespace higherpair

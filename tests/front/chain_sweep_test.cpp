@@ -107,6 +107,7 @@ first   = { column = "coupler.x", of = "first", where = true }
 last    = { column = "rocker.alpha", of = "last" }
 at      = { column = "coupler.E.ax", of = "at", at = 90 }
 none    = { column = "crank.angle", of = "max" }
+pin     = { column = "rocker_pivot.acceleration", of = "min" }
 )";
 
 TEST(ChainSweep, FourBarsComeOutAsFollowedOnesAlsoWhereTheyDoNotTurnFully) {

@@ -44,7 +44,7 @@ static_assert(kVariantPositions % kWidth == 0);
     const Rows rx = bx - dx;  // rocker
     const Rows ry = by - dy;
     Rows angle = arctangent(ry, rx);
-    first = k == 0 ? Rows(angle.lanes[0] - 0.1) : first;
+    first = k == 0 ? Rows(angle.lanes[0]) : first;
     angle = select(angle < first, angle + turn, angle);  // it turns once
     const Rows omega = rate * (bx * s - by * c) / (bx * ry - by * rx);
     const Rows height = crank * s + (by * along + bx * across) * inv_coupler;
