@@ -12,10 +12,10 @@ constexpr double kLetter = 0.62;  // width of a letter, of the font's size
 constexpr double kSamePlace = 4;  // [px]
 constexpr int kDirections = 12;
 constexpr std::array kDistances{0.9, 1.4, 2.0, 2.8,
-                                4.0};                 // of the font's size, from the place to the text's edge
-constexpr double kCoveredText = 1e4, kOutside = 1e4;  // costs; a covered point costs 1
-constexpr double kFar = 2.5;                          // of a font's size farther away
-constexpr double kTurned = 1.5;                       // against the best direction
+                                4.0};  // of the font's size, from the place to the text's edge
+constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 2;  // costs
+constexpr double kFar = 2.5;                                           // of a font's size farther away
+constexpr double kTurned = 1.5;                                        // against the best direction
 
 struct TextBox {
   Vector2d middle, half;
@@ -65,8 +65,8 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
                              boxes.begin(), boxes.end(), [&](const TextBox& b) { return b.overlaps(box); }));
       const bool outside = (middle - half).minCoeff() < 0 || ((middle + half).array() > size.array()).any();
       cost += outside ? kOutside : 0;
-      cost += static_cast<double>(
-          std::count_if(ink.begin(), ink.end(), [&](const Vector2d& p) { return box.holds(p); }));
+      cost += kCoveredInk * static_cast<double>(std::count_if(
+                                ink.begin(), ink.end(), [&](const Vector2d& p) { return box.holds(p); }));
       if (cost < least) {
         least = cost;
         best = box;

@@ -61,6 +61,30 @@ function checkPlaces(state, row, { joints, size }, checks) {
   }
 }
 
+/** Links that leave the picture are broken off: their texts are the lengths of the table, and within the picture. */
+export async function checkBrokenLinks(page, table, row, checks) {
+  await page.evaluate((shown) => higherpair.go(shown), row);
+  const texts = await page.evaluate(() =>
+    [...document.querySelectorAll('#drawing text[data-role="linkage"]:not(.absent)')].map((text) => {
+      const [a, b] = [text.getBoundingClientRect(), document.getElementById("drawing").getBoundingClientRect()];
+      return { text: text.textContent, inside: a.left >= b.left && a.right <= b.right && a.top >= b.top && a.bottom <= b.bottom };
+    }),
+  );
+  checks.true(texts.every(({ inside }) => inside), "a length is out of the picture");
+  const expected = ["r2", "r3"].map((name) => Math.abs(Number(table.rows[row][`touch.${name}`])));
+  const found = texts.map(({ text }) => Number(text.replace(" mm", "")));
+  checks.equal(found.length, 2, "links that are broken off");
+  for (const length of expected) {
+    checks.true(found.some((one) => Math.abs(one - length) <= 1e-3 * length), `no link is ${length} mm long: ${found}`);
+  }
+}
+
+/** The hollow of a ring is not filled. */
+export async function checkHollow(page, checks) {
+  const rule = await page.evaluate(() => getComputedStyle(document.querySelector('#drawing [data-role="body"].closed')).fillRule);
+  checks.equal(rule, "evenodd", "how rings are filled");
+}
+
 function overlappingNames(page) {
   return page.evaluate(() => {
     const shown = [...document.querySelectorAll("#drawing text")].filter((text) => getComputedStyle(text).display !== "none");
