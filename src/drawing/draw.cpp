@@ -137,12 +137,14 @@ private:
     const std::string style = role + (shape.closed && !shape.outline ? " filled" : "");
     switch (shape.kind) {
       case Kind::kText:
-        labels_.push_back({px.size() > 4 ? length_text(px[4], length_) : shape.text,
-                           shape.name.find('.') == std::string::npos,
-                           {px[0], px[1]},
-                           {px[2], px[3]},
-                           {0, 0},
-                           role});
+        labels_.push_back(
+            {px.size() > 4 ? fmt::format("{} = {}", shape.text, length_text(px[4], length_)) : shape.text,
+             shape.name.find('.') == std::string::npos,
+             {px[0], px[1]},
+             {px[2], px[3]},
+             {0, 0},
+             role,
+             px.size() > 4});
         return;
       case Kind::kCircle:
         svg_.element("circle", {{"class", style},

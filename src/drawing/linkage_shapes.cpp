@@ -92,7 +92,7 @@ BreakMark mark_at(const Vector2d& end, const Vector2d& d, double unit) {
           middle};
 }
 
-// A link that leaves the picture ends in a mark, at which its length is written.
+// A link that leaves the picture ends in a mark, at which its length is to be written.
 void append_link(std::vector<double>& path, Shape& length, const Box& box, const Vector2d& a,
                  const Vector2d& b, double unit) {
   const auto [from, to] = part_within(box, a, b);
@@ -149,7 +149,7 @@ void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
   const Vector2d edge = Vector2d::Constant(kEdge * u);
   const Box box{scene_.view.low + edge, scene_.view.high - edge};
   std::vector<double> path;
-  std::array<Shape, 3> lengths;  // first body, coupler, second body
+  std::array<Shape, 3> lengths;  // r2, r3, r4 of the table: where both ends are pins
   if (whole) {
     const std::vector<Vector2d> first = way_of(ends[0]), second = way_of(ends[1]);
     for (std::size_t i = 1; i < first.size(); ++i) {
@@ -163,8 +163,12 @@ void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
     }
   }
   next(Role::kLinkage, contact.name, Kind::kPath).numbers = std::move(path);
-  for (const Shape& length : lengths) {
-    next(Role::kLinkage, contact.name + ".length", Kind::kText).numbers = length.numbers;
+  constexpr std::array kNames{"r2", "r3", "r4"};
+  const std::array<bool, 3> named{!ends[0].flat, !ends[0].flat && !ends[1].flat, !ends[1].flat};
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    Shape& text = next(Role::kLinkage, contact.name + "." + kNames[i], Kind::kText);
+    text.text = kNames[i];
+    if (named[i]) text.numbers = lengths[i].numbers;
   }
   for (const End& end : ends) {
     const bool shown = whole && is_within(box, *end.center);

@@ -326,8 +326,8 @@ TEST(Drawing, BreaksLinksOffThatLeaveIt) {
     for (const Element& element : read_back(draw_svg(scenes.scenes, draw_settings(model.units())))) {
       if (element.tag == "text" && element.role == "linkage") texts.push_back(element.text);
     }
-    EXPECT_THAT(texts, ::testing::UnorderedElementsAre(fmt::format("{:.4g} mm", lengths[0]),
-                                                       fmt::format("{:.4g} mm", lengths[1])));
+    EXPECT_THAT(texts, ::testing::UnorderedElementsAre(fmt::format("r2 = {:.4g} mm", lengths[0]),
+                                                       fmt::format("r3 = {:.4g} mm", lengths[1])));
   }
 }
 

@@ -18,7 +18,7 @@ export interface Shape {
   /** Whose frame the numbers are in; none: ground. */
   readonly body?: number;
   readonly closed?: boolean;
-  /** Of a text that is no length. */
+  /** Of a moving text: the name of the length that is its fifth number [mm]. */
   readonly text?: string;
   readonly colour?: string;
   /** Not filled although closed. */

@@ -78,17 +78,27 @@ export class Plot {
   }
 
   show(row: number): void {
+    this.moveTo(row);
+    this.showValues();
+  }
+
+  /** The cursor. */
+  moveTo(row: number): void {
     this.row = row;
     const at = this.axis.rows.indexOf(row);
     const x = at < 0 ? undefined : this.axis.values[at];
     if (this.chart !== null && x !== undefined) {
       this.line.style.transform = `translateX(${this.chart.valToPos(x, "x")}px)`;
     }
+  }
+
+  /** The numbers at the cursor. */
+  showValues(): void {
     this.shown.forEach((k, i) => {
       const chip = this.chips[i];
       const column = this.context.columns[k];
       if (chip !== undefined && column !== undefined) {
-        chip.textContent = quantity(this.context.rows.value(k, row), column.unit, column.noise);
+        chip.textContent = quantity(this.context.rows.value(k, this.row), column.unit, column.noise);
       }
     });
   }

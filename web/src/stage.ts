@@ -10,7 +10,7 @@ export class Stage {
   /** Groups of neighbouring shapes of one body. */
   private readonly groups: { readonly body: number; readonly element: SVGGElement }[] = [];
   private readonly labels = new Labels();
-  /** Texts are lengths of what is broken off. */
+  /** Texts name lengths of what is broken off. */
   private readonly moving: { readonly shape: Shape; readonly element: SVGElement; readonly label: Label | null }[];
   private row = 0;
   private scale = 1;
@@ -74,7 +74,7 @@ export class Stage {
       if (shape.role !== "contact" && this.root.classList.contains(`hide-${shape.role}`)) return;
       const numbers = this.rows.shape(i, row);
       placeShape(element, shape, numbers, this.report.scene.unit);
-      if (label !== null) this.labels.change(label, numbers, this.lengthText(numbers[4] ?? 0));
+      if (label !== null) this.labels.change(label, numbers, `${shape.text ?? ""} = ${this.lengthText(numbers[4] ?? 0)}`);
     });
     this.labels.place((body) => frame(places, body), this.scale);
   }

@@ -45,8 +45,8 @@ struct Shape {
     kPath,    ///< points x, y, x, y, …; `closed`: filled. Pieces apart are separated by two NaN
     kCircle,  ///< center x, y, radius
     kArrow,   ///< from x, y to x, y
-    kText,    ///< at x, y, and the direction x, y in which it keeps clear of it; with a fifth number, a
-              ///< length [mm], that is what it says
+    kText,    ///< at x, y, and the direction x, y in which it keeps clear of it; with a fifth number
+              ///< its text is the name of a length [mm], which is that number
   };
   Role role = Role::kBody;
   Kind kind = Kind::kPath;
