@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kFont = 14;           // [px]
 constexpr double kInkEvery = 5;        // [px]
+constexpr double kNarrowest = 240;     // picture, with room on both sides [px]
 constexpr double kMillimetres = 1000;  // in a metre
 
 // Widths in px; lines are told apart by their dashes where there are no colours.
@@ -90,10 +91,14 @@ std::string colour_of(const Shape& shape, bool ghost) {
   return style;
 }
 
+std::string length_text(double length_mm, const PictureUnit& unit) {
+  return fmt::format("{:.4g} {}", length_mm / kMillimetres / unit.si, unit.name);
+}
+
 class Picture {
 public:
-  Picture(SvgWriter& svg, const Screen& screen, const std::vector<Role>& layers)
-      : svg_(svg), screen_(screen), layers_(layers) {}
+  Picture(SvgWriter& svg, const Screen& screen, const std::vector<Role>& layers, const PictureUnit& length)
+      : svg_(svg), screen_(screen), layers_(layers), length_(length) {}
 
   void draw(const Scene& scene, bool ghost) {
     for (int role = 0; role < kRoleCount; ++role) {
@@ -111,7 +116,7 @@ public:
     place_labels(labels_, ink_, size, kFont);
     for (const Label& label : labels_) {
       svg_.text({{"class", label.is_body ? "label name" : "label"},
-                 {"data-role", "label"},
+                 {"data-role", label.role},
                  {"data-name", label.text},
                  {"x", label.placed.x()},
                  {"y", label.placed.y()}},
@@ -133,7 +138,13 @@ private:
     switch (shape.kind) {
       case Kind::kText:
         labels_.push_back(
-            {shape.text, shape.name.find('.') == std::string::npos, {px[0], px[1]}, {px[2], px[3]}, {0, 0}});
+            {px.size() > 4 ? fmt::format("{} = {}", shape.text, length_text(px[4], length_)) : shape.text,
+             shape.name.find('.') == std::string::npos,
+             {px[0], px[1]},
+             {px[2], px[3]},
+             {0, 0},
+             role,
+             px.size() > 4});
         return;
       case Kind::kCircle:
         svg_.element("circle", {{"class", style},
@@ -181,6 +192,7 @@ private:
   SvgWriter& svg_;
   const Screen& screen_;
   const std::vector<Role>& layers_;
+  const PictureUnit& length_;
   std::vector<Label> labels_;
   std::vector<Vector2d> ink_;
 };
@@ -196,13 +208,16 @@ std::vector<Role> default_layers() {
 std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings) {
   assert(!scenes.empty());
   const Box& view = scenes.front().view;
-  const double scale = settings.width / view.size().x();
+  const Vector2d size = view.size();
+  const double scale = std::min(settings.width / size.x(), settings.most_height / size.y());
+  DrawSettings fitted = settings;
+  fitted.width = std::max(scale * size.x(), std::min(settings.width, kNarrowest));
+  const double width = fitted.width, drawn = scale * size.y();
   const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
   const double count = settings.strip ? static_cast<double>(scenes.size()) : 1;
-  const DrawFoot foot(scenes.front(), settings, layers, scale, settings.width * count);
-  const double drawn = scale * view.size().y(), height = drawn + foot.height();
-  const Screen screen{scale, {-scale * view.low.x(), scale * view.high.y()}};
-  SvgWriter svg({settings.width * count, height, settings.title, kStyle},
+  const DrawFoot foot(scenes.front(), fitted, layers, scale, width * count);
+  const Screen screen{scale, {width / 2 - scale * (view.low.x() + size.x() / 2), scale * view.high.y()}};
+  SvgWriter svg({width * count, drawn + foot.height(), settings.title, kStyle},
                 {{"data-scale", fmt::format("{:.12g}", scale * kMillimetres * settings.length.si)},
                  {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -210,14 +225,13 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
     if (!scenes[i].defined) {
       continue;
     }
-    const double shift = settings.strip ? settings.width * static_cast<double>(i) : 0;
-    svg.open(
-        "svg",
-        {{"class", ghost ? "ghost" : "scene"}, {"x", shift}, {"width", settings.width}, {"height", drawn}});
-    Picture picture(svg, screen, layers);
+    const double shift = settings.strip ? width * static_cast<double>(i) : 0;
+    svg.open("svg",
+             {{"class", ghost ? "ghost" : "scene"}, {"x", shift}, {"width", width}, {"height", drawn}});
+    Picture picture(svg, screen, layers, settings.length);
     picture.draw(scenes[i], ghost);
     if (!ghost) {
-      picture.draw_labels({settings.width, drawn});
+      picture.draw_labels({width, drawn});
     }
     svg.close();
   }

@@ -59,7 +59,7 @@ DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::
                    double scale, double width) {
   constexpr double kMillimetres = 1000;  // in a metre
   const double unit = settings.length.si * kMillimetres;
-  const double length = round_down(scene.view.size().x() / unit / 5);
+  const double length = round_down(settings.width / scale / unit / 5);
   samples_.push_back({"scale", length * unit * scale, 0, quantity(length, settings.length)});
   const auto add_arrow = [&](Role role, double mm_per_si, const PictureUnit& of) {
     const double px = scale * mm_per_si * of.si;

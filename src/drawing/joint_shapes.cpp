@@ -91,11 +91,12 @@ void add_rod(Sketch& sketch, const Joint& joint) {
   const double farthest = sense > 0 ? high : -low, nearest = sense > 0 ? low : -high;
   const double at = farthest + 9 * u;  // the middle of the guide
   const double end = at - nearest + (kGuide + 2) * u;
-  sketch.shapes.insert(sketch.shapes.begin(),
-                       Shape{Role::kLink, Shape::Kind::kPath,
-                             sketch.mechanism.bodies[static_cast<std::size_t>(joint.second.body)].name,
-                             joint.second.body, true, "", rounded_hull({p_B, p_B + end * d_B}, kRod * u),
-                             sketch.look(joint.second.body).colour, sketch.look(joint.second.body).outline});
+  sketch.shapes.insert(
+      sketch.shapes.begin(),
+      Shape{Role::kLink, Shape::Kind::kPath,
+            sketch.mechanism.bodies[static_cast<std::size_t>(joint.second.body)].name, joint.second.body,
+            true, "", rounded_hull({p_B + kRod * u * d_B, p_B + end * d_B}, kRod * u),
+            sketch.look(joint.second.body).colour, sketch.look(joint.second.body).outline});
   const Role role = joint.first.body == 0 ? Role::kGround : Role::kJoint;
   for (const double side : {1.0, -1.0}) {
     const Vector2d middle = p_A + at * d_A + side * kRod * u * perp(d_A);

@@ -12,10 +12,10 @@ constexpr double kLetter = 0.62;  // width of a letter, of the font's size
 constexpr double kSamePlace = 4;  // [px]
 constexpr int kDirections = 12;
 constexpr std::array kDistances{0.9, 1.4, 2.0, 2.8,
-                                4.0};                 // of the font's size, from the place to the text's edge
-constexpr double kCoveredText = 1e4, kOutside = 1e4;  // costs; a covered point costs 1
-constexpr double kFar = 2.5;                          // of a font's size farther away
-constexpr double kTurned = 1.5;                       // against the best direction
+                                4.0};  // of the font's size, from the place to the text's edge
+constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 2;  // costs
+constexpr double kFar = 2.5, kFarClose = 5;                            // of a font's size farther away
+constexpr double kTurned = 1.5;                                        // against the best direction
 
 struct TextBox {
   Vector2d middle, half;
@@ -52,6 +52,7 @@ void remove_repeated(std::vector<Label>& labels) {
 void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, const Vector2d& size,
                   double font) {
   remove_repeated(labels);
+  std::stable_partition(labels.begin(), labels.end(), [](const Label& label) { return label.stays_close; });
   std::vector<TextBox> boxes;
   for (Label& label : labels) {
     const Vector2d half = half_size(label, font);
@@ -65,8 +66,8 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
                              boxes.begin(), boxes.end(), [&](const TextBox& b) { return b.overlaps(box); }));
       const bool outside = (middle - half).minCoeff() < 0 || ((middle + half).array() > size.array()).any();
       cost += outside ? kOutside : 0;
-      cost += static_cast<double>(
-          std::count_if(ink.begin(), ink.end(), [&](const Vector2d& p) { return box.holds(p); }));
+      cost += kCoveredInk * static_cast<double>(std::count_if(
+                                ink.begin(), ink.end(), [&](const Vector2d& p) { return box.holds(p); }));
       if (cost < least) {
         least = cost;
         best = box;
@@ -77,7 +78,8 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
       for (int i = 0; i < kDirections; ++i) {
         const Vector2d d = unit_vector(2 * kPi * i / kDirections);
         const Vector2d edge(half.x() * d.x(), half.y() * d.y());
-        consider(label.at + distance * font * d + edge, kFar * distance + kTurned * (1 - d.dot(away)));
+        consider(label.at + distance * font * d + edge,
+                 (label.stays_close ? kFarClose : kFar) * distance + kTurned * (1 - d.dot(away)));
       }
     }
     label.placed = best.middle;

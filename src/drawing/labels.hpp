@@ -14,6 +14,8 @@ struct Label {
   Vector2d at = Vector2d::Zero();      ///< what it names
   Vector2d away = Vector2d::Zero();    ///< direction in which it is best off; 0: none
   Vector2d placed = Vector2d::Zero();  ///< middle of the text: the result
+  std::string role = "label";
+  bool stays_close = false;  ///< would be taken for that of something else farther away
 };
 
 /// Places the labels so that they cover neither each other nor, as far as there is room, any of the points.

@@ -5,9 +5,7 @@
 #include "sketch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 namespace higherpair {
 namespace {
@@ -96,62 +94,6 @@ void SceneMaker::add_contact(const MotionRow& row, std::size_t index) {
            p + length * perp(at.n_W));
   set_line(next(Role::kNormal, contact.name, Kind::kPath), p - length * at.n_W, p + length * at.n_W);
   set_circle(next(Role::kContact, contact.name, Kind::kCircle, true), p, kDot * scene_.unit);
-}
-
-// O1, C1, C2, O2 as far as they are there. What slides, or is flat, has a block instead of a pin.
-void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
-  const Contact& contact = mechanism_->contacts[index];
-  const CommonNormal& at = row.contacts[index].at;
-  const double u = scene_.unit;
-  struct End {
-    std::optional<Vector2d> pivot, center;
-    Vector2d guide;  // of a block at the centre: along the slide
-    bool slides = false, flat = false;
-  };
-  const auto end_of = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
-    End end;
-    end.flat = is_line(curve_of(*mechanism_, ref)) || std::isinf(rho);
-    end.guide = perp(n_W);
-    if (!end.flat && kMillimetre * std::abs(rho) <= largest_) end.center = kMillimetre * (p_W - rho * n_W);
-    if (const auto freedom = grounded_freedom(*mechanism_, ref.body)) {
-      end.slides = !freedom->turns;
-      if (freedom->turns) end.pivot = kMillimetre * freedom->p_WO;
-      if (end.slides && !end.flat) end.guide = freedom->direction_W;
-    }
-    return end;
-  };
-  std::array<End, 2> ends{end_of(contact.first, at.p1_W, at.n_W, at.rho1),
-                          end_of(contact.second, at.p2_W, -at.n_W, at.rho2)};
-  // A flat body is a slide along its face for the other one's centre.
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (ends[i].flat && ends[1 - i].center) {
-      ends[i].center = ends[1 - i].center;
-    }
-  }
-  Shape& links = next(Role::kLinkage, contact.name, Kind::kPath);
-  const bool whole = ends[0].center && ends[1].center;
-  for (std::size_t i = 0; whole && i < 2; ++i) {
-    const End& end = ends[i];
-    std::vector<Vector2d> way;
-    if (end.pivot && end.flat) {  // its guide goes through the centre; the pivot is off it
-      const Vector2d foot = *end.center + (*end.pivot - *end.center).dot(end.guide) * end.guide;
-      way = {*end.pivot, foot, *end.center};
-    } else if (end.pivot) {
-      way = {*end.pivot, *end.center};
-    } else {
-      way = {*end.center};
-    }
-    if (i == 1) std::reverse(way.begin(), way.end());
-    for (const Vector2d& p : way) append(links, p);
-  }
-  for (const End& end : ends) {
-    Shape& pivot = next(Role::kLinkage, contact.name, Kind::kCircle, true);
-    if (whole && end.pivot) set_circle(pivot, *end.pivot, 0.8 * u);
-    Shape& block = next(Role::kLinkage, contact.name, Kind::kPath, true);
-    if (whole && (end.slides || end.flat)) block.numbers = rectangle(*end.center, end.guide, 4 * u, 2.4 * u);
-    Shape& pin = next(Role::kLinkage, contact.name, Kind::kCircle, true);
-    if (whole) set_circle(pin, *end.center, 0.8 * u);
-  }
 }
 
 void SceneMaker::add_spring(const MotionRow& row, const Spring& spring) {

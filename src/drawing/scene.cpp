@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double kMillimetre = 1000;       // of a metre
 constexpr double kUnitsAcross = 110;       // along the picture's diagonal
 constexpr double kMargin = 3;              // [units]
+constexpr double kLinkageRoom = 0.3;       // of the picture's longer side, for equivalent linkages
 constexpr std::size_t kRowsLookedAt = 72;  // for the room that shapes need
 
 struct Extent {
@@ -79,6 +81,38 @@ Extent full_extent(const Sketch& sketch) {
     }
   }
   return extent;
+}
+
+// The centres of curvature of a contact in all rows, if they are in this box throughout.
+std::optional<Extent> linkage_extent(const Sketch& sketch, std::size_t contact, const Extent& allowed) {
+  Extent extent;
+  for (const MotionRow* row : sketch.rows) {
+    const CommonNormal& at = row->contacts[contact].at;
+    if (!row->contacts[contact].touches) continue;
+    for (const auto& [p_W, rho] : {std::pair(at.p1_W, at.rho1), std::pair(at.p2_W, -at.rho2)}) {
+      if (std::isinf(rho)) continue;  // a flat face
+      const Vector2d center = p_W - rho * at.n_W;
+      if (!((center - allowed.low).minCoeff() >= 0 && (allowed.high - center).minCoeff() >= 0)) {
+        return std::nullopt;
+      }
+      extent.add(center, sketch.unit);
+    }
+  }
+  return extent;
+}
+
+// Equivalent linkages that are never far outside of the picture are shown whole.
+void add_linkages(Extent& extent, const Sketch& sketch) {
+  Extent allowed = extent;
+  const double room = kLinkageRoom * (extent.high - extent.low).maxCoeff();
+  allowed.add(extent.low, room);
+  allowed.add(extent.high, room);
+  for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
+    if (const auto own = linkage_extent(sketch, i, allowed)) {
+      extent.low = extent.low.cwiseMin(own->low);
+      extent.high = extent.high.cwiseMax(own->high);
+    }
+  }
 }
 
 bool is_joined(const Mechanism& mechanism, int body, int point) {
@@ -190,7 +224,8 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   };
   std::stable_sort(sketch.shapes.begin(), sketch.shapes.end(),
                    [&](const Shape& a, const Shape& b) { return rank(a) < rank(b); });
-  const Extent full = full_extent(sketch);
+  Extent full = full_extent(sketch);
+  add_linkages(full, sketch);
   const double margin = kMargin * sketch.unit;
   scene_.unit = sketch.unit * kMillimetre;
   scene_.view = {(full.low.array() - margin).matrix() * kMillimetre,

@@ -33,9 +33,6 @@ struct Sketch {
   return row.bodies[static_cast<std::size_t>(body)];
 }
 
-/// How far the touching points of a curve go along its vertex's tangent, with some room [m].
-[[nodiscard]] std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t curve);
-
 /// Smallest and largest coordinate of a slide or slot in the rows [m].
 [[nodiscard]] std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint);
 

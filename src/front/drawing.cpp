@@ -15,8 +15,8 @@
 namespace higherpair {
 namespace {
 
-constexpr std::int64_t kMostRows = 721;  // that decide about a picture
-constexpr double kMostScenes = 200;      // of `every`
+constexpr std::int64_t kLeastRows = 181, kMostRows = 721;  // that decide about a picture; paths are smooth
+constexpr double kMostScenes = 200;                        // of `every`
 
 tl::unexpected<Error> wrong(const Model& model, std::string what) {
   return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(what)));
@@ -49,11 +49,11 @@ Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
   return rows;
 }
 
-// All rows of the run, or so many as a picture needs.
+// As many rows as a picture needs.
 Result<Rows> rows_of_run(const Model& model, RunSettings settings) {
   const auto schedule = first_schedule(model.data());
-  if (schedule && schedule->size() > kMostRows && model.profile().programs.front().positions.empty()) {
-    settings.samples = kMostRows;
+  if (schedule && schedule->size() > 1 && model.profile().programs.front().positions.empty()) {
+    settings.samples = std::clamp(schedule->size(), kLeastRows, kMostRows);
   }
   return rows_of(model, settings);
 }

@@ -17,9 +17,28 @@ namespace {
 
 constexpr std::string_view kDataMark = "@REPORT_DATA@";
 
-std::size_t driver_column(const std::vector<Column>& columns) {
-  const auto found = std::find_if(columns.begin(), columns.end(),
-                                  [](const Column& column) { return column.name.starts_with("driver"); });
+// Whether a driver is at another place in some row.
+bool moves(const Model& model, std::size_t driver, bool in_time) {
+  const DriverProgram& program = model.profile().programs[driver];
+  const Joint& joint =
+      model.mechanism().joints[static_cast<std::size_t>(model.mechanism().drivers[driver].joint)];
+  if (program.law) return true;
+  if (in_time) return program.velocity != 0 || program.acceleration != 0;
+  if (!program.positions.empty()) return program.positions.size() > 1;
+  return program.end ? *program.end != program.start : joint.type == JointType::kRevolute;
+}
+
+// The first one that moves, or the first of all.
+std::size_t shown_driver(const Model& model, bool in_time) {
+  for (std::size_t i = 0; i < model.profile().programs.size(); ++i) {
+    if (moves(model, i, in_time)) return i;
+  }
+  return 0;
+}
+
+std::size_t driver_column(const std::vector<Column>& columns, const std::string& name) {
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
   return static_cast<std::size_t>(found - columns.begin());
 }
 
@@ -35,14 +54,20 @@ void note(std::vector<Extremes>& extremes, const Row& row, double driver) {
   }
 }
 
-ReportData collect(Analysis& analysis, const ReportSettings& settings) {
+// From one row of the page to the next.
+std::int64_t stride_of(std::int64_t size, const ReportSettings& settings) {
+  const std::int64_t gaps = settings.most_rows - 1;
+  return std::max<std::int64_t>(1, (size - 1 + gaps - 1) / gaps);
+}
+
+ReportData collect(const Model& model, Analysis& analysis, const ReportSettings& settings) {
   ReportData data;
   data.columns = analysis.columns();
   data.extremes.resize(data.columns.size());
   data.size = analysis.size();
-  const std::int64_t gaps = settings.most_rows - 1;
-  const std::int64_t stride = std::max<std::int64_t>(1, (data.size - 1 + gaps - 1) / gaps);
-  const std::size_t driver = driver_column(data.columns);
+  data.driver = shown_driver(model, settings.in_time);
+  const std::int64_t stride = stride_of(data.size, settings);
+  const std::size_t driver = driver_column(data.columns, driver_name(model.mechanism().drivers[data.driver]));
   Row row;
   while (analysis.next(row)) {
     note(data.extremes, row, row.values[driver]);
@@ -70,6 +95,10 @@ std::string filled(std::string_view page, std::string_view json) {
 }
 
 }  // namespace
+
+std::string driver_name(const Driver& driver) {
+  return driver.name.empty() ? "driver" : "driver." + driver.name;
+}
 
 std::size_t page_row(const ReportData& data, std::int64_t row) {
   const auto found =
@@ -103,9 +132,11 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
   }
   Report report;
   report.notes = analysis->notes();
-  const ReportData data = collect(*analysis, settings);
+  const ReportData data = collect(model, *analysis, settings);
   report.events = data.events;
   report.good = data.good;
+  report.size = data.size;
+  report.every = stride_of(data.size, settings);
   report.stopped = analysis->stopped();
   if (!data.rows.empty()) {
     if (auto error = nothing_to_draw(model, data.motions)) {

@@ -14,7 +14,7 @@ namespace higherpair {
 struct Extremes {
   struct Value {
     double value = std::numeric_limits<double>::quiet_NaN();
-    double driver = 0;  ///< position of the (first) driver
+    double driver = 0;  ///< position of the driver ReportData::driver
     std::int64_t row = 0;
   };
   Value low, high;
@@ -24,6 +24,7 @@ struct Extremes {
 struct ReportData {
   std::vector<Column> columns;
   std::int64_t size = 0;             ///< rows of the whole run
+  std::size_t driver = 0;            ///< of Mechanism::drivers, the one by which places are named
   std::vector<Row> rows;             ///< that the page holds
   std::vector<MotionRow> motions;    ///< the same
   std::vector<Reactions> reactions;  ///< the same, of a run with forces
@@ -58,6 +59,9 @@ struct Fact {
 /// Everything that the page needs, as one object of JSON that may stand within HTML.
 /// \param source  text of the profile
 [[nodiscard]] std::string json_of(const Model& model, const ReportData& data, const std::string& source);
+
+/// The column of the position of a driver.
+[[nodiscard]] std::string driver_name(const Driver& driver);
 
 /// The row of the page that is at this row of the run, or the next one.
 [[nodiscard]] std::size_t page_row(const ReportData& data, std::int64_t row);

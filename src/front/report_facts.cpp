@@ -90,12 +90,9 @@ std::vector<const Joint*> outputs(const Mechanism& mechanism) {
   return joints;
 }
 
-// Of a mechanism without outputs: the body that is named last is as a rule the last that moves.
-void add_last_body(const Mechanism& mechanism, FactList& list) {
-  const std::string& body = mechanism.bodies.back().name;
-  list.range(body, body + ".x", "Travel along x");
-  list.range(body, body + ".y", "Travel along y");
-  list.range(body, body + ".angle", "Turning");
+// Whether nothing but what is driven moves.
+bool is_driven_alone(const Mechanism& mechanism) {
+  return mechanism.joints.size() == mechanism.drivers.size() && mechanism.contacts.empty();
 }
 
 // Those that are there and change.
@@ -105,6 +102,15 @@ std::vector<std::string> changing(const ReportData& data, const std::vector<std:
     if (const auto column = find(data, name); column && !column->is_constant()) found.push_back(name);
   }
   return found;
+}
+
+// Of a mechanism without outputs: the body that is named last is as a rule the last that moves.
+void add_last_body(const Mechanism& mechanism, const ReportData& data, FactList& list) {
+  const std::string& body = mechanism.bodies.back().name;
+  for (const auto& [column, name] : {std::pair(".x", "Travel along x"), std::pair(".y", "Travel along y"),
+                                     std::pair(".angle", "Turning")}) {
+    if (!changing(data, {body + column}).empty()) list.range(body, body + column, name);
+  }
 }
 
 }  // namespace
@@ -125,11 +131,16 @@ std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data) {
     list.smallest(contact.name, contact.name + ".force", "Min. force");
   }
   for (const Driver& driver : mechanism.drivers) {
-    const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+    const std::string name = driver_name(driver);
+    if (is_driven_alone(mechanism)) {
+      list.range(name, name, "Travel");
+      list.largest(name, name + ".velocity", "Max. speed");
+      list.largest(name, name + ".acceleration", "Max. acceleration");
+    }
     list.largest(name, name + ".effort", "Max. effort");
   }
   if (facts.empty() && mechanism.bodies.size() > 1) {
-    add_last_body(mechanism, list);
+    add_last_body(mechanism, data, list);
   }
   return facts;
 }
@@ -156,7 +167,11 @@ std::vector<std::vector<std::string>> first_plots(const Mechanism& mechanism, co
     add({contact.name + ".force"});
   }
   for (const Driver& driver : mechanism.drivers) {
-    add({(driver.name.empty() ? "driver" : "driver." + driver.name) + ".effort"});
+    const std::string name = driver_name(driver);
+    for (const char* what : {"", ".velocity", ".acceleration"}) {
+      if (is_driven_alone(mechanism)) add({name + what});
+    }
+    add({name + ".effort"});
   }
   if (plots.empty()) {
     const std::string& body = mechanism.bodies.back().name;

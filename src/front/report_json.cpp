@@ -43,10 +43,11 @@ void write_columns(JsonWriter& json, const ReportData& data) {
   json.close(']');
 }
 
-void write_driver(JsonWriter& json, const Model& model) {
+void write_driver(JsonWriter& json, const Model& model, const ReportData& data) {
   const Mechanism& mechanism = model.mechanism();
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
-  json.key("driver").open('{').key("joint").string(joint.name);
+  const Driver& driver = mechanism.drivers[data.driver];
+  const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+  json.key("driver").open('{').key("joint").string(joint.name).key("column").string(driver_name(driver));
   json.key("body").integer(joint.second.body == 0 ? joint.first.body : joint.second.body).key("turn");
   if (joint.type == JointType::kRevolute) {
     json.number(from_si(dimension::kAngle, model.units()).apply(2 * kPi), kValueDigits);
@@ -140,7 +141,7 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   json.key("good").boolean(data.good).key("size").integer(data.size);
   json.key("lengthUnit").string(name_of(units.length));
   json.key("lengthPerMm").number(from_si(dimension::kLength, units).apply(1 / kMillimetres), kValueDigits);
-  write_driver(json, model);
+  write_driver(json, model, data);
   write_joints(json, mechanism);
   write_facts(json, mechanism, data);
   write_events(json, model, data);

@@ -289,6 +289,139 @@ TEST(Drawing, HasTheLayersThatAreAskedFor) {
   }
 }
 
+// Of the first contact in the first row.
+std::vector<Shape> linkage_of(const Scene& scene) {
+  std::vector<Shape> shapes;
+  for (const Shape& shape : scene.moving) {
+    if (shape.role == Role::kLinkage && !shape.numbers.empty()) shapes.push_back(shape);
+  }
+  return shapes;
+}
+
+// Centres of curvature may be anywhere: links to them end within the picture, and say how long they are.
+TEST(Drawing, BreaksLinksOffThatLeaveIt) {
+  for (const char* name : {"parabola_cam", "hyperbola_cam"}) {
+    const Model model = shipped(name);
+    const Motion motion = model.run().value();
+    const auto scenes = scenes_of(model).value();
+    const Scene& scene = scenes.scenes.front();
+    std::vector<double> lengths;
+    for (const Shape& shape : linkage_of(scene)) {
+      const std::vector<double>& n = shape.numbers;
+      if (shape.kind == Shape::Kind::kText) {
+        ASSERT_EQ(n.size(), 5U);
+        lengths.push_back(n[4]);
+      }
+      const std::size_t points = shape.kind == Shape::Kind::kPath ? n.size() : 2;
+      for (std::size_t i = 0; i + 1 < points; i += 2) {
+        if (std::isnan(n[i])) continue;
+        EXPECT_TRUE(n[i] > scene.view.low.x() && n[i] < scene.view.high.x()) << name;
+        EXPECT_TRUE(n[i + 1] > scene.view.low.y() && n[i + 1] < scene.view.high.y()) << name;
+      }
+    }
+    ASSERT_EQ(lengths.size(), 2U) << name;
+    EXPECT_NEAR(lengths[0], motion.column("touch.r2")[0], 1e-9 * lengths[0]) << name;
+    EXPECT_NEAR(lengths[1], std::abs(motion.column("touch.r3")[0]), 1e-9 * lengths[1]) << name;
+    std::vector<std::string> texts;
+    for (const Element& element : read_back(draw_svg(scenes.scenes, draw_settings(model.units())))) {
+      if (element.tag == "text" && element.role == "linkage") texts.push_back(element.text);
+    }
+    EXPECT_THAT(texts, ::testing::UnorderedElementsAre(fmt::format("r2 = {:.4g} mm", lengths[0]),
+                                                       fmt::format("r3 = {:.4g} mm", lengths[1])));
+  }
+}
+
+// The second wheel's centre of curvature, the foot of the common tangent on its base circle, is above all
+// bodies.
+TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
+  const Model model = shipped("involute_pair");
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  for (const MotionRow& row : rows) {
+    const Scene& scene = maker.at(row);
+    for (const Shape& shape : linkage_of(scene)) {
+      EXPECT_NE(shape.kind, Shape::Kind::kText);
+      if (shape.kind != Shape::Kind::kPath || shape.closed) continue;
+      ASSERT_EQ(shape.numbers.size(), 8U);
+      EXPECT_NEAR(shape.numbers[5], 40 * std::cos(kPi / 9) * std::sin(kPi / 9), 1e-9);  // N2
+    }
+  }
+}
+
+TEST(Drawing, IsAsWideAsItsHeightAllows) {
+  const auto scenes = scenes_of(shipped("checked_cam")).value();
+  const auto size = [&](const DrawSettings& settings) {
+    const Element top = read_back(draw_svg(scenes.scenes, settings)).front();
+    return Vector2d(top.number("width"), top.number("height"));
+  };
+  const Vector2d usual = size({});
+  EXPECT_LT(usual.x(), 900);
+  EXPECT_GT(usual.y(), 1000);
+  EXPECT_LT(usual.y(), 1060);  // with the scales
+  DrawSettings wide;
+  wide.most_height = 1e9;
+  EXPECT_NEAR(size(wide).x(), 900, 1e-9);
+  const auto slide = scenes_of(shipped("motion_laws")).value();
+  const Reading narrow(draw_svg(slide.scenes, {}));
+  EXPECT_GE(narrow.elements.front().number("width"), 240);
+}
+
+// A pin that runs in slots is no knife edge.
+TEST(Drawing, HasPinsAndSlotsWhereAContactHoldsBothSides) {
+  const auto scenes = scenes_of(shipped("geneva_four_slots")).value();
+  const Scene& scene = scenes.scenes.front();
+  std::size_t pins = 0, slots = 0;
+  for (const Shape& shape : scene.fixed) {
+    if (shape.role != Role::kJoint) continue;
+    const std::vector<double>& n = shape.numbers;
+    if (shape.name == "crank" && shape.kind == Shape::Kind::kCircle) {
+      EXPECT_NEAR(n[0], 40 * std::sqrt(2.), 1e-9);
+      EXPECT_NEAR(n[2], scene.unit, 1e-9);
+      ++pins;
+    }
+    if (shape.name != "wheel" || shape.kind != Shape::Kind::kPath) continue;
+    Vector2d middle = Vector2d::Zero();  // of both sides
+    for (std::size_t i = 0; i < n.size(); i += 2) middle += 2 * Vector2d(n[i], n[i + 1]) / n.size();
+    EXPECT_NEAR(middle.cwiseAbs().minCoeff(), 0, 1e-9);
+    ++slots;
+  }
+  EXPECT_EQ(pins, 1U);
+  EXPECT_EQ(slots, 4U);
+}
+
+// Bars hold every curve to the points of its body: a ring whose pivot is in its hollow, a flank of a tooth.
+TEST(Drawing, JoinsCurvesToTheirPivots) {
+  for (const auto& [model, body] :
+       {std::pair(shipped("disc_in_ring", {"bodies.ring.curves.hole.center=[10, 32]"}), "ring"),
+        std::pair(shipped("involute_pair"), "wheel")}) {
+    const auto scenes = scenes_of(model).value();
+    const auto& fixed = scenes.scenes.front().fixed;
+    EXPECT_TRUE(std::any_of(fixed.begin(), fixed.end(), [&, name = body](const Shape& shape) {
+      return shape.role == Role::kLink && shape.name == name;
+    })) << body;
+  }
+}
+
+// A bar is behind the face that it carries, also where a point of its body is on the face.
+TEST(Drawing, KeepsBarsBehindFaces) {
+  for (const char* name : {"flat_faced_translating", "cam_with_return_spring"}) {
+    const Model model = shipped(name);
+    const auto scenes = scenes_of(model).value();
+    const Body& follower = model.mechanism().bodies[2];
+    const auto face = std::find_if(follower.curves.begin(), follower.curves.end(),
+                                   [](const NamedCurve& curve) { return is_line(curve.curve); });
+    ASSERT_NE(face, follower.curves.end());
+    const Vector2d into = (face->curve.side == Side::kOutside ? -1 : 1) * face->curve.axis_B;
+    for (const Shape& shape : scenes.scenes.front().fixed) {
+      if (shape.role != Role::kLink || shape.body != 2) continue;
+      for (std::size_t i = 0; i < shape.numbers.size(); i += 2) {
+        const Vector2d p(shape.numbers[i], shape.numbers[i + 1]);
+        EXPECT_GT((p - 1000 * face->curve.vertex_B).dot(into), -1e-9) << name;
+      }
+    }
+  }
+}
+
 // The linkage of the demo's mechanism: O1 C1 = 10, C1 C2 = 35, C2 O2 = 60, O1 O2 = 80.
 TEST(Drawing, HasTheEquivalentLinkageInItsLengths) {
   SceneSettings at;

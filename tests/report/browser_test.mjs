@@ -9,7 +9,7 @@ import { basename, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Checks, parseCsv } from "./checks.mjs";
 import { checkControls, checkDrag, checkSlider } from "./controls.mjs";
-import { checkDrawing } from "./drawing.mjs";
+import { checkBrokenLinks, checkDrawing, checkHollow } from "./drawing.mjs";
 import { checkFigures } from "./figures.mjs";
 import { checkFrames, checkLongRun, checkSaving, checkTitle } from "./special.mjs";
 
@@ -93,6 +93,8 @@ async function checkProfile(context, name, made, checks) {
   checks.true((await luminance(page)) > 0.8, "light is not light");
   await checkDrawing(page, table, checks);
   await checkFigures(page, table, checks);
+  if (name === "parabola_cam") await checkBrokenLinks(page, table, 20, checks);
+  if (name === "oval_in_ring") await checkHollow(page, checks);
   await checkSlider(page, table, checks);
   await page.screenshot({ path: join(screens, `${name}.png`), fullPage: true });
   if (LOOKED_AT_CLOSELY.includes(name)) {

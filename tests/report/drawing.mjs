@@ -61,6 +61,30 @@ function checkPlaces(state, row, { joints, size }, checks) {
   }
 }
 
+/** Links that leave the picture are broken off: their texts are the lengths of the table, and within the picture. */
+export async function checkBrokenLinks(page, table, row, checks) {
+  await page.evaluate((shown) => higherpair.go(shown), row);
+  const texts = await page.evaluate(() =>
+    [...document.querySelectorAll('#drawing text[data-role="linkage"]:not(.absent)')].map((text) => {
+      const [a, b] = [text.getBoundingClientRect(), document.getElementById("drawing").getBoundingClientRect()];
+      return { text: text.textContent, inside: a.left >= b.left && a.right <= b.right && a.top >= b.top && a.bottom <= b.bottom };
+    }),
+  );
+  checks.true(texts.every(({ inside }) => inside), "a length is out of the picture");
+  checks.equal(texts.length, 2, "links that are broken off");
+  for (const name of ["r2", "r3"]) {
+    const length = Math.abs(Number(table.rows[row][`touch.${name}`]));
+    const found = texts.find(({ text }) => text.startsWith(`${name} = `))?.text ?? "";
+    checks.near(Number(found.replace(/.*= | mm/g, "")), length, 1e-3 * length, `${name} that is written`);
+  }
+}
+
+/** The hollow of a ring is not filled. */
+export async function checkHollow(page, checks) {
+  const rule = await page.evaluate(() => getComputedStyle(document.querySelector('#drawing [data-role="body"].closed')).fillRule);
+  checks.equal(rule, "evenodd", "how rings are filled");
+}
+
 function overlappingNames(page) {
   return page.evaluate(() => {
     const shown = [...document.querySelectorAll("#drawing text")].filter((text) => getComputedStyle(text).display !== "none");

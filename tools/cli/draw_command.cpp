@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -60,7 +61,9 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
   command->add_option("--trace", options.traces, "BODY.POINT: draw the path of this point; repeatable")
       ->allow_extra_args(false);
   command->add_flag("--linkage", options.linkage, "the equivalent linkage alone");
-  command->add_option("--width", options.width, "width in px")->check(positive_number());
+  command
+      ->add_option("--width", options.width, "width in px; otherwise 900, or less where the picture is high")
+      ->check(positive_number());
   add_tolerance_option(*command, options.tolerance);
   command->add_flag("--quiet", options.quiet, "no notes on standard error");
   command->final_callback([&options] {
@@ -91,7 +94,10 @@ int draw_command(const DrawOptions& options) {
   }
   DrawSettings draw = draw_settings(model->units());
   draw.layers = *layers;
-  draw.width = options.width;
+  if (options.width) {
+    draw.width = *options.width;
+    draw.most_height = std::numeric_limits<double>::infinity();
+  }
   draw.strip = options.strip;
   draw.title = model->mechanism().title;
   if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}})) {

@@ -20,7 +20,7 @@ struct DrawOptions {
   std::vector<std::string> layers;
   std::vector<std::string> traces;
   bool linkage = false;
-  double width = 900;
+  std::optional<double> width;
   double tolerance = 1e-9;
   bool quiet = false;
 };

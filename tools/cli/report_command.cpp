@@ -95,6 +95,12 @@ int report_command(const ReportOptions& options) {
   }
   if (!options.quiet) {
     print_events(report->events, *model);
+    if (report->every > 1) {
+      fmt::print(
+          stderr,
+          "higherpair: the page holds one in {} of {} rows; its extremes and events are of all of them\n",
+          report->every, report->size);
+    }
   }
   return report->good ? kExitOk : kExitRows;
 }

@@ -15,12 +15,14 @@ export function axes(report: Report, rows: Rows, columns: ReadonlyMap<string, nu
     const sorted = order.map((row) => values[row] ?? NaN);
     if (!sorted.every((value, i) => i === 0 || value > (sorted[i - 1] ?? NaN))) continue;
     const isTime = column.name === "time";
+    // Events have the position of the first driver.
+    const ofFirst = report.columns.findIndex(({ name }) => name.startsWith("driver")) === k;
     found.push({
       name: column.name,
       unit: column.unit,
       values: sorted,
       rows: order,
-      marks: report.events.flatMap((event) => (isTime ? (event.time ?? []) : event.driver)),
+      marks: report.events.flatMap((event) => (isTime ? (event.time ?? []) : ofFirst ? event.driver : (values[event.row] ?? []))),
       bad: stretches(bad, (row) => values[row] ?? 0),
     });
   }

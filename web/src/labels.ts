@@ -17,7 +17,7 @@ export interface Label {
   /** Where, and the direction in which it keeps clear of that; empty: it is not shown. */
   numbers: Numbers;
   readonly body: number;
-  readonly width: number;
+  width: number;
   /** Which of the candidates was taken last: it is tried first, so that names do not hop about. */
   last: number;
   /** Another label stands at the same place. */
@@ -35,11 +35,22 @@ export class Labels {
   private readonly pen = document.createElement("canvas").getContext("2d");
 
   add(element: SVGElement, numbers: Numbers, body: number): Label {
-    if (this.pen !== null) this.pen.font = "13px system-ui, sans-serif";
-    const width = this.pen?.measureText(element.textContent ?? "").width ?? 30;
-    const label = { element, numbers, body, width, last: 0, second: false };
+    const label = { element, numbers, body, width: this.widthOf(element.textContent ?? ""), last: 0, second: false };
     this.labels.push(label);
     return label;
+  }
+
+  /** Another place, or none, and another text. */
+  change(label: Label, numbers: Numbers, text: string): void {
+    label.numbers = numbers;
+    if (numbers.length === 0 || text === label.element.textContent) return;
+    label.element.textContent = text;
+    label.width = this.widthOf(text);
+  }
+
+  private widthOf(text: string): number {
+    if (this.pen !== null) this.pen.font = "13px system-ui, sans-serif";
+    return this.pen?.measureText(text).width ?? 30;
   }
 
   /** Of several points at one place the first keeps its name. */

@@ -39,9 +39,9 @@ export function addLinkages(
     player.onRow((row) => {
       const value = word === undefined ? null : rows.value(word, row);
       type.textContent = value === null ? "–" : (words[value] ?? "–");
-      show.forEach((update) => update(row));
       sketch.show(row);
     });
+    player.onReadable((row) => show.forEach((update) => update(row)));
     const head = element("h3", {}, contact, " ", type);
     byId("linkages").append(element("article", { class: "linkage" }, element("div", {}, head, lengths), sketch.root));
   }

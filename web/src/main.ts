@@ -23,7 +23,7 @@ import { View } from "./view";
 function addHeading(report: Report, rows: Rows): void {
   document.title = report.title;
   byId("title").textContent = report.title;
-  const count = rows.length === report.size ? `${report.size} rows` : `every ${Math.ceil((report.size - 1) / (rows.length - 1))}th of ${report.size} rows; extremes and events are of all of them`;
+  const count = rows.length === report.size ? `${report.size} rows` : `one in ${Math.ceil((report.size - 1) / (rows.length - 1))} of ${report.size} rows; extremes and events are of all of them`;
   const verdict = element("span", report.good ? {} : { class: "not-good" }, `the whole path is ${report.good ? "good" : "not good"}`);
   byId("subtitle").append(`${count} · `, verdict, " · extremes with the driver’s position");
   byId("file").textContent = report.file;
@@ -33,7 +33,8 @@ function addHeading(report: Report, rows: Rows): void {
 
 function start({ report, rows }: { report: Report; rows: Rows }): void {
   const columns = new Map(report.columns.map((column, k) => [column.name, k]));
-  const driverColumn = report.columns.findIndex(({ name }) => name === "driver" || name.startsWith("driver."));
+  const driverColumn = columns.get(report.driver.column) ?? 0;
+  const firstDriver = report.columns.findIndex(({ name }) => name.startsWith("driver")); // of events
   const unitOf = (k: number | undefined): string => (k === undefined ? "" : (report.columns[k]?.unit ?? ""));
   const player = new Player(rows, report, driverColumn);
   addHeading(report, rows);
@@ -53,7 +54,7 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
     plots.reveal(column);
     player.go(row);
   });
-  addEvents(report, unitOf(driverColumn), unitOf(columns.get("time")), player);
+  addEvents(report, unitOf(firstDriver), unitOf(columns.get("time")), player);
   addLinkages(report, rows, columns, player);
   addFigures(report, rows, player);
   new Values(report, rows, player, plots);

@@ -18,6 +18,7 @@ export interface Shape {
   /** Whose frame the numbers are in; none: ground. */
   readonly body?: number;
   readonly closed?: boolean;
+  /** Of a moving text: the name of the length that is its fifth number [mm]. */
   readonly text?: string;
   readonly colour?: string;
   /** Not filled although closed. */
@@ -67,6 +68,8 @@ export interface MapPlace {
 
 export interface Driver {
   readonly joint: string;
+  /** Of its position. */
+  readonly column: string;
   readonly body: number;
   /** A full turn in the unit of the column `driver`; null of a slide. */
   readonly turn: number | null;

@@ -2,6 +2,7 @@
 import type { MotionEvent, Report, Rows } from "./model";
 
 const SECONDS_PER_PASS = 6;
+const REFRESH = 80; // ms between two numbers that can be read, while it plays
 
 export class Player {
   row = 0;
@@ -29,6 +30,18 @@ export class Player {
 
   onRow(listener: (row: number) => void): void {
     this.listeners.push(listener);
+  }
+  /** Of numbers: while it plays not of every row, since nobody could read them. */
+  onReadable(listener: (row: number) => void): void {
+    let last = 0;
+    const show = (row: number): void => {
+      last = performance.now();
+      listener(row);
+    };
+    this.onRow((row) => {
+      if (!this.playing || performance.now() - last >= REFRESH) show(row);
+    });
+    this.onPlaying(() => show(this.row));
   }
   onPlaying(listener: (playing: boolean) => void): void {
     this.stateListeners.push(listener);

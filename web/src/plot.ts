@@ -1,7 +1,7 @@
 // One plot: columns over an axis, events and bad rows in it, and a cursor that moves the mechanism.
 import uPlot from "uplot";
 import { colour, element } from "./dom";
-import { quantity } from "./format";
+import { number, quantity } from "./format";
 import type { Column, Rows } from "./model";
 
 /** Colours that colour-blind people tell apart, and dashes for a print in black and white. */
@@ -78,17 +78,27 @@ export class Plot {
   }
 
   show(row: number): void {
+    this.moveTo(row);
+    this.showValues();
+  }
+
+  /** The cursor. */
+  moveTo(row: number): void {
     this.row = row;
     const at = this.axis.rows.indexOf(row);
     const x = at < 0 ? undefined : this.axis.values[at];
     if (this.chart !== null && x !== undefined) {
       this.line.style.transform = `translateX(${this.chart.valToPos(x, "x")}px)`;
     }
+  }
+
+  /** The numbers at the cursor. */
+  showValues(): void {
     this.shown.forEach((k, i) => {
       const chip = this.chips[i];
       const column = this.context.columns[k];
       if (chip !== undefined && column !== undefined) {
-        chip.textContent = quantity(this.context.rows.value(k, row), column.unit, column.noise);
+        chip.textContent = quantity(this.context.rows.value(k, this.row), column.unit, column.noise);
       }
     });
   }
@@ -106,6 +116,7 @@ export class Plot {
   private options(): uPlot.Options {
     const units = [...new Set(this.shown.map((k) => this.context.columns[k]?.unit ?? ""))];
     const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false }, font: "12px system-ui, sans-serif" };
+    const values = (_: uPlot, ticks: number[]): string[] => ticks.map((tick) => number(tick, 0, 5));
     const scales: Record<string, uPlot.Scale> = { x: { time: false } };
     for (const name of units) scales[`y${name}`] = { range: (_, low, high) => range(low, high, this.noiseOf(name)) };
     return {
@@ -115,14 +126,14 @@ export class Plot {
       cursor: { show: false },
       scales,
       axes: [
-        { ...axis, size: 28, space: 60 },
+        { ...axis, size: 28, space: 60, values },
         ...units.slice(0, 2).map((name, i) => ({
           ...axis,
           scale: `y${name}`,
           side: i === 0 ? 3 : 1,
           size: 62,
           ...(i === 0 ? {} : { grid: { show: false } }),
-          values: (_: uPlot, ticks: number[]) => ticks.map((tick) => tickText(tick)),
+          values,
         })),
       ],
       series: [
@@ -133,6 +144,7 @@ export class Plot {
           width: 2,
           dash: DASHES[i % DASHES.length] ?? [],
           points: { show: false },
+          pxAlign: 0, // else flat curves are stairs
         })),
       ],
       hooks: { drawClear: [(chart) => this.drawBad(chart)], draw: [(chart) => this.drawMarks(chart)] },
@@ -195,12 +207,6 @@ export class Plot {
     this.chart.setSize({ width, height: HEIGHT });
     this.show(this.row);
   }
-}
-
-function tickText(tick: number): string {
-  const size = Math.abs(tick);
-  const text = size >= 1e6 || (size < 1e-4 && size > 0) ? tick.toExponential(1) : String(Number(tick.toPrecision(6)));
-  return text.replace("-", "−");
 }
 
 // A column that is the same everywhere gets room around it, not a magnified rounding error.

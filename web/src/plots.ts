@@ -33,7 +33,8 @@ export class Plots {
     this.fillAxisChoice();
     this.fillColumnChoice();
     for (const names of report.plots) this.add(names.flatMap((name) => columns.get(name) ?? []));
-    player.onRow((row) => this.plots.forEach((plot) => plot.show(row)));
+    player.onRow((row) => this.plots.forEach((plot) => plot.moveTo(row)));
+    player.onReadable(() => this.plots.forEach((plot) => plot.showValues()));
   }
 
   get shownColumns(): number[] {

@@ -4,7 +4,7 @@ import type { Report, Rows } from "./model";
 import type { Player } from "./player";
 
 const STYLES = [
-  "fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
+  "fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
   "vector-effect", "opacity", "font-family", "font-size", "font-weight", "paint-order", "text-anchor", "dominant-baseline",
 ] as const;
 

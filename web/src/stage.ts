@@ -1,7 +1,8 @@
 // The drawing of the mechanism: bodies that are moved by their places, and shapes that every row has anew.
 import { byId, svg } from "./dom";
-import { type Frame, Labels } from "./labels";
+import { type Frame, type Label, Labels } from "./labels";
 import type { Report, Rows, Shape } from "./model";
+import { quantity } from "./format";
 import { placeShape, shapeElement } from "./shapes";
 
 export class Stage {
@@ -9,7 +10,8 @@ export class Stage {
   /** Groups of neighbouring shapes of one body. */
   private readonly groups: { readonly body: number; readonly element: SVGGElement }[] = [];
   private readonly labels = new Labels();
-  private readonly moving: { readonly shape: Shape; readonly element: SVGElement }[];
+  /** Texts name lengths of what is broken off. */
+  private readonly moving: { readonly shape: Shape; readonly element: SVGElement; readonly label: Label | null }[];
   private row = 0;
   private scale = 1;
 
@@ -25,8 +27,9 @@ export class Stage {
     for (const shape of report.scene.fixed) this.addFixed(shape, fixed, labels);
     this.moving = report.scene.moving.map((shape) => {
       const element = shapeElement(shape);
-      moving.append(element);
-      return { shape, element };
+      const isText = shape.kind === "text";
+      (isText ? labels : moving).append(element);
+      return { shape, element, label: isText ? this.labels.add(element, [], 0) : null };
     });
     const places = rows.places(0);
     if (places !== null) this.labels.dropSeconds((body) => frame(places, body), report.scene.unit);
@@ -66,12 +69,18 @@ export class Stage {
       const [c, s, x, y] = frame(places, body);
       element.setAttribute("transform", `matrix(${c} ${-s} ${s} ${c} ${x} ${-y})`);
     }
-    this.moving.forEach(({ shape, element }, i) => {
+    this.moving.forEach(({ shape, element, label }, i) => {
       // What is not seen need not be placed; contacts are read back.
       if (shape.role !== "contact" && this.root.classList.contains(`hide-${shape.role}`)) return;
-      placeShape(element, shape, this.rows.shape(i, row), this.report.scene.unit);
+      const numbers = this.rows.shape(i, row);
+      placeShape(element, shape, numbers, this.report.scene.unit);
+      if (label !== null) this.labels.change(label, numbers, `${shape.text ?? ""} = ${this.lengthText(numbers[4] ?? 0)}`);
     });
     this.labels.place((body) => frame(places, body), this.scale);
+  }
+
+  private lengthText(millimetres: number): string {
+    return quantity(millimetres * this.report.lengthPerMm, this.report.lengthUnit, 0, 4);
   }
 
   showAgain(): void {

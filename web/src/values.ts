@@ -5,8 +5,6 @@ import type { Report, Rows } from "./model";
 import type { Player } from "./player";
 import type { Plots } from "./plots";
 
-const REFRESH = 80; // ms between two, while it plays
-
 interface Line {
   readonly column: number;
   readonly value: HTMLElement;
@@ -17,7 +15,6 @@ interface Line {
 export class Values {
   private readonly lines: Line[] = [];
   private readonly groups: { readonly body: HTMLElement; readonly lines: Line[] }[] = [];
-  private last = 0;
 
   constructor(
     private readonly report: Report,
@@ -26,11 +23,7 @@ export class Values {
     private readonly plots: Plots,
   ) {
     this.fill();
-    player.onRow((row) => {
-      if (player.playing && performance.now() - this.last < REFRESH) return;
-      this.show(row);
-    });
-    player.onPlaying(() => this.show(player.row));
+    player.onReadable((row) => this.show(row));
     plots.onChange(() => this.showPlotted());
     this.showPlotted();
     const search = byId<HTMLInputElement>("search");
@@ -71,7 +64,6 @@ export class Values {
   }
 
   private show(row: number): void {
-    this.last = performance.now();
     for (const { column, value } of this.lines) {
       const here = this.rows.value(column, row);
       const words = this.report.columns[column]?.words;

@@ -17,6 +17,7 @@ struct PictureUnit {
 struct DrawSettings {
   std::vector<Role> layers;        ///< empty: all but motion, forces and instant centres
   double width = 900;              ///< of the picture, or of each picture of a strip [px]
+  double most_height = 1000;       ///< without scales: what would be higher is drawn narrower [px]
   bool strip = false;              ///< several scenes side by side, not one over the other
   PictureUnit length{"mm", 1e-3};  ///< of `data-scale` and the scale bar
   PictureUnit velocity{"mm/s", 1e-3};

@@ -45,7 +45,8 @@ struct Shape {
     kPath,    ///< points x, y, x, y, …; `closed`: filled. Pieces apart are separated by two NaN
     kCircle,  ///< center x, y, radius
     kArrow,   ///< from x, y to x, y
-    kText,    ///< at x, y, and the direction x, y in which it keeps clear of it
+    kText,    ///< at x, y, and the direction x, y in which it keeps clear of it; with a fifth number
+              ///< its text is the name of a length [mm], which is that number
   };
   Role role = Role::kBody;
   Kind kind = Kind::kPath;
@@ -71,7 +72,8 @@ struct Scene {
   struct Place {
     double x = 0, y = 0, theta = 0;  ///< of a body's frame [mm, rad]
   };
-  Box view;                       ///< holds all that moves, over the whole motion
+  Box view;  ///< holds all that moves, over the whole motion; links of equivalent linkages that leave it are
+             ///< broken off
   double unit = 1;                ///< [mm] in which symbols are drawn: a pin has the radius 1
   double velocity_scale = 0;      ///< length of an arrow for a velocity [mm/(mm/s)]; 0: nothing moves
   double acceleration_scale = 0;  ///< the same for an acceleration [mm/(mm/s²)]

@@ -28,6 +28,8 @@ struct Report {
   std::string html;           ///< one self-contained file; asks nothing of any network
   bool good = true;           ///< as Analysis::good
   bool stopped = false;       ///< rows are missing
+  std::int64_t size = 0;      ///< rows of the run
+  std::int64_t every = 1;     ///< the page holds one row in so many of them, and the last
   Diagnostics notes;          ///< as Analysis::notes
   std::vector<Event> events;  ///< as Analysis::events
 };

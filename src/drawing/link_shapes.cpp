@@ -1,0 +1,175 @@
+#include "link_shapes.hpp"
+
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "outline.hpp"
+#include "touches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kBar = 1.6;  // half the width of a bar [units]
+
+// Along the axis of a face into its material.
+double material_sense(const Curve& curve) {
+  return curve.side == Side::kOutside ? -1 : 1;
+}
+
+bool is_within(const Vector2d& p, const std::vector<Vector2d>& polygon) {
+  bool within = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vector2d& a = polygon[i];
+    const Vector2d& b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+      within = !within;
+    }
+  }
+  return within;
+}
+
+// Within the material of a face or an open conic.
+Vector2d middle_of_strip(const Sketch& sketch, int body, std::size_t index) {
+  const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
+  const std::vector<double> path = material(curve, kFace * sketch.unit, touched_range(sketch, body, index));
+  const std::size_t front = path.size() / 2 - 2;  // points; the other two are behind
+  const auto at = [&](std::size_t i) { return Vector2d(path[2 * i], path[2 * i + 1]); };
+  return (at((front - 1) / 2) + at(front / 2) + at(front) + at(front + 1)) / 4;
+}
+
+// Behind the middle of a chain that is no plate, as of a tooth's flank.
+std::optional<Vector2d> middle_behind(const Sketch& sketch, const NamedCurve& named) {
+  if (named.curve.kind != CurveKind::kChain || !named.boundary || named.boundary->is_closed()) {
+    return std::nullopt;
+  }
+  const auto& samples = named.boundary->samples();
+  const SpanPoint& middle = samples[samples.size() / 2].point;
+  if (samples.size() < 3) return (samples.front().point.p_B + samples.back().point.p_B) / 2;
+  return middle.p_B - kBar * sketch.unit * middle.n_B;
+}
+
+// Where the bar of a point on a flat face ends: it does not stand out in front of the face.
+Vector2d behind_faces(const Sketch& sketch, int index, const Vector2d& p_B) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  Vector2d behind = p_B;
+  for (std::size_t i = 0; i < body.curves.size(); ++i) {
+    const Curve& curve = body.curves[i].curve;
+    if (body.curves[i].copy_of >= 0 || !is_line(curve)) continue;
+    const auto [low, high] = touched_range(sketch, index, i);
+    const Vector2d n = material_sense(curve) * curve.axis_B, away = p_B - curve.vertex_B;
+    const double depth = away.dot(n), along = away.dot(perp(curve.axis_B));
+    const double missing = kBar * sketch.unit - depth;
+    if (missing > 0 && std::abs(depth) <= kFace * sketch.unit && along >= low && along <= high) {
+      behind += missing * n;
+    }
+  }
+  return behind;
+}
+
+// Where the bars of a ring end in it: those of points outside of it, and one of a point in its hollow, which
+// stands where the ring is touched least.
+std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t curve,
+                                  const Vector2d& middle) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const Curve& ring = body.curves[curve].curve;
+  const double thickness = kFace * sketch.unit;
+  const auto [a, b] = semi_axes(ring);
+  const auto on_rim = [&](const Vector2d& d) {
+    const double radius = 1 / std::hypot(d.dot(ring.axis_B) / a, d.dot(perp(ring.axis_B)) / b);
+    return Vector2d(middle + (radius + 0.6 * thickness) * d);
+  };
+  std::vector<Vector2d> rim;
+  for (const NamedPoint& point : body.points) {
+    const Vector2d way = point.p_B - middle;
+    if (way.norm() > a + thickness) {
+      rim.push_back(on_rim(way.normalized()));
+    } else if (way.norm() < b - thickness) {
+      rim.push_back(on_rim(-edge_direction(sketch, index, curve)));
+    }
+  }
+  return rim;
+}
+
+// Whether a closed curve of the body holds all of its points: then it needs no bar.
+bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>& anchors) {
+  return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& named) {
+    if (is_plate(named)) {
+      const std::vector<Vector2d> polygon = outline_of(*named.boundary);
+      return std::all_of(anchors.begin(), anchors.end(),
+                         [&](const Vector2d& p) { return is_within(p, polygon); });
+    }
+    const auto middle = middle_of(named.curve);
+    if (!middle || !is_conic(named.curve) || named.curve.side == Side::kOutside) {
+      return false;
+    }
+    const double least = semi_axes(named.curve)[1] - sketch.unit;
+    return std::all_of(anchors.begin(), anchors.end(),
+                       [&](const Vector2d& p) { return (p - *middle).norm() <= least; });
+  });
+}
+
+}  // namespace
+
+std::vector<Vector2d> outline_of(const Boundary& boundary) {
+  std::vector<Vector2d> points;
+  for (const Boundary::Sample& sample : boundary.samples()) {
+    points.push_back(sample.point.p_B);
+  }
+  return points;
+}
+
+bool is_plate(const NamedCurve& named) {
+  if (named.curve.kind != CurveKind::kChain || !named.boundary || !named.boundary->is_closed()) {
+    return false;
+  }
+  const std::vector<Vector2d> polygon = outline_of(*named.boundary);
+  double twice_area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    twice_area += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  return twice_area > 0;
+}
+
+std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  std::vector<Vector2d> anchors;
+  for (const NamedPoint& point : body.points) {
+    anchors.push_back(behind_faces(sketch, index, point.p_B));
+  }
+  for (std::size_t i = 0; i < body.curves.size(); ++i) {
+    const Curve& curve = body.curves[i].curve;
+    if (body.curves[i].copy_of >= 0) continue;
+    if (is_plate(body.curves[i])) anchors.push_back(body.curves[i].boundary->middle_B());
+    if (const auto behind = middle_behind(sketch, body.curves[i])) anchors.push_back(*behind);
+    const auto middle = middle_of(curve);
+    if (middle && curve.side == Side::kInside) {
+      anchors.push_back(*middle);
+    } else if (is_line(curve) || (is_conic(curve) && curve.q <= 0)) {
+      anchors.push_back(behind_faces(sketch, index, middle_of_strip(sketch, index, i)));
+    } else if (is_point(curve) && is_held(sketch, index, i)) {
+      anchors.emplace_back(curve.vertex_B);
+    } else if (is_point(curve)) {
+      anchors.emplace_back(curve.vertex_B + kWedge * sketch.unit * edge_direction(sketch, index, i));
+    } else if (middle) {
+      const std::vector<Vector2d> rim = rim_towards(sketch, index, i, *middle);
+      anchors.insert(anchors.end(), rim.begin(), rim.end());
+    }
+  }
+  return anchors;
+}
+
+void add_link(Sketch& sketch, int index) {
+  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const std::vector<Vector2d> anchors = anchors_of(sketch, index);
+  const bool has_length = std::any_of(anchors.begin(), anchors.end(), [&](const Vector2d& p) {
+    return (p - anchors.front()).norm() > sketch.unit;
+  });
+  if (has_length && !is_disc(sketch, body, anchors)) {
+    sketch.add(Role::kLink, body.name, index, rounded_hull(anchors, kBar * sketch.unit), true);
+  }
+}
+
+}  // namespace higherpair
