@@ -3,6 +3,7 @@
 #include "coupled_bodies.hpp"
 #include "gap_contacts.hpp"
 #include "group_kinds.hpp"
+#include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -55,7 +56,10 @@ std::string unreachable(const Run& run, const State& state, const Group& group) 
     names += (names.empty() ? "" : ", ") + name_of_body(run.mechanism(), body);
   }
   const auto g = static_cast<std::size_t>(&group - run.plan().groups.data());
-  if (const auto end = joint_beyond_end({run.mechanism(), run.plan()}, g, state)) {
+  // Links that cannot reach each other have not been put to where their joints would be.
+  const bool reaches = closure_gap(group, state.bodies).value_or(0) <= 0;
+  const auto end = reaches ? joint_beyond_end({run.mechanism(), run.plan()}, g, state) : std::nullopt;
+  if (end) {
     return fmt::format(
         "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
         "driver.start, "

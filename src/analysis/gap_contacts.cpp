@@ -5,7 +5,7 @@
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "joint_ends.hpp"
-#include "overlap.hpp"
+#include "meetings.hpp"
 #include "span_joints.hpp"
 #include "tolerances.hpp"
 
@@ -201,8 +201,10 @@ std::optional<Engagement> engagement_within(Run& run, const Path& path, double s
       take(entry(run, path, g, s, h, passing));
     }
     if (!contact.both_sides) {
-      if (const auto closing = closing_within(run, path, contact, s, h)) {
-        take(Engagement{g, closing->x, closing->motion.place});
+      const auto closing =
+          meeting_within(run, path, static_cast<std::size_t>(touching_of(run, g).contact), s, h);
+      if (closing) {
+        take(Engagement{g, closing->x, {closing->place.place1, closing->place.place2}});
       }
     }
   }

@@ -31,36 +31,26 @@ Separation separation_in(const Run& run, const Contact& contact, const State& st
                     kOverlapPrecision * run.plan().size);
 }
 
-// Where two bodies are nearest to each other, or deepest in each other.
-struct Nearest {
-  double gap = 0;        // [m]
-  ContactMotion motion;  // its normal; of a contact by_boundary its places
-};
-
-Nearest nearest_in(const Run& run, const Contact& contact, const State& state) {
-  Nearest nearest;
+// How far the two bodies of a contact are in each other, at any place [m].
+double overlap_in(const Run& run, const Contact& contact, const State& state) {
   if (!contact.by_boundary) {
-    const Separation here = separation_in(run, contact, state);
-    nearest.gap = here.gap;
-    nearest.motion.at.n_W = here.n_W;
-    return nearest;
+    return -separation_in(run, contact, state).gap;
   }
-  const Penetration here = deepest_penetration(
-      boundary_of(run.mechanism(), contact.first), body_in(state, contact.first.body).X_WB,
-      boundary_of(run.mechanism(), contact.second), body_in(state, contact.second.body).X_WB,
-      kOverlapOfBoundaries * run.plan().size);
-  nearest.gap = -here.depth;
-  nearest.motion.place = {here.place1, here.place2};
-  return nearest;
+  return deepest_penetration(boundary_of(run.mechanism(), contact.first),
+                             body_in(state, contact.first.body).X_WB,
+                             boundary_of(run.mechanism(), contact.second),
+                             body_in(state, contact.second.body).X_WB, kOverlapOfBoundaries * run.plan().size)
+      .depth;
 }
 
 // Where between run.at.state and run.work.trial the gap at the common normal near the one given closes; the
 // way's end if it cannot be followed back.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
-                       const ContactMotion& near) {
+                       const Vector2d& n_W) {
   const State kept = run.work.trial;
   const auto gap_in = [&](const State& state) {
-    ContactMotion at = near;
+    ContactMotion at;
+    at.at.n_W = n_W;
     return place_contact(run.mechanism(), contact, state.bodies, at)
                ? at.at.gap()
                : std::numeric_limits<double>::quiet_NaN();
@@ -120,30 +110,31 @@ std::optional<std::size_t> touching_group(const Run& run, int contact) {
   return std::nullopt;
 }
 
-// The same of boundaries: the body goes over to the places at which it has come into the other one.
-std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double s, double h,
-                               const ContactMotion& near) {
+// The same of boundaries, which meet in run.at.state: the body goes over to the place where they do. Not
+// where the bodies are on different sides at the two places: neither could be kept.
+std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double s, const NearPlace& place) {
   const auto& touching = std::get<TouchingBody>(run.plan().groups[g].kind);
   const auto i = static_cast<std::size_t>(touching.contact);
-  const Contact& contact = run.mechanism().contacts[i];
-  const State kept = run.work.trial;
-  State over = run.work.trial;
+  State over = run.at.state;
   ContactMotion& motion = over.contacts[i];
   const double phi = motion.phi;
-  motion = near;
-  if (!place_contact(run.mechanism(), contact, over.bodies, motion)) {
+  motion.place = {place.place1, place.place2};
+  if (!place_contact(run.mechanism(), run.mechanism().contacts[i], over.bodies, motion)) {
     return std::nullopt;
   }
   motion.phi = nearest_turn(motion.phi, phi);
-  over.groups[g].mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
-  std::swap(run.at.state, over);
-  const bool placed = solve_at(run, path, s + h, 0);
-  std::swap(run.at.state, over);
-  if (!placed) {
-    run.work.trial = kept;
+  const int mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
+  if (mode != over.groups[g].mode) {
     return std::nullopt;
   }
-  return Jump{follower_rate(kept, touching), follower_rate(run.work.trial, touching)};
+  const double before = follower_rate(run.at.state, touching);
+  std::swap(run.at.state, over);
+  if (!solve_at(run, path, s, 0)) {
+    std::swap(run.at.state, over);
+    return std::nullopt;
+  }
+  std::swap(run.at.state, run.work.trial);
+  return Jump{before, follower_rate(run.at.state, touching)};
 }
 
 // Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places what
@@ -171,6 +162,26 @@ std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, do
   return change;
 }
 
+// The event where a contact's bodies come into each other, or the motion goes on with another contact.
+void report(Run& run, std::size_t contact, const Path& path, double s, const std::optional<Jump>& change) {
+  RunEvent event;
+  event.type = EventType::kOverlap;
+  set_place(event, path, s);
+  event.contact = static_cast<int>(contact);
+  event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
+  if (change) {
+    OverlapWatch& watch = run.at.watches[contact];
+    watch.overlaps = false;
+    watch.jumped = true;
+    event.type = EventType::kSecondContact;
+    event.cause = fmt::format(
+        "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate "
+        "for a unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
+        change->rate_before, change->rate_after);
+  }
+  run.events.push_back(std::move(event));
+}
+
 }  // namespace
 
 std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
@@ -189,21 +200,11 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
   return watched;
 }
 
-std::optional<Closing> closing_within(Run& run, const Path& path, const Contact& contact, double s,
-                                      double h) {
-  const Nearest here = nearest_in(run, contact, run.work.trial);
-  if (!(here.gap < -kOverlap * run.plan().size)) {
-    return std::nullopt;
-  }
-  return Closing{closing_between(run, path, contact, s, h, here.motion), here.motion};
-}
-
 void renew_overlaps(Run& run) {
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
     OverlapWatch& watch = run.at.watches[i];
-    watch.overlaps =
-        watch.needed && run.at.state.contacts[i].touches &&
-        nearest_in(run, run.mechanism().contacts[i], run.at.state).gap < -kOverlap * run.plan().size;
+    watch.overlaps = watch.needed && run.at.state.contacts[i].touches &&
+                     overlap_in(run, run.mechanism().contacts[i], run.at.state) > kOverlap * run.plan().size;
   }
 }
 
@@ -214,36 +215,49 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
       continue;
     }
     const Contact& contact = run.mechanism().contacts[i];
-    const Nearest here = nearest_in(run, contact, run.work.trial);
+    if (contact.by_boundary) {
+      watch.overlaps =
+          watch.overlaps && overlap_in(run, contact, run.work.trial) > kOverlap * run.plan().size;
+      continue;
+    }
+    const Separation here = separation_in(run, contact, run.work.trial);
     const bool overlaps = here.gap < -kOverlap * run.plan().size;
     const bool begins = overlaps && !watch.overlaps;
     watch.overlaps = overlaps;
     if (!begins) {
       continue;
     }
-    RunEvent event;
-    event.type = EventType::kOverlap;
-    const double x = closing_between(run, path, contact, s, h, here.motion);
-    set_place(event, path, s + x);
-    event.contact = static_cast<int>(i);
-    event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
+    const double x = closing_between(run, path, contact, s, h, here.n_W);
     const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
-    const auto on_boundaries = contact.jump ? touching_group(run, static_cast<int>(i)) : std::nullopt;
-    const auto change = g               ? jump(run, path, *g, s, h, x)
-                        : on_boundaries ? jump_along(run, path, *on_boundaries, s, h, here.motion)
-                                        : std::nullopt;
-    if (change) {
-      watch.overlaps = false;
-      watch.jumped = true;
-      event.type = EventType::kSecondContact;
-      event.cause = fmt::format(
-          "a second contact of the same two bodies appears and the motion goes on with it; the follower's "
-          "rate for a "
-          "unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
-          change->rate_before, change->rate_after);
-    }
-    run.events.push_back(std::move(event));
+    report(run, i, path, s + x, g ? jump(run, path, *g, s, h, x) : std::nullopt);
   }
+}
+
+std::optional<Meeting> meeting_elsewhere(Run& run, const Path& path, double s, double h) {
+  std::optional<Meeting> first;
+  for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
+    const OverlapWatch& watch = run.at.watches[i];
+    if (!watch.needed || watch.overlaps || !run.mechanism().contacts[i].by_boundary ||
+        !run.at.state.contacts[i].touches) {
+      continue;
+    }
+    const auto found = meeting_within(run, path, i, s, h);
+    if (found && (!first || std::abs(found->x) < std::abs(first->x))) {
+      first = found;
+    }
+  }
+  return first;
+}
+
+void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bool may_go_over) {
+  const std::size_t i = meeting.contact;
+  const bool at_end = meeting.place.end != 0;
+  const auto g = may_go_over && !at_end && run.mechanism().contacts[i].jump
+                     ? touching_group(run, static_cast<int>(i))
+                     : std::nullopt;
+  const auto change = g ? jump_along(run, path, *g, s, meeting.place) : std::nullopt;
+  run.at.watches[i].overlaps = true;
+  report(run, i, path, s + (meeting.at - meeting.x), change);
 }
 
 }  // namespace higherpair

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meetings.hpp"
 #include "path.hpp"
 #include "step.hpp"
 
@@ -9,22 +10,22 @@ namespace higherpair {
 /// everywhere more curved than the ring about it.
 [[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
-/// Where two bodies that are apart in run.at.state, which is at s, first touch on the way to run.work.trial,
-/// h beyond.
-struct Closing {
-  double x = 0;          ///< beyond run.at.state on the path
-  ContactMotion motion;  ///< near their contact: its normal, or its places
-};
-/// None if they are apart in run.work.trial. run.work.trial is left as it is.
-[[nodiscard]] std::optional<Closing> closing_within(Run& run, const Path& path, const Contact& contact,
-                                                    double s, double h);
-
 /// Where a branch is taken up again: sets which bodies overlap in run.at.state.
 void renew_overlaps(Run& run);
 
 /// Looks for overlaps of touching bodies elsewhere in run.work.trial, which is `h` of the path beyond
 /// run.at.state at s. A driver and follower whose contact allows it go over to the second contact there
-/// (run.work.trial is changed); others are marked. Adds an event where this begins.
+/// (run.work.trial is changed); others are marked. Adds an event where this begins. Of boundaries, whose
+/// meetings are looked for before a step is taken, it says only whether they are still in each other.
 void watch_overlaps(Run& run, const Path& path, double s, double h);
+
+/// The first meeting of two touching boundaries elsewhere between run.at.state, which is at s, and
+/// run.work.trial, h beyond it; of bodies that are in each other already none.
+[[nodiscard]] std::optional<Meeting> meeting_elsewhere(Run& run, const Path& path, double s, double h);
+
+/// Lets run.at.state, which stands at s where two touching boundaries meet elsewhere, go on with the contact
+/// there, if that keeps the bodies on the same side; else they are marked as in each other. Adds an event.
+/// \param may_go_over  false: only marked
+void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bool may_go_over);
 
 }  // namespace higherpair

@@ -2,6 +2,7 @@
 
 #include "crossing.hpp"
 #include "events.hpp"
+#include "flat_contacts.hpp"
 #include "gap_contacts.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/geometry/roots.hpp"
@@ -110,8 +111,10 @@ private:
     if (open_ && result.kind == StepResult::kOk && close()) {
       return Outcome::kGoesOn;
     }
-    if (const auto passage = joint_within(run_, path_, s_, step_); passage && pass(*passage)) {
-      return Outcome::kGoesOn;
+    if (const auto passage = joint_within(run_, path_, s_, step_)) {
+      if (const auto outcome = pass(*passage)) {
+        return *outcome;
+      }
     }
     const bool ok = result.kind == StepResult::kOk;
     near_crossing_ = ok && is_near_crossing(run_, run_.work.trial);
@@ -188,15 +191,23 @@ private:
     return true;
   }
 
-  // Ends the step at a joint of spans, where accelerations may jump, and begins the next one beyond it.
-  bool pass(const JointPassage& passage) {
+  // Ends the step at a joint of spans, where accelerations may jump, and begins the next one beyond it; none
+  // where it rests on the joint.
+  std::optional<Outcome> pass(const JointPassage& passage) {
     const bool again = passage.contact == passed_.contact && passage.side == passed_.side &&
                        passage.after.span == passed_.before.span &&
                        std::abs(s_ + passage.x - passed_.x) <= kSmallestStep * scale_;
     if (again || !place_at_joint(run_, path_, s_, passage)) {
       // It rests on the joint, to within rounding: either span will do.
       (void)try_step(run_, path_, s_, step_);
-      return false;
+      return std::nullopt;
+    }
+    if (const auto group = broken_off(run_, passage.x)) {
+      (void)try_step(run_, path_, s_, step_);
+      return refuse(*group);
+    }
+    if (meet(passage.x)) {
+      return Outcome::kGoesOn;
     }
     if (passage.x != 0) {
       note_events(run_, path_, s_, passage.x);
@@ -204,15 +215,55 @@ private:
       accept(run_);
     }
     s_ += passage.x;
-    go_over_joint(run_, path_, s_, passage);
+    if (!lies_flat_behind(run_, passage)) {
+      go_over_joint(run_, path_, s_, passage);
+    } else if (!go_over_flat(run_, path_, s_, passage)) {
+      return lose({group_of_contact(passage.contact), s_});
+    }
     passed_ = passage;
     passed_.x = s_;
+    return Outcome::kGoesOn;
+  }
+
+  [[nodiscard]] std::size_t group_of_contact(std::size_t contact) const {
+    const auto& groups = run_.plan().groups;
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
+             group.contacts.end();
+    });
+    return static_cast<std::size_t>(found - groups.begin());
+  }
+
+  // Ends a step, which leads to run.work.trial, where touching boundaries meet elsewhere.
+  bool meet(double h) {
+    const auto meeting = meeting_elsewhere(run_, path_, s_, h);
+    if (!meeting) {
+      return false;
+    }
+    const State kept = run_.work.trial;
+    if (meeting->x != 0) {
+      if (!solve_at(run_, path_, s_, meeting->x)) {
+        run_.work.trial = kept;
+        return false;
+      }
+      note_events(run_, path_, s_, meeting->x);
+      watch_overlaps(run_, path_, s_, meeting->x);
+      accept(run_);
+    }
+    // Where they meet again at once neither contact can be kept.
+    const bool again = s_ + meeting->x == met_at_;
+    s_ += meeting->x;
+    go_over_to(run_, path_, s_, *meeting, !again);
+    met_at_ = s_;
     return true;
   }
 
   Outcome take() {
     if (last_ && near_crossing_ && stop_near_crossing(run_, path_, s_, rest())) {
       return rest_beside_crossing();
+    }
+    if (meet(step_)) {
+      return Outcome::kGoesOn;
     }
     note_events(run_, path_, s_, step_);
     watch_overlaps(run_, path_, s_, step_);
@@ -326,6 +377,7 @@ private:
   double first_refused_ = 0;
   bool open_;                                                    // a contact is
   double parted_at_ = std::numeric_limits<double>::quiet_NaN();  // s of the last contact that parted
+  double met_at_ = std::numeric_limits<double>::quiet_NaN();     // s of the last meeting elsewhere
   JointPassage passed_;                                          // the last one, at s_ = passed_.x
   std::optional<Limit> limit_;                                   // the first known
   double steps_left_;

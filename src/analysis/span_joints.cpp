@@ -59,23 +59,81 @@ std::optional<Changed> changed_place(const Run& run) {
   return std::nullopt;
 }
 
-// The sense in which the contact runs along a boundary, by its speed at run.at.state.
+// How fast a contact runs along a boundary, on a corner how fast its normal turns there. Its sign is the same
+// on either side of a joint: u1 = (ω_r + κ2 v_s) / (κ1 + κ2) and u2 = (ω_r - κ1 v_s) / (κ1 + κ2).
+double running_speed(const Run& run, const Changed& at, const State& state) {
+  const ContactMotion& motion = state.contacts[at.contact];
+  const Contact& contact = run.mechanism().contacts[at.contact];
+  const BodyMotion& body = state.bodies[static_cast<std::size_t>(ref_of(contact, at.side).body)];
+  return boundary_at(run, at.contact, at.side).is_corner(motion.place[at.side])
+             ? motion.rates.phi_dot - body.omega
+         : at.side == 0 ? motion.rates.along1
+                        : -motion.rates.along2;
+}
+
+// A contact and side that turns back within the step, and where.
+struct Turn {
+  Changed at;
+  double x = 0;
+};
+
+std::vector<Turn> turned_back(const Run& run) {
+  std::vector<Turn> turned;
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    if (!run.mechanism().contacts[i].by_boundary || !run.at.state.contacts[i].touches ||
+        !run.work.trial.contacts[i].touches) {
+      continue;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Changed at{i, side};
+      if (running_speed(run, at, run.at.state) * running_speed(run, at, run.work.trial) < 0) {
+        turned.push_back({at});
+      }
+    }
+  }
+  return turned;
+}
+
+// The part of a step up to where a contact turns back on another span than it began on, so that it may be
+// back at the end; run.work.trial is then there. All of the step if none does.
+double length_without_return(Run& run, const Path& path, std::vector<Turn>& turned, double s, double h) {
+  double length = h;
+  for (Turn& turn : turned) {
+    const Changed at = turn.at;
+    const State kept = run.work.trial;
+    const auto speed = [&](double x) {
+      mark_places(run);
+      return solve_at(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNaN;
+    };
+    const auto x = root_between(speed, running_speed(run, at, run.at.state), length,
+                                running_speed(run, at, run.work.trial));
+    turn.x = x.value_or(0);
+    mark_places(run);
+    const bool elsewhere = x && *x != 0 && std::abs(*x) < std::abs(length) && solve_at(run, path, s, *x) &&
+                           run.work.trial.contacts[at.contact].place[at.side].span !=
+                               run.at.state.contacts[at.contact].place[at.side].span;
+    if (elsewhere) {
+      length = *x;
+    } else {
+      run.work.trial = kept;
+    }
+  }
+  return length;
+}
+
+// The sense in which the contact runs along a boundary, from span to span or by its speed at the step's end.
 bool runs_forward(const Run& run, const Changed& changed, double h) {
-  const ContactMotion& motion = run.at.state.contacts[changed.contact];
   const Boundary& boundary = boundary_at(run, changed.contact, changed.side);
-  const int from = motion.place[changed.side].span;
+  const int from = run.at.state.contacts[changed.contact].place[changed.side].span;
   const int to = run.work.trial.contacts[changed.contact].place[changed.side].span;
   const bool is_next = to == boundary.next_span(from, true);
   const bool is_previous = to == boundary.next_span(from, false);
   if (is_next != is_previous) {
     return is_next;
   }
-  const Contact& contact = run.mechanism().contacts[changed.contact];
-  const BodyMotion& body = run.at.state.bodies[static_cast<std::size_t>(ref_of(contact, changed.side).body)];
-  const double along = boundary.is_corner(motion.place[changed.side]) ? motion.rates.phi_dot - body.omega
-                       : changed.side == 0                            ? motion.rates.along1
-                                                                      : -motion.rates.along2;
-  return along * h > 0;
+  const double before = running_speed(run, changed, run.at.state);
+  const double after = running_speed(run, changed, run.work.trial);
+  return (before * after < 0 ? after : before) * h > 0;
 }
 
 // A number that goes through 0 where the contact is at the joint.
@@ -142,7 +200,10 @@ void mark_places(Run& run) {
   }
 }
 
-std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
+namespace {
+
+std::optional<JointPassage> first_passage(Run& run, const Path& path, const std::vector<Turn>& turned,
+                                          double s, double h) {
   std::optional<JointPassage> first;
   // A joint passed before the one found shows as a change there.
   while (const auto changed = changed_place(run)) {
@@ -151,19 +212,28 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
     const int span = run.at.state.contacts[changed->contact].place[changed->side].span;
     JointPassage passage{changed->contact, changed->side, end_of(boundary, span, forward),
                          end_of(boundary, boundary.next_span(span, forward), !forward), 0};
+    const auto place_in = [&](const State& state) {
+      return state.contacts[passage.contact].place[passage.side];
+    };
     const auto beyond = [&](double x) {
       mark_places(run);
-      return solve_at(run, path, s, x)
-                 ? beyond_joint(boundary, run.work.trial.contacts[passage.contact].place[passage.side],
-                                passage, forward)
-                 : kNaN;
+      return solve_at(run, path, s, x) ? beyond_joint(boundary, place_in(run.work.trial), passage, forward)
+                                       : kNaN;
     };
     const double length = first ? first->x : h;
+    // Where it turns back on its span it leaves that behind there, though it may have begun at the joint.
+    const auto turn = std::find_if(turned.begin(), turned.end(), [&](const Turn& candidate) {
+      return candidate.at.contact == changed->contact && candidate.at.side == changed->side &&
+             std::abs(candidate.x) < std::abs(length);
+    });
+    const double after = beyond_joint(boundary, place_in(run.work.trial), passage, forward);
+    const double from = turn == turned.end() ? 0 : turn->x;
     const double before =
-        beyond_joint(boundary, run.at.state.contacts[passage.contact].place[passage.side], passage, forward);
-    const double after = beyond_joint(boundary, run.work.trial.contacts[passage.contact].place[passage.side],
-                                      passage, forward);
-    const auto x = before >= 0 ? std::optional(0.0) : root_between(beyond, before, length, after);
+        from != 0 ? beyond(from) : beyond_joint(boundary, place_in(run.at.state), passage, forward);
+    const auto left =
+        before >= 0 ? std::optional(0.0)
+                    : root_between([&](double x) { return beyond(from + x); }, before, length - from, after);
+    const auto x = left ? std::optional(from + *left) : std::nullopt;
     if (!x || (first && std::abs(*x) >= std::abs(first->x))) {
       return first;
     }
@@ -173,8 +243,23 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
     if (!solve_at(run, path, s, *x)) {
       return first;
     }
-    run.work.trial.contacts[passage.contact].place[passage.side] =
-        run.at.state.contacts[passage.contact].place[passage.side];
+    run.work.trial.contacts[passage.contact].place[passage.side] = place_in(run.at.state);
+  }
+  return first;
+}
+
+}  // namespace
+
+std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
+  std::vector<Turn> turned = turned_back(run);
+  if (turned.empty() && !changed_place(run)) {
+    return std::nullopt;
+  }
+  State kept = run.work.trial;
+  const double length = length_without_return(run, path, turned, s, h);
+  const auto first = first_passage(run, path, turned, s, length);
+  if (!first) {
+    std::swap(run.work.trial, kept);
   }
   return first;
 }

@@ -101,6 +101,13 @@ bool keeps_contacts(const Run& run, const Group& group) {
   });
 }
 
+// Whether a group of run.work.trial continues run.at.state.
+bool goes_on(const Run& run, std::size_t g, double h) {
+  const Group& group = run.plan().groups[g];
+  return keeps_branch(run, g) ||
+         (is_smooth(group, run.at.state, run.work.trial, h, run.plan().size) && keeps_contacts(run, group));
+}
+
 // The mode of a group at s: that of run.at.state, but beyond a change point of the present step the other
 // one.
 int mode_at(const Run& run, std::size_t g, double s, double step) {
@@ -136,12 +143,7 @@ GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
     return status;
   }
   set_group_rates(model_of(run), g, run.work.motions, run.work.trial);
-  const Group& group = run.plan().groups[g];
-  if (keeps_branch(run, g)) {
-    return GroupStatus::kOk;
-  }
-  const bool smooth = is_smooth(group, run.at.state, run.work.trial, h, run.plan().size);
-  return smooth && keeps_contacts(run, group) ? GroupStatus::kOk : GroupStatus::kNotConverged;
+  return goes_on(run, g, h) ? GroupStatus::kOk : GroupStatus::kNotConverged;
 }
 
 // Whether the group, which run.work.trial has on the other side of a change point, gets there straight
@@ -221,6 +223,15 @@ StepResult try_step(Run& run, const Path& path, double s, double h) {
     }
   }
   return {};
+}
+
+std::optional<std::size_t> broken_off(const Run& run, double h) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    if (!goes_on(run, g, h)) {
+      return g;
+    }
+  }
+  return std::nullopt;
 }
 
 bool solve_at(Run& run, const Path& path, double s, double x) {

@@ -3,6 +3,7 @@
 #include "group_solver.hpp"
 #include "higherpair/analysis/run.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace higherpair {
@@ -22,6 +23,10 @@ struct StepResult {
 /// Tries a step of `h` from run.at.state, which is at s, into run.work.trial; kOk only where every group
 /// continues its motion smoothly, straight on through change points (run.work.crossings).
 [[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
+
+/// The first group that run.work.trial, whose rates are set, does not show as a smooth continuation of
+/// run.at.state over `h`.
+[[nodiscard]] std::optional<std::size_t> broken_off(const Run& run, double h);
 
 /// What counts as one unit of a driver's coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] double driver_scale(const Run& run, std::size_t driver);

@@ -14,6 +14,7 @@ constexpr double kMostTurn = 0.5;          // of a follower or a corner's normal
 constexpr double kNoiseOfClosure = 1e-11;  // of the extent: what an error may stall at
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSameNormal = 1e-14;  // [rad]
+constexpr double kFlat = 1e12;  // [m per rad] two flat curves: a turn takes a contact as far as it may go
 
 struct End {
   SpanPoint point;
@@ -86,6 +87,44 @@ BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offse
   return {{offset.n_W, end1.p_W, end2.p_W, radius_of(end1), radius_of(end2)}, q, place1, place2, 0};
 }
 
+// The nearer end of a flat span, on the span that goes on from there, where this is no flat one; none if both
+// ends are those of the curve.
+std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const BoundaryPlace& place) {
+  const Bounds range = boundary.spans()[static_cast<std::size_t>(place.span)]->range();
+  std::optional<BoundaryPlace> best;
+  double least = kInfinity;
+  for (const bool high : {false, true}) {
+    const int next = boundary.next_span(place.span, high);
+    const SpanJoint joint = boundary.joint_after(high ? place.span : next);
+    const Bounds beyond = boundary.spans()[static_cast<std::size_t>(next)]->range();
+    const BoundaryPlace end{next, high ? beyond.low : beyond.high};
+    const double distance = std::abs((high ? range.high : range.low) - place.t);
+    const bool goes_on = joint != SpanJoint::kEnd && joint != SpanJoint::kNotch &&
+                         (boundary.is_corner(end) || boundary.at(end).kappa != 0);
+    if (goes_on && distance < least) {
+      best = end;
+      least = distance;
+    }
+  }
+  return best;
+}
+
+// Where two flat curves lie on each other they touch all along: the contact is held at the end of one of
+// them, where everything about it is defined.
+void hold_at_end_of_flat(const Boundary& boundary1, BoundaryPlace& place1, const Pose<double>& X_W1,
+                         const Boundary& boundary2, BoundaryPlace& place2, const Pose<double>& X_W2) {
+  const auto along = [&] {
+    return offset_of(end_at(boundary1, place1, X_W1), end_at(boundary2, place2, X_W2)).s;
+  };
+  if (const auto end1 = end_of_flat(boundary1, place1)) {
+    place1 = *end1;
+    place2 = boundary2.advance(place2, along(), 0).place;
+  } else if (const auto end2 = end_of_flat(boundary2, place2)) {
+    place2 = *end2;
+    place1 = boundary1.advance(place1, along(), 0).place;
+  }
+}
+
 double length_scale(const Boundary& boundary1, const Boundary& boundary2) {
   const double least = std::min(boundary1.size(), boundary2.size());
   return least > 0 ? least : std::max(boundary1.size(), boundary2.size());
@@ -99,6 +138,9 @@ EquivalentLink link_between(const SpanPoint& point1, bool corner1, const SpanPoi
   }
   if (corner2) {
     return {0, 1, point1.kappa, 0};
+  }
+  if (point1.kappa == 0 && point2.kappa == 0) {
+    return {0.5, 0.5, 0, kFlat};
   }
   const double z = 1 / (point1.kappa + point2.kappa);
   return {point1.kappa * z, point2.kappa * z, point1.kappa * point2.kappa * z, z};
@@ -117,6 +159,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
   const double arm = (pair.motion1.p_WO - pair.motion2.p_WO).norm() + boundary1.size() + scale;
   Closure closure(arm);
   int ended_before = 0;
+  bool held = false;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     const Pose<double> X_W2 = pose_at(pair.motion2, q);
     const End end1 = end_at(boundary1, p1, X_W1);
@@ -130,6 +173,12 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
       return result;
     }
     if (closure.is_reached(error, ended_before != 0)) {
+      const bool flat = !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
+      if (flat && !held) {
+        hold_at_end_of_flat(boundary1, p1, X_W1, boundary2, p2, X_W2);
+        held = true;
+        continue;
+      }
       result.contact = contact_of(end1, end2, offset, q, p1, p2);
       result.contact.gap_q = gap_q;
       result.status = branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch;

@@ -42,7 +42,8 @@ double largest_difference(const MotionLaw& a, const MotionLaw& b, const std::vec
   return largest;
 }
 
-void note_rounding(TableReader& table, const LawQuantities& quantities, const LawDescription& law) {
+void note_rounding(TableReader& table, const LawQuantities& quantities, const LawDescription& law,
+                   const MotionLaw& through) {
   Reading& reading = table.reading();
   const auto stated = table.take("rounding");
   const auto quantity = stated ? as_quantity(reading, *stated, {quantities.value}) : std::nullopt;
@@ -52,12 +53,11 @@ void note_rounding(TableReader& table, const LawQuantities& quantities, const La
   }
   LawDescription smooth = law;
   smooth.smoothing = *rounding / 2;
-  const auto through = MotionLaw::make(law);
   const auto beside = MotionLaw::make(smooth);
-  if (!through || !beside) {
+  if (!beside) {
     return;
   }
-  const double noise = largest_difference(*through, *beside, law.points);
+  const double noise = largest_difference(through, *beside, law.points);
   const double peak = std::abs(beside->extremes(2).peak());
   if (!(noise > kWorthSaying * peak)) {
     return;
@@ -77,15 +77,14 @@ void note_rounding(TableReader& table, const LawQuantities& quantities, const La
 void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw& law) {
   Reading& reading = table.reading();
   if (!law.profile.points.empty()) {
-    note_rounding(table, quantities, law.profile);
+    note_rounding(table, quantities, law.profile, *law.made);
   }
-  const auto made = MotionLaw::make(law.profile);
-  if (made && law.profile.repeats && quantities.coordinate == dimension::kAngle && made->advance() != 0) {
+  if (law.profile.repeats && quantities.coordinate == dimension::kAngle && law.made->advance() != 0) {
     reading.notes.push_back(
         {table.mark(),
          fmt::format("{}: it does not end where it begins: every turn is {:g} {} higher "
                      "than the one before",
-                     table.path(), made->advance(), unit_text(quantities.value, reading.units))});
+                     table.path(), law.made->advance(), unit_text(quantities.value, reading.units))});
   }
 }
 

@@ -56,7 +56,7 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   Known known{place, quantities, std::nullopt};
   if (auto law = read_item(*reading_, entry->item, quantities)) {
     known.index = static_cast<int>(mechanism.laws.size());
-    laws_.push_back(MotionLaw::make(law->profile).value());
+    laws_.push_back(*std::move(law->made));
     mechanism.laws.push_back({*text, std::move(law->si)});
   }
   known_.push_back(known);

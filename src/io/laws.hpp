@@ -23,7 +23,8 @@ struct LawQuantities {
 struct ReadLaw {
   LawDescription profile;
   LawDescription si;
-  std::vector<int> lines;  ///< of the points, where they come from a file
+  std::vector<int> lines;         ///< of the points, where they come from a file
+  std::optional<MotionLaw> made;  ///< in the profile's units; always, once it has been read
 };
 
 /// Reads `[laws.NAME]` for these quantities; none where it has mistakes, which are reported.

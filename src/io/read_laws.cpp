@@ -269,8 +269,9 @@ private:
   // What only the law as a whole can tell.
   bool check(const std::optional<Item>& segments, const std::optional<Item>& points,
              const std::optional<Item>& file) {
-    const auto made = MotionLaw::make(law_.profile);
+    auto made = MotionLaw::make(law_.profile);
     if (made) {
+      law_.made = *std::move(made);
       return true;
     }
     const LawFault& fault = made.error();

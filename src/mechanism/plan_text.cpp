@@ -31,8 +31,10 @@ public:
                        other_body(tracked.contact, tracked.follower.body), contact_name(tracked.contact));
   }
   std::string operator()(const TouchingBody& touching) const {
-    return fmt::format("touches {} at {}, by osculating circles",
-                       other_body(touching.contact, touching.follower.body), contact_name(touching.contact));
+    const bool along = mechanism_.contacts[static_cast<std::size_t>(touching.contact)].by_boundary;
+    return fmt::format("touches {} at {}, by {}", other_body(touching.contact, touching.follower.body),
+                       contact_name(touching.contact),
+                       along ? "Newton's method along both curves" : "osculating circles");
   }
   std::string operator()(const IdleBody&) const {
     return "idle on its pin: nothing sets its turning, it keeps the angle of its pose";

@@ -4,9 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
+#include <boost/math/tools/toms748_solve.hpp>
 
 namespace higherpair {
 namespace {
@@ -23,7 +25,8 @@ using Polynomial = std::array<double, kHighest + 1>;
 // through all points, to within rounding, to a polynomial.
 constexpr double kLightest = -10;
 constexpr double kHeaviest = 16;
-constexpr int kHalvings = 30;
+constexpr std::uintmax_t kMostTrials = 40;
+constexpr int kBitsOfWeight = 28;  // of the power of ten
 
 // B-splines over knots at the points, in units in which the points are 1 apart on average.
 class Basis {
@@ -101,6 +104,15 @@ private:
   double unit_ = 1;
   std::vector<double> knots_;  // from -degree
 };
+
+// x⁰ to the highest power that a spline has.
+Polynomial powers_of(double x) {
+  Polynomial powers{1};
+  for (std::size_t k = 1; k < powers.size(); ++k) {
+    powers[k] = powers[k - 1] * x;
+  }
+  return powers;
+}
 
 // The value of a polynomial's k-th derivative at t, over k!.
 double taylor(const Polynomial& p, int k, double t) {
@@ -188,7 +200,7 @@ Sparse roughness(const Basis& basis) {
   Triplets triplets;
   for (Index interval = 0; interval < basis.intervals(); ++interval) {
     const auto b = basis.on(interval);
-    const double h = basis.length(interval);
+    const auto h = powers_of(basis.length(interval));
     for (int i = 0; i <= basis.degree(); ++i) {
       for (int j = 0; j <= basis.degree(); ++j) {
         double integral = 0;
@@ -200,8 +212,8 @@ Sparse roughness(const Basis& basis) {
             }
             const int power = k + l - 2 * m + 1;
             integral += factor * b[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] *
-                        b[static_cast<std::size_t>(j)][static_cast<std::size_t>(l)] * std::pow(h, power) /
-                        power;
+                        b[static_cast<std::size_t>(j)][static_cast<std::size_t>(l)] *
+                        h[static_cast<std::size_t>(power)] / power;
           }
         }
         triplets.emplace_back(basis.index(interval, i), basis.index(interval, j), integral);
@@ -215,28 +227,36 @@ MatrixXd smoothed(const Basis& basis, const SplineTask& task) {
   const MatrixXd& values = task.values;
   const Sparse at_points = values_at_points(basis);
   const Sparse normal = at_points.transpose() * at_points;
-  const Sparse rough = roughness(basis);
+  // Both parts with the entries of both, so that their sum takes the numbers alone.
+  const Sparse rough = roughness(basis) + 0 * normal;
+  const Sparse near_points = normal + 0 * rough;
+  Sparse sum = near_points;
   const MatrixXd right = at_points.transpose() * values;
   Eigen::SimplicialLDLT<Sparse> solver;
-  solver.analyzePattern(normal + rough);
+  solver.analyzePattern(sum);
   MatrixXd best = interpolation(basis, task);
-  const auto holds = [&](double exponent) {
-    solver.factorize(normal + std::pow(10.0, exponent) * rough);
+  double heaviest = kLightest;  // of those that hold
+  // The logarithm of how much of the tolerance a weight takes: it grows with the weight.
+  const auto share = [&](double exponent) {
+    sum.coeffs() = near_points.coeffs() + std::pow(10.0, exponent) * rough.coeffs();
+    solver.factorize(sum);
     if (solver.info() != Eigen::Success) {
-      return false;
+      return kHeaviest;
     }
     MatrixXd solution = solver.solve(right);
-    const bool near = (at_points * solution - values).rowwise().norm().maxCoeff() <= task.smoothing;
-    if (near) {
+    const double left = (at_points * solution - values).rowwise().norm().maxCoeff();
+    if (left <= task.smoothing && exponent > heaviest) {
+      heaviest = exponent;
       best = std::move(solution);
     }
-    return near;
+    return left > 0 ? std::log(left / task.smoothing) : kLightest;
   };
-  double low = kLightest;
-  double high = kHeaviest;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    (holds(middle) ? low : high) = middle;
+  const double low = share(kLightest);
+  const double high = share(kHeaviest);
+  if (low < 0 && high > 0) {
+    std::uintmax_t trials = kMostTrials;
+    boost::math::tools::toms748_solve(share, kLightest, kHeaviest, low, high,
+                                      boost::math::tools::eps_tolerance<double>(kBitsOfWeight), trials);
   }
   return best;
 }
@@ -249,12 +269,13 @@ MatrixXd spline_powers(const SplineTask& task) {
   const MatrixXd coefficients = task.smoothing > 0 ? smoothed(basis, task) : interpolation(basis, task);
   const Index terms = task.degree + 1;
   MatrixXd powers = MatrixXd::Zero(basis.intervals() * terms, task.values.cols());
+  const Polynomial per_unit = powers_of(1 / basis.unit());
   for (Index interval = 0; interval < basis.intervals(); ++interval) {
     const auto b = basis.on(interval);
     for (int j = 0; j <= task.degree; ++j) {
       for (Index k = 0; k < terms; ++k) {
         powers.row(interval * terms + k) += b[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] *
-                                            std::pow(basis.unit(), -static_cast<double>(k)) *
+                                            per_unit[static_cast<std::size_t>(k)] *
                                             coefficients.row(basis.index(interval, j));
       }
     }

@@ -327,6 +327,14 @@ TEST(GuideWithEnds, IsSaidWhereItCannotStart) {
   EXPECT_THAT(to_string(motion.error()), HasSubstr("joint guide would be beyond the end of its line"));
 }
 
+TEST(GuideWithEnds, IsNotNamedWhereTheLinksCannotReachEachOther) {
+  // The slider is drawn beyond its end, but it is the rod that is too short.
+  const auto motion =
+      model_of(slider_crank("from = 0\nto = 70"), {"driver.start=90", "bodies.rod.points.B=[5, 0]"}).run();
+  ASSERT_FALSE(motion);
+  EXPECT_THAT(to_string(motion.error()), ::testing::Not(HasSubstr("beyond the end of its line")));
+}
+
 std::string error_of(const std::string& text) {
   const auto model = Model::from_text(text, "test.toml");
   return model ? "" : to_string(model.error());

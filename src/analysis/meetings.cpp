@@ -1,0 +1,267 @@
+#include "meetings.hpp"
+
+#include "group_kinds.hpp"
+#include "higherpair/geometry/roots.hpp"
+#include "step.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace higherpair {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarther = 1.5;  // than the bodies move against each other by their rates: what is looked at
+constexpr double kSamePlace = 1e-6;   // of the boundaries: a place that is that of the contact
+constexpr double kAgrees = 0.1;       // of the change by rates: a gap that may be that of the same place
+constexpr double kWorthALook = 0.5;   // of a gap: a least one within the step that may be none in truth
+constexpr int kHalvings = 4;          // of a step in which a place could not be followed
+constexpr int kHalvingsToTouch = 40;  // the same where the bodies are in each other at its end
+
+// How the two bodies stand at a place of the step.
+struct Pairing {
+  double x = 0;
+  BodyMotion body1, body2;
+  std::optional<CommonNormal> own;  // of the contact, while it is closed
+};
+
+// A place and how its gap changes.
+struct Seen {
+  NearPlace place;
+  double gap = 0;
+  double rate = 0;  // per unit of the path
+};
+
+double gap_rate(const Pairing& at, const CommonNormal& normal) {
+  const auto velocity = [](const BodyMotion& body, const Vector2d& p_W) {
+    return point_motion(body, body.X_WB.inverse_times(p_W)).v_W;
+  };
+  return normal.n_W.dot(velocity(at.body2, normal.p2_W) - velocity(at.body1, normal.p1_W));
+}
+
+// The least value of a cubic with these values and rates at its ends, where it falls first and rises then.
+double least_of_cubic(const Seen& a, const Seen& b, double h) {
+  double least = std::min(a.gap, b.gap);
+  for (int k = 1; k < 8; ++k) {
+    const double t = k / 8.0;
+    const double u = 1 - t;
+    least = std::min(least, a.gap * u * u * (1 + 2 * t) + b.gap * t * t * (3 - 2 * t) +
+                                h * t * u * (a.rate * u - b.rate * t));
+  }
+  return least;
+}
+
+class Search {
+public:
+  Search(Run& run, const Path& path, std::size_t contact, double s)
+      : run_(run),
+        path_(path),
+        s_(s),
+        contact_(run.mechanism().contacts[contact]),
+        index_(contact),
+        boundary1_(boundary_of(run.mechanism(), contact_.first)),
+        boundary2_(boundary_of(run.mechanism(), contact_.second)),
+        depth_(kOverlap * run.plan().size) {}
+
+  [[nodiscard]] std::optional<Meeting> first(double h) {
+    const auto found = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
+    if (kept_) {
+      std::swap(run_.work.trial, *kept_);
+    }
+    return found;
+  }
+
+private:
+  struct Verdict {
+    bool followed = true;
+    std::optional<Meeting> meeting;
+  };
+
+  [[nodiscard]] Pairing pairing(const State& state, double x) const {
+    const ContactMotion& motion = state.contacts[index_];
+    return {x, body_in(state, contact_.first.body), body_in(state, contact_.second.body),
+            motion.touches ? std::optional(motion.at) : std::nullopt};
+  }
+
+  [[nodiscard]] std::optional<Pairing> pairing_at(double x) {
+    if (!kept_) {
+      kept_ = run_.work.trial;
+    }
+    return solve_at(run_, path_, s_, x) ? std::optional(pairing(run_.work.trial, x)) : std::nullopt;
+  }
+
+  // How far any place of the smaller body moves against the other one from a to b, at most.
+  [[nodiscard]] double reach_between(const Pairing& a, const Pairing& b) const {
+    const bool first_is_smaller = boundary1_.size() < boundary2_.size();
+    const Boundary& smaller = first_is_smaller ? boundary1_ : boundary2_;
+    const auto speed = [&](const Pairing& at) {
+      const BodyMotion& own = first_is_smaller ? at.body1 : at.body2;
+      const BodyMotion& other = first_is_smaller ? at.body2 : at.body1;
+      const PointMotion middle = point_motion(own, smaller.middle_B());
+      const PointMotion there = point_motion(other, other.X_WB.inverse_times(middle.p_W));
+      return (middle.v_W - there.v_W).norm() + std::abs(own.omega - other.omega) * smaller.size();
+    };
+    return kFarther * std::max(speed(a), speed(b)) * std::abs(b.x - a.x) + 2 * depth_;
+  }
+
+  [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
+    const double same = kSamePlace * (boundary1_.size() + boundary2_.size());
+    return at.own && (at.own->p1_W - place.at.p1_W).norm() + (at.own->p2_W - place.at.p2_W).norm() <= same;
+  }
+
+  [[nodiscard]] Seen seen(const Pairing& at, const NearPlace& place) const {
+    return {place, place.at.gap(), gap_rate(at, place.at)};
+  }
+
+  // The same place at another pairing; none where the gap there is not what the rates lead to.
+  [[nodiscard]] std::optional<Seen> followed(const Pairing& from, const Seen& place,
+                                             const Pairing& to) const {
+    const auto moved = moved_place(boundary1_, to.body1.X_WB, boundary2_, to.body2.X_WB, place.place);
+    if (!moved || is_own(to, *moved)) {
+      return std::nullopt;
+    }
+    const Seen there = seen(to, *moved);
+    const double h = to.x - from.x;
+    const double mismatch = std::abs(there.gap - place.gap - h / 2 * (place.rate + there.rate));
+    const double change = std::abs(h) * (std::abs(place.rate) + std::abs(there.rate));
+    return mismatch <= kAgrees * change + depth_ ? std::optional(there) : std::nullopt;
+  }
+
+  template <class F>
+  [[nodiscard]] std::optional<double> root(const F& of, const Pairing& a, double at_a, double b, double at_b,
+                                           const Seen& near) {
+    const auto value = [&](double x) {
+      const auto at = pairing_at(a.x + x);
+      const auto moved =
+          at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near.place) : std::nullopt;
+      return moved ? of(seen(*at, *moved)) : kNaN;
+    };
+    const auto x = root_between(value, at_a, b - a.x, at_b);
+    return x ? std::optional(a.x + *x) : std::nullopt;
+  }
+
+  // Where the gap of a place that is `a` and then `b` comes to be 0 from above.
+  [[nodiscard]] Verdict touch(const Pairing& from, const Seen& a, const Pairing& to, const Seen& b) {
+    const auto gap = [](const Seen& at) { return at.gap; };
+    const auto rate = [](const Seen& at) { return at.rate; };
+    const double h = to.x - from.x;
+    const auto met = [&](std::optional<double> x, double at) {
+      return x ? Verdict{true, Meeting{index_, *x, at, near_at(*x, b.place)}} : Verdict{false, std::nullopt};
+    };
+    if (a.gap < -depth_) {
+      return {};
+    }
+    if (b.gap < -depth_) {
+      if (a.gap > depth_) {
+        const auto x = root(gap, from, a.gap, to.x, b.gap, b);
+        return met(x, x.value_or(0));
+      }
+      if (a.rate * h <= 0) {
+        const double before = a.rate == 0 ? 0 : -a.gap / a.rate;
+        return met(from.x, from.x + (std::abs(before) <= std::abs(h) ? before : 0));
+      }
+      const auto top = root(rate, from, a.rate, to.x, b.rate, b);
+      const auto highest = top ? pairing_at(*top) : std::nullopt;
+      const auto there = highest ? followed(to, b, *highest) : std::nullopt;
+      if (!there || there->gap <= 0) {
+        return met(from.x, from.x);
+      }
+      const auto x = root(gap, *highest, there->gap, to.x, b.gap, b);
+      return met(x, x.value_or(0));
+    }
+    const bool dips = a.rate * h < 0 && b.rate * h > 0;
+    if (!dips || least_of_cubic(a, b, h) > kWorthALook * std::min(a.gap, b.gap)) {
+      return {};
+    }
+    const auto bottom = root(rate, from, a.rate, to.x, b.rate, b);
+    const auto lowest = bottom ? pairing_at(*bottom) : std::nullopt;
+    const auto there =
+        lowest ? moved_place(boundary1_, lowest->body1.X_WB, boundary2_, lowest->body2.X_WB, b.place)
+               : std::nullopt;
+    if (!there) {
+      return {false, std::nullopt};
+    }
+    return there->at.gap() < -depth_ ? touch(from, a, *lowest, seen(*lowest, *there)) : Verdict{};
+  }
+
+  [[nodiscard]] NearPlace near_at(double x, const NearPlace& near) {
+    const auto at = pairing_at(x);
+    return at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near).value_or(near)
+              : near;
+  }
+
+  [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
+    std::vector<Seen> found;
+    for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
+      if (!is_own(at, place)) {
+        found.push_back(seen(at, place));
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::optional<Meeting> between(const Pairing& a, const Pairing& b, int halvings) {
+    const double reach = reach_between(a, b);
+    const double h = b.x - a.x;
+    std::optional<Meeting> first;
+    bool lost = false;           // a place that may have been touched could not be followed
+    std::optional<Seen> inside;  // the same of one at which the bodies are in each other at b
+    const auto take = [&](const Verdict& verdict) {
+      if (verdict.meeting && (!first || std::abs(verdict.meeting->x) < std::abs(first->x))) {
+        first = verdict.meeting;
+      }
+      lost = lost || !verdict.followed;
+    };
+    for (const Seen& place : places_at(b, reach)) {
+      if (const auto before = followed(b, place, a)) {
+        take(touch(a, *before, b, place));
+      } else if (place.gap < -depth_) {
+        inside = place;
+      } else {
+        lost = lost || place.gap < place.rate * h;
+      }
+    }
+    for (const Seen& place : places_at(a, reach)) {
+      if (const auto after = followed(a, place, b)) {
+        take(touch(a, place, b, *after));
+      } else {
+        lost = lost || (std::abs(place.gap) > depth_ && place.gap < -place.rate * h);
+      }
+    }
+    if (halvings < (inside ? kHalvingsToTouch : lost ? kHalvings : 0)) {
+      return split(a, b, halvings + 1);
+    }
+    return first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};
+  }
+
+  [[nodiscard]] std::optional<Meeting> split(const Pairing& a, const Pairing& b, int halvings) {
+    const auto middle = pairing_at((a.x + b.x) / 2);
+    if (!middle) {
+      return std::nullopt;
+    }
+    const auto first = between(a, *middle, halvings);
+    return first ? first : between(*middle, b, halvings);
+  }
+
+  Run& run_;
+  const Path& path_;
+  double s_;
+  const Contact& contact_;
+  std::size_t index_;
+  const Boundary& boundary1_;
+  const Boundary& boundary2_;
+  double depth_;               // less is a touch
+  std::optional<State> kept_;  // run.work.trial, once it is used for other places
+};
+
+}  // namespace
+
+std::optional<Meeting> meeting_within(Run& run, const Path& path, std::size_t contact, double s, double h) {
+  return Search(run, path, contact, s).first(h);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "higherpair/contact/near_places.hpp"
+#include "path.hpp"
+
+#include <optional>
+
+// Where the two bodies of a contact of boundaries come together at another place than that of their contact.
+// A place of least gap is followed through a step by the gap and its rate n·(v2 - v1) at both ends. Where the
+// gap falls first and rises then, its least value within the step is looked at, so that a place that is
+// touched and left again between two steps is found like any other.
+
+namespace higherpair {
+
+/// A place at which two bodies come to touch.
+struct Meeting {
+  std::size_t contact = 0;
+  double x = 0;   ///< beyond run.at.state on the path
+  double at = 0;  ///< the same of the touch itself, which may lie before run.at.state by a rounding
+  NearPlace place;
+};
+
+/// The first place at which the two bodies of a contact by_boundary touch, besides their contact if they have
+/// one, between run.at.state, which is at s, and run.work.trial, h beyond it. None if they are deeper in each
+/// other nowhere. run.work.trial is left as it is.
+[[nodiscard]] std::optional<Meeting> meeting_within(Run& run, const Path& path, std::size_t contact, double s,
+                                                    double h);
+
+}  // namespace higherpair

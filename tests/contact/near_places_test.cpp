@@ -1,0 +1,151 @@
+#include "higherpair/contact/near_places.hpp"
+
+#include "higherpair/geometry/spline_span.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+// A closed curve with hollows, r = 0.031 (1 + 0.13 cos 5 t), by a spline.
+Boundary wavy_cam() {
+  std::vector<Vector2d> points;
+  for (int i = 0; i < 120; ++i) {
+    const double t = 2 * kPi * i / 120;
+    points.push_back(0.031 * (1 + 0.13 * std::cos(5 * t)) * unit_vector(t));
+  }
+  SplineOptions options;
+  options.closed = true;
+  return *Boundary::make({*spline_span(points, options)}, true, 1e-9);
+}
+
+// The least values of f over a closed boundary, between neighbours on a fine grid that are larger, where the
+// boundary faces what f is about.
+template <class F, class Faces>
+std::vector<double> least_values(const Boundary& boundary, const F& f, const Faces& faces) {
+  constexpr int kCount = 20000;
+  const Bounds range = boundary.spans().front()->range();
+  std::vector<double> values;
+  std::vector<SpanPoint> points;
+  for (int i = 0; i < kCount; ++i) {
+    points.push_back(boundary.spans().front()->at(range.low + range.width() * i / kCount));
+    values.push_back(f(points.back()));
+  }
+  std::vector<double> least;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double before = values[(i + kCount - 1) % kCount];
+    const double after = values[(i + 1) % kCount];
+    if (values[i] <= before && values[i] < after && faces(points[i])) {
+      const double bend = before - 2 * values[i] + after;  // the parabola through the three
+      least.push_back(values[i] - (after - before) * (after - before) / (8 * bend));
+    }
+  }
+  std::sort(least.begin(), least.end());
+  return least;
+}
+
+std::vector<double> gaps_of(const std::vector<NearPlace>& places) {
+  std::vector<double> gaps;
+  for (const NearPlace& place : places) {
+    gaps.push_back(place.at.gap());
+  }
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
+}
+
+// Those within reach; a value next to the reach may count to either side.
+void expect_same(const std::vector<double>& found, const std::vector<double>& expected, double reach) {
+  std::vector<double> near;
+  for (const double value : expected) {
+    ASSERT_GT(std::abs(std::abs(value) - reach), 1e-9) << "another seed";
+    if (std::abs(value) < reach) {
+      near.push_back(value);
+    }
+  }
+  ASSERT_EQ(found.size(), near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    EXPECT_NEAR(found[i], near[i], 1e-11);
+  }
+}
+
+TEST(NearPlaces, OfARollerAreTheLeastDistancesOfItsCentreFromTheCam) {
+  const Boundary cam = wavy_cam();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(-1, 1);
+  int seen = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double radius = 0.0037 * (1.2 + share(random));
+    const Boundary roller = boundary_of(*make_circle(Vector2d(0.0071, -0.0029), radius), 1);
+    const Pose<double> X_WC{Rotation<double>::from_angle(4 * share(random)), Vector2d(0.3, -0.1)};
+    const Vector2d center_C =
+        (0.0355 + 0.3 * radius + 0.008 * (1 + share(random))) * unit_vector(4 * share(random));
+    const Rotation<double> turned = Rotation<double>::from_angle(4 * share(random));
+    const Pose<double> X_WR{turned, X_WC * center_C - turned * Vector2d(0.0071, -0.0029)};
+    const double reach = 0.0083;
+    const auto expected = least_values(
+        cam, [&](const SpanPoint& point) { return (point.p_B - center_C).norm() - radius; },
+        [&](const SpanPoint& point) { return point.n_B.dot(center_C - point.p_B) > 0; });
+    expect_same(gaps_of(near_places(cam, X_WC, roller, X_WR, reach)), expected, reach);
+    expect_same(gaps_of(near_places(roller, X_WR, cam, X_WC, reach)), expected, reach);
+    seen += static_cast<int>(near_places(cam, X_WC, roller, X_WR, reach).size());
+  }
+  EXPECT_GT(seen, 100);
+}
+
+TEST(NearPlaces, OfAFlatFaceAreTheTopsOfTheCam) {
+  const Boundary cam = wavy_cam();
+  const Boundary face = boundary_of(*make_line(Vector2d(0, 0.043), Vector2d(0, -1)), 1);
+  for (int i = 0; i < 100; ++i) {
+    const Pose<double> X_WC{Rotation<double>::from_angle(0.0613 * i), Vector2d::Zero()};
+    const double reach = 0.0231;
+    const auto expected = least_values(
+        cam, [&](const SpanPoint& point) { return 0.043 - (X_WC * point.p_B).y(); },
+        [&](const SpanPoint& point) { return (X_WC.R_WB * point.n_B).y() > 0; });
+    expect_same(gaps_of(near_places(cam, X_WC, face, {}, reach)), expected, reach);
+  }
+}
+
+TEST(NearPlaces, AreFollowedWhileTheBodiesMove) {
+  const Boundary cam = wavy_cam();
+  const Boundary roller = boundary_of(*make_circle(Vector2d::Zero(), 0.011), 1);
+  const auto X_WR = [](double x) { return Pose<double>{{}, Vector2d(0.041 - 0.02 * x, 0.003)}; };
+  const auto X_WC = [](double x) { return Pose<double>{Rotation<double>::from_angle(x), Vector2d::Zero()}; };
+  auto places = near_places(cam, X_WC(0), roller, X_WR(0), 0.02);
+  ASSERT_FALSE(places.empty());
+  for (double x = 0.02; x < 0.3; x += 0.02) {
+    const auto all = gaps_of(near_places(cam, X_WC(x), roller, X_WR(x), 1));
+    for (NearPlace& place : places) {
+      const auto moved = moved_place(cam, X_WC(x), roller, X_WR(x), place);
+      ASSERT_TRUE(moved);
+      const double gap = moved->at.gap();
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](double g) { return std::abs(g - gap) < 1e-13; }));
+      place = *moved;
+    }
+  }
+}
+
+TEST(NearPlaces, AnEndOfAFaceStandsOverTheOtherBody) {
+  const Boundary face =
+      *Boundary::make({face_span(Vector2d(0.013, 0.029), Vector2d(0.002, 0.029))}, false, 0);
+  const Boundary disc = boundary_of(*make_circle(Vector2d::Zero(), 0.031), 1);
+  const auto places = near_places(face, {}, disc, {}, 0.004);
+  // A part of a chord, one of its ends outside; the side of the disc that it faces is not over it.
+  ASSERT_EQ(places.size(), 2U);
+  for (const NearPlace& place : places) {
+    EXPECT_EQ(place.end, 1);
+    const Vector2d end = face.at(place.place1).p_B;
+    EXPECT_NEAR(place.at.gap(), end.norm() - 0.031, 1e-15);
+    EXPECT_NEAR((place.at.n_W + end.normalized()).norm(), 0, 1e-12);
+  }
+  const auto exchanged = near_places(disc, {}, face, {}, 0.004);
+  ASSERT_EQ(exchanged.size(), 2U);
+  EXPECT_EQ(exchanged[0].end, 2);
+}
+
+}  // namespace
+}  // namespace higherpair
