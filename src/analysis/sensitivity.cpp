@@ -182,8 +182,10 @@ double displacement_of(const Run& run, const Sensitivity& by, const RowSensitivi
       displaced = std::max(displaced, std::abs(change) / (kind == NumberKind::kLength ? size : 1));
     }
   });
-  return std::max(
-      {displaced, speed > 0 ? faster / speed : 0, acceleration > 0 ? accelerated / acceleration : 0});
+  // Where a speed is largest there may be no acceleration, and the other way round.
+  const double fast = std::max(speed, std::sqrt(acceleration * size));
+  const double strong = std::max(acceleration, speed * speed / size);
+  return std::max({displaced, fast > 0 ? faster / fast : 0, strong > 0 ? accelerated / strong : 0});
 }
 
 // The points at each contact need not coincide.

@@ -74,6 +74,7 @@ void ColumnSet::add(const std::vector<NewColumn>& columns, Fill fill, bool anywh
     if (chosen) {
       const bool plain = column.in_profile_units || !column.words.empty();
       block.chosen = true;
+      dimensions_.push_back(column.dimension);
       places_.push_back({names_.size(), plain ? Scaling() : from_si(column.dimension, units_)});
       columns_.push_back({column.name,
                           column.words.empty() ? std::string(unit_text(column.dimension, units_)) : "",

@@ -56,6 +56,9 @@ public:
   /// Those chosen, in the order in which they were added.
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 
+  /// Of a chosen column.
+  [[nodiscard]] const Dimension& dimension(std::size_t column) const { return dimensions_[column]; }
+
   /// Their values in a row.
   void fill(const RowSource& source, std::vector<double>& values);
 
@@ -79,6 +82,7 @@ private:
   std::vector<Block> blocks_;
   std::vector<Column> columns_;
   std::vector<Place> places_;  // of the chosen ones
+  std::vector<Dimension> dimensions_;
   std::vector<double> buffer_;
 };
 

@@ -227,7 +227,7 @@ Result<void> check(const Model& model, const SweepSettings& settings) {
   const auto wrong = [&](std::string rule) {
     return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(rule)));
   };
-  if (!model.profile().sweep) {
+  if (!settings.task && !model.profile().sweep) {
     return wrong("there is no [sweep]: it says which variants there are, and what is wanted of each");
   }
   if (settings.parts < 1 || settings.part < 1 || settings.part > settings.parts) {

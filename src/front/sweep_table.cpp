@@ -100,7 +100,7 @@ std::span<const std::string_view> sweep_statuses() {
 }
 
 Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& settings) {
-  const SweepTask& task = *model.profile().sweep;
+  const SweepTask& task = settings.task ? *settings.task : *model.profile().sweep;
   Sweep::Data data = {model, task, Variants(task.plan), {}, {}, {}, {}, {}, {}, 0, 0, 1, {}, {}};
   for (const SweepVariable& variable : task.plan.variables) {
     data.paths.insert(data.paths.end(), variable.paths.begin(), variable.paths.end());

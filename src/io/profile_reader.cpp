@@ -7,6 +7,7 @@
 #include "reading.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,6 +65,7 @@ Profile read_root(TableReader& root, const Table& document) {
   read_drawing(root, profile);
   read_limits(root, profile);
   read_sweep(root, document, profile);
+  read_tolerances(root, document, profile);
   read_design(root, document, profile);
   (void)root.take("extra");
   root.finish();
@@ -84,6 +86,24 @@ Diagnostics diagnostics_of(Reading reading) {
 
 tl::expected<Profile, Diagnostics> ProfileDocument::read() const {
   return read(true);
+}
+
+std::vector<ProfileDocument::Quantity> ProfileDocument::quantities() const {
+  Reading reading;
+  reading.sources = content_->sources;
+  reading.lists_quantities = true;
+  const Table& table = std::get<Table>(content_->root.content);
+  note_varied(table, reading);
+  TableReader root(reading, table, content_->root.mark, "");
+  (void)read_root(root, table);
+  std::vector<Quantity> quantities;
+  std::set<std::string> seen;
+  for (const Reading::ReadQuantity& quantity : reading.quantities) {
+    if (seen.insert(quantity.path).second) {
+      quantities.push_back({quantity.path, quantity.dimension, quantity.profile});
+    }
+  }
+  return quantities;
 }
 
 tl::expected<Profile, Diagnostics> ProfileDocument::read(bool with_notes) const {

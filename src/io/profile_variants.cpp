@@ -28,7 +28,9 @@ tl::expected<ProfileVariants, Diagnostics> ProfileVariants::of(const ProfileDocu
                                                                std::span<const std::string> paths) {
   auto content = std::make_shared<ProfileDocument::Content>(*document.content_);
   auto& table = std::get<Table>(content->root.content);
-  std::erase_if(table, [](const Entry& entry) { return entry.key == "sweep" || entry.key == "design"; });
+  std::erase_if(table, [](const Entry& entry) {
+    return entry.key == "sweep" || entry.key == "design" || entry.key == "tolerances";
+  });
   std::vector<Value*> numbers;
   for (const std::string& path : paths) {
     Value* value = io_detail::find_path(content->root, path);

@@ -107,11 +107,14 @@ void read_drawing(TableReader& root, Profile& profile);
 /// What `check` holds the mechanism to.
 void read_limits(TableReader& root, Profile& profile);
 
-/// The paths that a sweep varies, to be known before all else is read.
+/// The paths that [sweep] and [tolerances] vary, to be known before all else is read.
 void note_varied(const Table& document, Reading& reading);
 
 /// What [sweep] asks for; its variables name numbers of the whole document. To be read last.
 void read_sweep(TableReader& root, const Table& document, Profile& profile);
+
+/// [tolerances]; likewise.
+void read_tolerances(TableReader& root, const Table& document, Profile& profile);
 
 /// Drivers and what they are to do; needs at least one.
 void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known,

@@ -59,9 +59,10 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
   if (!path) {
     return std::nullopt;
   }
-  std::string objection = path->starts_with("sweep.") || *path == "sweep"
-                              ? "a sweep cannot vary itself"
-                              : path_objection(paths.document, *path);
+  const bool own = *path == paths.task || path->starts_with(paths.task + ".");
+  std::string objection = !own                    ? path_objection(paths.document, *path)
+                          : paths.task == "sweep" ? "a sweep cannot vary itself"
+                                                  : "tolerances have none themselves";
   if (objection.empty() && std::find(paths.taken.begin(), paths.taken.end(), *path) != paths.taken.end()) {
     objection = "another variable sets this already";
   }
@@ -83,14 +84,16 @@ void note_varied(const Table& document, Reading& reading) {
     if (const auto* path = std::get_if<std::string>(&value.content))
       reading.varied.emplace(*path, std::nullopt);
   };
-  const Table* variables = table_at(table_at(&document, "sweep"), "variables");
-  for (std::size_t i = 0; variables != nullptr && i < variables->size(); ++i) {
-    const auto* variable = std::get_if<Table>(&(*variables)[i].value.content);
-    const Value* path = variable == nullptr ? nullptr : find(*variable, "path");
-    if (path == nullptr) continue;
-    note(*path);
-    if (const auto* items = std::get_if<Array>(&path->content))
-      std::for_each(items->begin(), items->end(), note);
+  for (const Table* variables :
+       {table_at(table_at(&document, "sweep"), "variables"), table_at(&document, "tolerances")}) {
+    for (std::size_t i = 0; variables != nullptr && i < variables->size(); ++i) {
+      const auto* variable = std::get_if<Table>(&(*variables)[i].value.content);
+      const Value* path = variable == nullptr ? nullptr : find(*variable, "path");
+      if (path == nullptr) continue;
+      note(*path);
+      if (const auto* items = std::get_if<Array>(&path->content))
+        std::for_each(items->begin(), items->end(), note);
+    }
   }
 }
 

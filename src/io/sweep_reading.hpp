@@ -9,10 +9,11 @@
 
 namespace higherpair::io_detail {
 
-/// The paths that variables of a sweep set, and where they are looked for.
+/// The paths that the variables of a task set, and where they are looked for.
 struct SweepPaths {
   const Table& document;
   std::vector<std::string> taken;
+  std::string task = "sweep";  ///< the table that has them, whose own numbers are none
 };
 
 /// `path` of a variable: one or several, each of a number in the document that no other variable sets.

@@ -186,6 +186,9 @@ std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Ex
     report(reading, item, "is more than 1e9 turns: its place within the turn is rounding");
     return std::nullopt;
   }
+  if (quantity && reading.lists_quantities) {
+    reading.quantities.push_back({item.path, expected.dimension, quantity->profile});
+  }
   if (quantity && expected.dimension != dimension::kNumber && std::abs(quantity->si) > kLargestQuantity) {
     report(reading, item,
            fmt::format("must be at most 1e50 {}: products of larger numbers are out of range",

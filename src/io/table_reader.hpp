@@ -29,6 +29,13 @@ struct Reading {
   /// Of the numbers that a sweep varies, by their paths, the dimension as which they were read; none: not as
   /// quantities.
   std::map<std::string, std::optional<Dimension>> varied;
+  bool lists_quantities = false;  ///< whether all quantities are listed as they are read
+  struct ReadQuantity {
+    std::string path;
+    Dimension dimension;
+    double profile = 0;  ///< in the profile's unit
+  };
+  std::vector<ReadQuantity> quantities;
 };
 
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);

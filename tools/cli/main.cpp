@@ -12,6 +12,7 @@
 #include "positive_number.hpp"
 #include "report_command.hpp"
 #include "run_command.hpp"
+#include "sensitivity_command.hpp"
 #include "sweep_command.hpp"
 #include "unknown_argument.hpp"
 #include "verify_command.hpp"
@@ -130,6 +131,8 @@ int run(int argc, char** argv) {
   const CLI::App* check_command = higherpair::cli::add_check_command(app, check);
   higherpair::cli::SweepOptions sweep;
   const CLI::App* sweep_command = higherpair::cli::add_sweep_command(app, sweep);
+  higherpair::cli::SensitivityOptions sensitivity;
+  const CLI::App* sensitivity_command = higherpair::cli::add_sensitivity_command(app, sensitivity);
   higherpair::cli::DesignCommandOptions design;
   const CLI::App* design_command = higherpair::cli::add_design_command(app, design);
   VerifyOptions verify;
@@ -180,6 +183,9 @@ int run(int argc, char** argv) {
   }
   if (sweep_command->parsed()) {
     return higherpair::cli::sweep_command(sweep);
+  }
+  if (sensitivity_command->parsed()) {
+    return higherpair::cli::sensitivity_command(sensitivity);
   }
   if (design_command->parsed()) {
     return higherpair::cli::design_command(design);

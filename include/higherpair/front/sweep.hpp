@@ -19,7 +19,8 @@ struct SweepSettings {
   std::optional<std::int64_t> samples;  ///< as RunSettings::samples
   int part = 1;  ///< the variants are cut into `parts` of equal length, of which this is one
   int parts = 1;
-  const std::atomic<bool>* stop = nullptr;  ///< as RunSettings::stop
+  const std::atomic<bool>* stop = nullptr;          ///< as RunSettings::stop
+  std::shared_ptr<const SweepTask> task = nullptr;  ///< none: that of the profile
 };
 
 /// Consecutive variants, worked out.

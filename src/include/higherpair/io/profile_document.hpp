@@ -2,6 +2,7 @@
 
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile.hpp"
+#include "higherpair/io/units.hpp"
 
 #include <functional>
 #include <memory>
@@ -34,6 +35,16 @@ public:
 
   /// Calls `found` with path and value, as written, of every number in the order of the file.
   void for_each_number(const std::function<void(const std::string& path, double value)>& found) const;
+
+  /// A number of the profile that measures something, with or without a unit of its own: no counts, flags
+  /// and names.
+  struct Quantity {
+    std::string path;
+    Dimension dimension;
+    double value = 0;  ///< in the profile's unit
+  };
+  /// All of them, each once, in the order in which a profile is read. \pre read() succeeds
+  [[nodiscard]] std::vector<Quantity> quantities() const;
 
   /// A value that the text of a profile is to have instead of its own.
   struct NewValue {

@@ -14,7 +14,7 @@ namespace higherpair {
 /// and nothing is noted that may be a slip. One thread at a time; a profile that is read is the caller's.
 class ProfileVariants {
 public:
-  /// What is asked of variants ([sweep], [design]) is not part of them.
+  /// What is asked of variants ([sweep], [design], [tolerances]) is not part of them.
   /// \param paths  of numbers of the document; fails for one that leads to none
   [[nodiscard]] static tl::expected<ProfileVariants, Diagnostics> of(const ProfileDocument& document,
                                                                      std::span<const std::string> paths);

@@ -1,0 +1,326 @@
+#include "path_results.hpp"
+
+#include "check_parts.hpp"
+#include "numeric/peaks.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Of what lengths and the drivers' speed make of a column's dimension: smaller values are rounding.
+constexpr double kRounding = 1e-12;
+
+// Of the spread of a column: extremes that differ by less are equal.
+constexpr double kSame = 1e-9;
+
+// Of the whole path: so far to either side of an extreme the column is looked at, and by so much of its
+// spread it may be lower there if it is smooth.
+constexpr double kBeside = 1e-5;
+constexpr double kSmoothFall = 3e-7;
+
+constexpr int kSamples = 720;   // of a path, where other extremes are looked for
+constexpr int kMarkEvery = 24;  // samples: from there the run can go on again
+constexpr std::size_t kMostTies = 6;
+constexpr std::size_t kMostRefined = 12;
+
+// Rounding of a column [its unit]; 0 where forces or masses are in it.
+double rounding_of(const PathColumns& columns, std::size_t column) {
+  const Dimension& of = columns.dimension(column);
+  if (of.force != 0 || of.mass != 0) {
+    return 0;
+  }
+  const double size = columns.start().plan().size;
+  double rate = 0;
+  const DriverSchedule& schedule = columns.drivers().schedule();
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const auto joint = static_cast<std::size_t>(columns.data().profile.mechanism.drivers[i].joint);
+    const bool turns = has_angle(columns.data().profile.mechanism.joints[joint].type);
+    for (const std::int64_t row : {std::int64_t{0}, schedule.size() / 2, schedule.size() - 1}) {
+      const double velocity = std::abs(schedule.state(row, i).si.velocity);
+      rate = std::max(rate, turns ? velocity : velocity / size);
+    }
+  }
+  return from_si(of, columns.units()).apply(kRounding * std::pow(size, of.length) * std::pow(rate, -of.time));
+}
+
+}  // namespace
+
+std::size_t column_slot(const std::vector<Column>& columns, std::string_view name) {
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+  assert(found != columns.end());
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+// One extreme of a column, as a largest value of sign times the column.
+struct PathResults::Extreme {
+  double value = -kInfinity;  // of sign times the column
+  std::vector<ExtremePlace> places;
+  std::optional<double> rival;  // as value
+  std::optional<PathPlace> rival_where;
+  bool jumps = false;
+  bool grows = false;
+};
+
+// All columns at equally spaced places of the path, to see where else they are large.
+class PathResults::Sampled {
+public:
+  explicit Sampled(PathColumns& columns) : columns_(columns) {
+    PathWalk walk(columns);
+    const std::vector<double>& knots = columns.path().path.knots;
+    std::vector<double> values;
+    for (int k = 0; k <= kSamples && !is_stopped(columns.start()); ++k) {
+      at_.push_back(std::lerp(knots.front(), knots.back(), static_cast<double>(k) / kSamples));
+      const PathPlace place = columns.place(at_.back());
+      const Run& run = walk.go_to(place);
+      if (k % kMarkEvery == 0) marks_.push_back(walk);
+      const bool there = run.row.status != RowStatus::kNotAssemblable;
+      columns.values(run, place, values);
+      if (!there) std::fill(values.begin(), values.end(), kNone);
+      values_.push_back(values);
+      if (knots.size() == 1) break;
+    }
+  }
+
+  // Local maxima of sign times a column away from a place, the largest first.
+  [[nodiscard]] std::vector<Peak> others(std::size_t column, double sign, double at, double least,
+                                         double noise) {
+    std::vector<std::size_t> candidates;
+    const auto level = [&](std::size_t k) { return sign * values_[k][column]; };
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, values_.size() - 1);
+      const bool peak = std::isfinite(level(k)) && !(level(before) > level(k)) && !(level(after) > level(k));
+      if (!peak || (at >= at_[before] && at <= at_[after])) continue;
+      const double open = std::max(level(k) - level(before), level(k) - level(after));
+      if (level(k) + (std::isfinite(open) ? open : kInfinity) >= least) candidates.push_back(k);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](std::size_t a, std::size_t b) { return level(a) > level(b); });
+    // Of a plateau some places everywhere.
+    const std::size_t stride = std::max<std::size_t>(1, candidates.size() / kMostRefined);
+    std::vector<Peak> found;
+    for (std::size_t i = 0; i < candidates.size(); i += stride) {
+      found.push_back(refined(column, sign, candidates[i], noise));
+    }
+    return found;
+  }
+
+private:
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  [[nodiscard]] Peak refined(std::size_t column, double sign, std::size_t k, double noise) {
+    const double from = at_[k > 0 ? k - 1 : k], to = at_[std::min(k + 1, at_.size() - 1)];
+    Peak peak{at_[k], sign * values_[k][column]};
+    PathWalk walk = marks_[(k > 0 ? k - 1 : k) / kMarkEvery];
+    Run run = walk.go_to(columns_.place(from));
+    std::vector<DriverMotion> drivers;
+    std::vector<double> values;
+    PeakLimits limits;
+    limits.shortest = kRounding * (at_.back() - at_.front());
+    limits.noise = std::max(noise, kRounding * std::abs(peak.value));
+    raise(
+        [&](double at) {
+          columns_.path().path.motion(at, drivers);
+          move_to(run, drivers);
+          columns_.values(run, columns_.place(at), values);
+          return run.row.status == RowStatus::kNotAssemblable ? kNone : sign * values[column];
+        },
+        from, to, limits, peak);
+    return peak;
+  }
+
+  PathColumns& columns_;
+  std::vector<double> at_;
+  std::vector<std::vector<double>> values_;
+  std::vector<PathWalk> marks_;
+};
+
+PathResults::PathResults(Analysis& analysis, PathColumns& columns, std::span<const Measure> measures,
+                         bool ties)
+    : columns_(columns) {
+  take_rows(analysis, measures);
+  if (!is_stopped(columns.start())) take_extremes(measures, ties);
+}
+
+void PathResults::take_rows(Analysis& analysis, std::span<const Measure> measures) {
+  MeasureSet set({measures.begin(), measures.end()}, analysis.columns());
+  low_.assign(analysis.columns().size(), kInfinity);
+  high_.assign(analysis.columns().size(), -kInfinity);
+  Row row;
+  std::int64_t first = -1, last = -1;
+  std::vector<std::int64_t> at(measures.size(), 0);
+  std::vector<double> off(measures.size(), kInfinity);
+  while (analysis.next(row)) {
+    set.add(row);
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+      if (std::isnan(row.values[i])) continue;
+      low_[i] = std::min(low_[i], row.values[i]);
+      high_[i] = std::max(high_[i], row.values[i]);
+    }
+    for (std::size_t m = 0; m < measures.size(); ++m) {
+      const double distance = std::abs(row.values[set.where_slot()] - measures[m].at);
+      if (distance < off[m]) {
+        off[m] = distance;
+        at[m] = row.number;
+      }
+    }
+    first = first < 0 ? row.number : first;
+    last = row.number;
+  }
+  for (std::size_t m = 0; m < measures.size(); ++m) {
+    PathResult& result = results_.emplace_back();
+    result.column = column_slot(analysis.columns(), measures[m].column);
+    result.value = set.value(m).value;
+    const auto row_place = [&](std::int64_t number) {
+      return PathPlace{static_cast<double>(number), columns_.parameter_of(number)};
+    };
+    if (measures[m].of == MeasureKind::kFirst && first >= 0) result.where = row_place(first);
+    if (measures[m].of == MeasureKind::kLast && last >= 0) result.where = row_place(last);
+    if (measures[m].of == MeasureKind::kAt && last >= 0) result.where = row_place(at[m]);
+    if (result.where) result.parts = {{{*result.where, 1}}};
+  }
+}
+
+void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
+  const std::size_t count = columns_.columns().size();
+  PathQuantities quantities;
+  quantities.sought.resize(count);
+  bool any = false;
+  for (std::size_t m = 0; m < measures.size(); ++m) {
+    if (!is_extreme(measures[m].of) || std::isnan(results_[m].value)) continue;
+    any = true;
+    Sought& sought = quantities.sought[results_[m].column];
+    sought.greatest = sought.greatest || measures[m].of != MeasureKind::kMin;
+    sought.least = sought.least || measures[m].of != MeasureKind::kMax;
+    sought.noise = rounding_of(columns_, results_[m].column);
+  }
+  if (!any) {
+    return;
+  }
+  std::vector<double> values;
+  quantities.values = [&](const Run& run, double at, std::span<double> out) {
+    columns_.values(run, columns_.place(at), values);
+    std::copy(values.begin(), values.end(), out.begin());
+  };
+  const PathLook look =
+      look_at({columns_.data().profile, columns_.drivers().schedule(), columns_.start(), nullptr},
+              columns_.path().path);
+  const auto ranges = path_extremes(columns_.start(), columns_.path().path, {quantities}, look);
+  if (is_stopped(columns_.start())) {
+    return;
+  }
+  std::optional<Sampled> sampled;
+  if (ties) sampled.emplace(columns_);
+  for (std::size_t m = 0; m < measures.size(); ++m) {
+    if (!is_extreme(measures[m].of) || std::isnan(results_[m].value)) continue;
+    PathResult result =
+        extreme_result(measures[m], results_[m].column, ranges.front(), sampled ? &*sampled : nullptr);
+    if (!std::isfinite(result.value)) {  // rows alone have it, at singular positions
+      result = PathResult();
+      result.column = results_[m].column;
+    }
+    const double spread = high_[result.column] - low_[result.column];
+    result.constant =
+        columns_.path().path.knots.size() > 1 &&
+        spread <= std::max(rounding_of(columns_, result.column), kRounding * std::abs(high_[result.column]));
+    results_[m] = std::move(result);
+  }
+}
+
+PathResult PathResults::extreme_result(const Measure& measure, std::size_t column,
+                                       const std::vector<PathRange>& ranges, Sampled* sampled) {
+  PathResult result;
+  result.column = column;
+  const PathRange& range = ranges[column];
+  const auto take = [&](const Extreme& extreme) {
+    result.parts.push_back(extreme.places);
+    result.jumps = result.jumps || extreme.jumps;
+    result.grows = result.grows || extreme.grows;
+  };
+  std::optional<Extreme> high, low;
+  if (measure.of != MeasureKind::kMin) high = extreme(column, 1, range.greatest, sampled);
+  if (measure.of != MeasureKind::kMax) low = extreme(column, -1, range.least, sampled);
+  if (measure.of == MeasureKind::kRange) {
+    take(*high);
+    take(*low);
+    result.value = high->value + low->value;
+    return result;
+  }
+  if (high && low) {  // the larger absolute value; the other sign is a rival
+    if (low->value > high->value) std::swap(high, low);
+    const double same = kSame * (high->value + std::abs(low->value));
+    if (low->value >= high->value - same) {
+      high->places.insert(high->places.end(), low->places.begin(), low->places.end());
+    } else if (!low->places.empty() && (!high->rival || low->value > *high->rival)) {
+      high->rival = low->value;
+      high->rival_where = low->places.front().place;
+    }
+  }
+  Extreme& best = high ? *high : *low;
+  result.factor = measure.of == MeasureKind::kMin ? -1 : 1;
+  take(best);
+  result.value = result.factor * best.value;
+  if (!best.places.empty()) result.where = best.places.front().place;
+  if (best.rival) {
+    result.rival = result.factor * *best.rival;
+    result.rival_where = best.rival_where;
+  }
+  return result;
+}
+
+PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
+                                          const std::optional<PathExtreme>& found, Sampled* sampled) {
+  Extreme extreme;
+  if (!found) {
+    return extreme;
+  }
+  extreme.value = sign * found->value;
+  extreme.places = {{columns_.place(found->at), sign}};
+  extreme.grows = found->grows;
+  const double spread = high_[column] - low_[column];
+  if (sampled == nullptr) {
+    return extreme;
+  }
+  extreme.jumps = jumps_at(column, *found, spread);
+  const double noise = rounding_of(columns_, column);
+  const double same = std::max(kSame * spread, noise);
+  const double worth = std::abs(extreme.value) + spread;  // everything: rivals are named however small
+  for (const Peak& peak : sampled->others(column, sign, found->at, extreme.value - worth, noise)) {
+    if (peak.value >= extreme.value - same) {
+      if (extreme.places.size() < kMostTies) extreme.places.push_back({columns_.place(peak.at), sign});
+    } else if (!extreme.rival || peak.value > *extreme.rival) {
+      extreme.rival = peak.value;
+      extreme.rival_where = columns_.place(peak.at);
+    }
+  }
+  return extreme;
+}
+
+// At the ends of the path the place is fixed. Anywhere else the column has to be level.
+bool PathResults::jumps_at(std::size_t column, const PathExtreme& found, double spread) {
+  const std::vector<double>& knots = columns_.path().path.knots;
+  const double beside = kBeside * (knots.back() - knots.front());
+  const bool end = found.at - knots.front() <= beside || knots.back() - found.at <= beside;
+  if (end || knots.size() == 1) {
+    return false;
+  }
+  const double fall =
+      std::max({kSmoothFall * spread, rounding_of(columns_, column), kRounding * std::abs(found.value)});
+  PathWalk walk(columns_);
+  std::vector<double> values;
+  for (const double at : {found.at - beside, found.at, found.at + beside}) {
+    const PathPlace place = columns_.place(at);
+    columns_.values(walk.go_to(place), place, values);
+    if (!(std::abs(values[column] - found.value) <= fall)) return true;
+  }
+  return false;
+}
+
+}  // namespace higherpair

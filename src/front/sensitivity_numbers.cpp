@@ -1,0 +1,209 @@
+// By which numbers results are differentiated, and which results.
+#include "sensitivity_numbers.hpp"
+
+#include "higherpair/front/drawing.hpp"
+#include "higherpair/io/design_task.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/sweep_task.hpp"
+#include "higherpair/io/tolerance_task.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace higherpair {
+namespace {
+
+// Where numbers of the mechanism itself stand.
+constexpr std::string_view kMechanism[] = {"bodies.", "joints.", "loads.", "springs.", "gravity."};
+
+bool is_of_mechanism(std::string_view path) {
+  return std::any_of(std::begin(kMechanism), std::end(kMechanism),
+                     [&](std::string_view table) { return path.starts_with(table); });
+}
+
+// What is asked of a profile, not the profile itself.
+bool is_of_task(std::string_view path) {
+  constexpr std::string_view kTasks[] = {"limits.", "sweep.", "design.", "tolerances."};
+  return std::any_of(std::begin(kTasks), std::end(kTasks),
+                     [&](std::string_view table) { return path.starts_with(table); });
+}
+
+using Quantities = std::vector<ProfileDocument::Quantity>;
+
+ProfileNumber number_of(const ProfileDocument::Quantity& quantity, const Units& units) {
+  return {{quantity.path, {quantity.path}, quantity.value, unit_text(quantity.dimension, units), 1},
+          quantity.dimension};
+}
+
+const ProfileDocument::Quantity* quantity_at(const Quantities& quantities, const std::string& path) {
+  const auto found =
+      std::find_if(quantities.begin(), quantities.end(), [&](const auto& q) { return q.path == path; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+Result<std::vector<ProfileNumber>> chosen_by(const std::vector<std::string>& globs,
+                                             const Quantities& quantities, const Units& units) {
+  std::vector<bool> chosen(quantities.size(), false);
+  for (const std::string& glob : globs) {
+    bool any = false;
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      if (!is_of_task(quantities[i].path) && matches(glob, quantities[i].path)) chosen[i] = any = true;
+    }
+    if (!any) {
+      std::vector<std::string> paths;
+      for (const auto& quantity : quantities) {
+        if (!is_of_task(quantity.path)) paths.push_back(quantity.path);
+      }
+      return tl::unexpected(Error{
+          ErrorKind::kInput,
+          {about("--by " + glob,
+                 fmt::format("no number of the profile has such a path; {}", suggestion(glob, paths)))}});
+    }
+  }
+  std::vector<ProfileNumber> numbers;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (chosen[i]) numbers.push_back(number_of(quantities[i], units));
+  }
+  return numbers;
+}
+
+std::vector<ProfileNumber> of_tolerances(const ToleranceTask& task, const Quantities& quantities) {
+  std::vector<ProfileNumber> numbers;
+  for (const Tolerance& tolerance : task.tolerances) {
+    const auto* quantity = quantity_at(quantities, tolerance.paths.front());
+    numbers.push_back({{tolerance.name, tolerance.paths, tolerance.value, tolerance.unit, 1},
+                       quantity != nullptr ? quantity->dimension : dimension::kNumber});
+  }
+  return numbers;
+}
+
+// Variables that measure something; there are others, such as factors of laws.
+std::vector<ProfileNumber> of_variables(const DesignTask& task, const Quantities& quantities,
+                                        const Units& units) {
+  std::vector<ProfileNumber> numbers;
+  for (const DesignTask::Variable& variable : task.variables) {
+    const auto* quantity = quantity_at(quantities, variable.paths.front());
+    const Dimension of = quantity != nullptr ? quantity->dimension : dimension::kNumber;
+    numbers.push_back({{variable.name, variable.paths, variable.range.start, unit_text(of, units), 1}, of});
+  }
+  return numbers;
+}
+
+NamedMeasure named(const std::string& column, MeasureKind of) {
+  NamedMeasure result;
+  result.name = fmt::format("{}:{}", column, name_of(of));
+  result.measure.column = column;
+  result.measure.of = of;
+  return result;
+}
+
+Error measure_error(const std::string& text, std::string rule) {
+  return {ErrorKind::kInput, {about("--results " + text, std::move(rule))}};
+}
+
+}  // namespace
+
+Result<std::vector<ProfileNumber>> numbers_for(const Model& model, const std::vector<std::string>& by) {
+  if (!model.data().document) {
+    return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
+                                      "was built and has no keys to differentiate by: write a profile"));
+  }
+  const Quantities quantities = model.data().document->quantities();
+  const Profile& profile = model.profile();
+  if (!by.empty()) return chosen_by(by, quantities, profile.units);
+  if (profile.tolerances) return of_tolerances(*profile.tolerances, quantities);
+  if (profile.design) return of_variables(*profile.design, quantities, profile.units);
+  std::vector<ProfileNumber> numbers;
+  for (const auto& quantity : quantities) {
+    if (is_of_mechanism(quantity.path)) numbers.push_back(number_of(quantity, profile.units));
+  }
+  return numbers;
+}
+
+std::vector<NamedMeasure> default_results(const Model& model) {
+  const Mechanism& mechanism = model.mechanism();
+  std::vector<NamedMeasure> results;
+  const auto is_driven = [&](std::size_t joint) {
+    return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                       [&](const Driver& driver) { return driver.joint == static_cast<int>(joint); });
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const bool grounded = joint.first.body == 0 || joint.second.body == 0;
+    if (!grounded || is_driven(i) || couples_turning(joint.type) || joint.type == JointType::kSlot) continue;
+    results.push_back(named(joint.name + ".position", MeasureKind::kRange));
+    results.push_back(named(joint.name + ".acceleration", MeasureKind::kMaxAbs));
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    results.push_back(named(contact.name + ".pressure", MeasureKind::kMax));
+  }
+  for (std::size_t i = 0; has_forces(mechanism) && i < mechanism.drivers.size(); ++i) {
+    const std::string& name = mechanism.drivers[i].name;
+    results.push_back(named((name.empty() ? "driver" : "driver." + name) + ".effort", MeasureKind::kMaxAbs));
+  }
+  for (std::size_t i = 1; results.empty() && i < mechanism.bodies.size(); ++i) {
+    results.push_back(named(mechanism.bodies[i].name + ".angle", MeasureKind::kRange));
+  }
+  return results;
+}
+
+Result<NamedMeasure> measure_from(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  const std::vector<std::string> kinds(kMeasureNames.begin(), kMeasureNames.end());
+  if (colon == std::string::npos || colon == 0) {
+    return tl::unexpected(measure_error(
+        text, fmt::format("expected COLUMN:OF, such as follower.alpha:maxabs; OF is one of {} (at=X)",
+                          fmt::join(kinds, ", "))));
+  }
+  NamedMeasure result;
+  result.name = text;
+  result.measure.column = text.substr(0, colon);
+  result.measure.place.source = "--results " + text;
+  std::string of = text.substr(colon + 1);
+  const std::size_t equals = of.find('=');
+  const std::string at = equals == std::string::npos ? "" : of.substr(equals + 1);
+  of = of.substr(0, equals);
+  const auto kind = std::find(kinds.begin(), kinds.end(), of);
+  if (kind == kinds.end()) {
+    return tl::unexpected(
+        measure_error(text, fmt::format("`{}` is no measure of a column; {}", of, suggestion(of, kinds))));
+  }
+  result.measure.of = static_cast<MeasureKind>(kind - kinds.begin());
+  const bool is_at = result.measure.of == MeasureKind::kAt;
+  const auto [end, status] = std::from_chars(at.data(), at.data() + at.size(), result.measure.at);
+  const bool number = !at.empty() && status == std::errc() && end == at.data() + at.size();
+  if (is_at != number || is_at == (equals == std::string::npos)) {
+    return tl::unexpected(
+        measure_error(text, is_at ? "expected COLUMN:at=X, X a position of the driver (in time: the time)"
+                                  : fmt::format("only `at` has a place: leave out `={}`", at)));
+  }
+  return result;
+}
+
+WantedResults results_for(const Model& model, const SensitivitySettings& settings) {
+  const Profile& profile = model.profile();
+  WantedResults wanted;
+  wanted.in_time = settings.in_time || (profile.tolerances && profile.tolerances->in_time);
+  wanted.results = settings.results;
+  if (wanted.results.empty() && profile.tolerances) {
+    for (const ToleranceResult& result : profile.tolerances->results) {
+      wanted.results.push_back({result.name, result.measure});
+    }
+  }
+  if (wanted.results.empty() && profile.sweep && !profile.sweep->results.empty()) {
+    wanted.in_time = wanted.in_time || profile.sweep->in_time;
+    for (const SweepResult& result : profile.sweep->results) {
+      wanted.results.push_back({result.name, result.measure});
+    }
+  }
+  if (wanted.results.empty()) wanted.results = default_results(model);
+  return wanted;
+}
+
+}  // namespace higherpair

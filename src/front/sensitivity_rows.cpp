@@ -1,0 +1,212 @@
+// Derivatives of whole columns, row by row.
+#include "higherpair/front/sensitivity.hpp"
+#include "number_slopes.hpp"
+#include "sensitivity_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kStep = 2e-4;  // of differences, of the scale of the number
+
+// Columns of forces and of the jerk are worked out only where a glob means nothing else.
+Result<RunSettings> settings_for_columns(const Model& model, RunSettings settings) {
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  std::optional<Error> last;
+  for (const auto& [forces, jerk] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+    settings.forces = forces;
+    settings.jerk = jerk;
+    const auto set = columns_of(model.data(), settings, model.units());
+    if (set) return settings;
+    last = set.error();
+  }
+  return tl::unexpected(*std::move(last));
+}
+
+// The same run with one number changed by some steps to either side, row by row.
+class SteppedRuns {
+public:
+  SteppedRuns(NumberModels& models, const RunSettings& settings) : h_(kStep * models.scale()) {
+    for (const double k : {-2.0, -1.0, 1.0, 2.0}) {
+      const auto model = models.at(k * h_);
+      auto analysis = model ? model->start(settings) : Result<Analysis>(tl::unexpected(model.error()));
+      if (!analysis) {
+        analyses_.clear();
+        return;
+      }
+      analyses_.push_back(*std::move(analysis));
+    }
+  }
+
+  // Of the next row, of all columns.
+  [[nodiscard]] std::vector<double> next(std::size_t columns) {
+    std::vector<double> slopes(columns, kUndefined);
+    std::array<Row, 4> rows;
+    for (std::size_t k = 0; k < analyses_.size(); ++k) {
+      if (!analyses_[k].next(rows[k])) return slopes;
+    }
+    for (std::size_t c = 0; !analyses_.empty() && c < columns; ++c) {
+      const double one = (rows[2].values[c] - rows[1].values[c]) / (2 * h_);
+      const double two = (rows[3].values[c] - rows[0].values[c]) / (4 * h_);
+      slopes[c] = (4 * one - two) / 3;
+    }
+    return slopes;
+  }
+
+private:
+  double h_;
+  std::vector<Analysis> analyses_;
+};
+
+class RowDifferentiator {
+public:
+  RowDifferentiator(const Model& model, const SensitivitySettings& settings, RunSettings run,
+                    const std::vector<ProfileNumber>& numbers)
+      : model_(model), settings_(settings), run_(std::move(run)), numbers_(numbers) {}
+
+  [[nodiscard]] Result<SlopeTable> work(const std::function<void(const SlopeTable&)>& begin,
+                                        const std::function<bool(const RowSlopes&)>& take) {
+    auto analysis = model_.start(run_);
+    if (!analysis) return tl::unexpected(analysis.error());
+    columns_.emplace(*analysis, run_);
+    SlopeTable table;
+    for (const ProfileNumber& number : numbers_) table.numbers.push_back(number.number);
+    choose_slots(table);
+    if (auto error = make_models()) return tl::unexpected(*std::move(error));
+    begin(table);
+    Row row;
+    while (!stopped() && analysis->next(row)) {
+      if (!take_row(analysis->impl().run, row, take)) break;
+    }
+    table.good = analysis->good();
+    table.stopped = stopped();
+    return table;
+  }
+
+private:
+  [[nodiscard]] bool stopped() const { return run_.stop != nullptr && run_.stop->load(); }
+
+  // No words, and nothing that is but rounding.
+  void choose_slots(SlopeTable& table) {
+    for (std::size_t c = 0; c < columns_->columns().size(); ++c) {
+      const Column& column = columns_->columns()[c];
+      if (!column.words.empty() || column.name == "residual") continue;
+      slots_.push_back(c);
+      table.columns.push_back(column);
+    }
+  }
+
+  [[nodiscard]] std::optional<Error> make_models() {
+    const double size = columns_->start().plan().size;
+    const bool arcs = std::any_of(slots_.begin(), slots_.end(), [&](std::size_t slot) {
+      return !has_exact_slope(columns_->columns()[slot]);
+    });
+    slopes_.resize(numbers_.size());
+    runs_.resize(numbers_.size());
+    for (const ProfileNumber& number : numbers_) {
+      auto models = NumberModels::of(model_, number, size);
+      if (!models) return models.error();
+      models_.push_back(std::make_unique<NumberModels>(*std::move(models)));
+    }
+    in_parallel([&](std::size_t i) {
+      slopes_[i] = std::make_unique<NumberSlopes>(*columns_, *models_[i]);
+      const NumberSlopes::State state = slopes_[i]->state();
+      if (state == NumberSlopes::State::kOther || (arcs && state == NumberSlopes::State::kExact)) {
+        runs_[i] = std::make_unique<SteppedRuns>(*models_[i], run_);
+      }
+    });
+    return std::nullopt;
+  }
+
+  template <class F>
+  void in_parallel(F f) const {
+    tbb::task_arena arena(settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency());
+    arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, numbers_.size(), [&](std::size_t i) {
+        if (!stopped()) f(i);
+      });
+    });
+  }
+
+  [[nodiscard]] bool take_row(const Run& run, const Row& row,
+                              const std::function<bool(const RowSlopes&)>& take) {
+    const PathPlace place{static_cast<double>(row.number), columns_->parameter_of(row.number)};
+    std::vector<double> values, slopes(numbers_.size() * slots_.size(), kUndefined);
+    for (const std::size_t slot : slots_) values.push_back(row.values[slot]);
+    in_parallel([&](std::size_t i) {
+      const std::vector<double> all = slopes_at(i, run, place);
+      for (std::size_t c = 0; c < slots_.size(); ++c) slopes[i * slots_.size() + c] = all[slots_[c]];
+    });
+    return !stopped() && take({row.number, values, slopes});
+  }
+
+  [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place) {
+    const std::size_t count = columns_->columns().size();
+    const std::vector<double> differences =
+        runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kUndefined);
+    switch (slopes_[i]->state()) {
+      case NumberSlopes::State::kNoInfluence:
+        return std::vector<double>(count, 0.0);
+      case NumberSlopes::State::kExact:
+        break;
+      default:
+        return differences;
+    }
+    std::vector<double> slopes = slopes_[i]->at(run, place).value_or(std::vector<double>(count, kUndefined));
+    for (std::size_t c = 0; c < count; ++c) {
+      if (!has_exact_slope(columns_->columns()[c])) slopes[c] = differences[c];
+    }
+    return slopes;
+  }
+
+  const Model& model_;
+  const SensitivitySettings& settings_;
+  RunSettings run_;
+  const std::vector<ProfileNumber>& numbers_;
+  std::optional<PathColumns> columns_;
+  std::vector<std::size_t> slots_;  // of the columns of the table
+  std::vector<std::unique_ptr<NumberModels>> models_;
+  std::vector<std::unique_ptr<NumberSlopes>> slopes_;
+  std::vector<std::unique_ptr<SteppedRuns>> runs_;  // of those that need differences
+};
+
+}  // namespace
+
+Result<SlopeTable> sensitivity_rows(const Model& model, const std::vector<std::string>& columns,
+                                    const SensitivitySettings& settings,
+                                    const std::function<void(const SlopeTable&)>& begin,
+                                    const std::function<bool(const RowSlopes&)>& take) {
+  const auto numbers = numbers_for(model, settings.by);
+  if (!numbers) {
+    return tl::unexpected(numbers.error());
+  }
+  RunSettings run;
+  run.in_time = results_for(model, settings).in_time;
+  run.samples = settings.samples;
+  run.tolerance = settings.tolerance;
+  run.stop = settings.stop;
+  run.columns = columns;
+  if (!columns.empty()) {
+    const Mechanism& mechanism = model.mechanism();
+    if (!mechanism.drivers.empty()) {
+      run.columns.push_back(run.in_time ? "time" : driver_column(mechanism, 0));
+    }
+  }
+  return settings_for_columns(model, std::move(run)).and_then([&](const RunSettings& made) {
+    return RowDifferentiator(model, settings, made, *numbers).work(begin, take);
+  });
+}
+
+}  // namespace higherpair

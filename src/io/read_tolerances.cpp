@@ -1,0 +1,214 @@
+// [tolerances]: which numbers of the profile scatter, and what is to be known of the run.
+#include "higherpair/io/tolerance_task.hpp"
+#include "read_measure.hpp"
+#include "reading.hpp"
+#include "sweep_reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+
+double Tolerance::deviation() const {
+  switch (kind) {
+    case DistributionKind::kUniform:
+      return half() / std::sqrt(3.0);
+    case DistributionKind::kTriangular:
+      return half() / std::sqrt(6.0);
+    default:
+      return half() / sigmas;
+  }
+}
+
+Distribution Tolerance::distribution() const {
+  Distribution d;
+  d.kind = kind;
+  if (kind == DistributionKind::kNormal) {
+    d.mean = middle();
+    d.deviation = deviation();
+  } else {
+    d.low = value - minus;
+    d.high = value + plus;
+    d.mode = middle();
+  }
+  return d;
+}
+
+namespace io_detail {
+namespace {
+
+// Keys of [tolerances] that name no tolerance.
+bool is_own_key(std::string_view key) {
+  return key == "results" || key == "time";
+}
+
+class ToleranceReader {
+public:
+  ToleranceReader(Reading& reading, const Table& document)
+      : reading_(reading), document_(document), paths_{document, {}, "tolerances"} {}
+
+  Tolerance read(const std::string& name, TableReader& table) {
+    Tolerance tolerance;
+    tolerance.name = name;
+    tolerance.place = place_of(reading_, table.mark());
+    SweepVariable variable;
+    const std::size_t mistakes = reading_.mistakes.size();
+    read_paths(table, paths_, variable);
+    tolerance.paths = std::move(variable.paths);
+    dimension_ = {};
+    if (reading_.mistakes.size() == mistakes) read_values(table, tolerance);
+    tolerance.unit = unit_text(dimension_, reading_.units);
+    read_zone(table, tolerance);
+    read_distribution(table, tolerance);
+    table.finish();
+    return tolerance;
+  }
+
+private:
+  // All numbers at the paths: what they are, and that they are equal.
+  void read_values(TableReader& table, Tolerance& tolerance) {
+    const auto item = table.take("path");
+    for (std::size_t i = 0; i < tolerance.paths.size(); ++i) {
+      const std::string& path = tolerance.paths[i];
+      const auto varied = reading_.varied.find(path);
+      if (varied == reading_.varied.end() || !varied->second) {
+        report(reading_, *item, fmt::format("{} is no dimension of the mechanism: it cannot scatter", path));
+        return;
+      }
+      const auto value = value_at(path, *varied->second);
+      if (!value) return;  // reported where the number stands
+      if (i > 0 && (*value != tolerance.value || !(*varied->second == dimension_))) {
+        report(reading_, *item,
+               fmt::format("{} is {} and {} is {}: numbers with one tolerance are equal in the profile",
+                           tolerance.paths.front(), tolerance.value, path, *value));
+        return;
+      }
+      tolerance.value = *value;
+      dimension_ = *varied->second;
+    }
+  }
+
+  // In the profile's unit.
+  [[nodiscard]] std::optional<double> value_at(const std::string& path, const Dimension& dimension) const {
+    const Value* value = end_of_path(document_, path).value;
+    if (const auto number = number_in(*value)) {
+      return number;
+    }
+    const auto* text = std::get_if<std::string>(&value->content);
+    const auto quantity =
+        text == nullptr ? tl::unexpected(std::string()) : parse_quantity(*text, dimension, reading_.units);
+    return quantity ? std::optional(quantity->profile) : std::nullopt;
+  }
+
+  void read_zone(TableReader& table, Tolerance& tolerance) {
+    // What is wrong is reported; any zone does then.
+    const auto number = [&](const std::optional<Item>& item) -> std::optional<double> {
+      if (!item) return 0;
+      const auto quantity = as_quantity(reading_, *item, {dimension_});
+      return quantity ? std::optional(quantity->profile) : std::nullopt;
+    };
+    const auto plus = table.take("plus");
+    const auto minus = table.take("minus");
+    tolerance.plus = tolerance.minus = 1;
+    if (!plus && !minus) {
+      const auto both =
+          table.need("plus_minus", "how far the number may be off to either side, or `plus` and `minus`");
+      const auto half = both ? number(both) : std::nullopt;
+      if (half && !(*half > 0)) {
+        report(reading_, *both, "must be > 0");
+      } else if (half) {
+        tolerance.plus = tolerance.minus = *half;
+      }
+      return;
+    }
+    table.refuse("plus_minus", "this and `plus`, `minus` say the same: leave one of the two out");
+    const auto high = number(plus), low = number(minus);
+    if (high && low && !(*high + *low > 0)) {
+      report(reading_, plus ? *plus : *minus,
+             fmt::format("the zone from {} - {} to {} + {} is empty: plus + minus must be > 0",
+                         tolerance.value, *low, tolerance.value, *high));
+    } else if (high && low) {
+      tolerance.plus = *high;
+      tolerance.minus = *low;
+    }
+  }
+
+  void read_distribution(TableReader& table, Tolerance& tolerance) {
+    const auto item = table.take("distribution");
+    const auto choice = item ? as_choice(reading_, *item, {"normal", "uniform", "triangular"})
+                             : std::optional<std::size_t>(0);
+    constexpr DistributionKind kKinds[] = {DistributionKind::kNormal, DistributionKind::kUniform,
+                                           DistributionKind::kTriangular};
+    tolerance.kind = kKinds[choice.value_or(0)];
+    if (tolerance.kind != DistributionKind::kNormal) {
+      table.refuse("sigmas", "belongs to a normal distribution");
+      return;
+    }
+    if (const auto sigmas = table.take("sigmas")) {
+      const auto number = as_quantity(reading_, *sigmas, {dimension::kNumber, Sign::kPositive});
+      tolerance.sigmas = number ? number->si : 3;
+    }
+  }
+
+  Reading& reading_;
+  const Table& document_;
+  SweepPaths paths_;
+  Dimension dimension_;  // of the number that is read
+};
+
+void read_results(TableReader& table, ToleranceTask& task) {
+  const auto item = table.take("results");
+  if (!item) {
+    return;
+  }
+  for_each_table(
+      table.reading(), *item, "a measure (a table)", [&](const std::string& name, TableReader& entry) {
+        ToleranceResult result;
+        result.name = name;
+        result.measure = read_measure(entry).value_or(Measure());
+        if (const auto within = entry.take("within")) {
+          const auto number = as_quantity(entry.reading(), *within, {dimension::kNumber, Sign::kPositive});
+          result.within = number ? std::optional(number->si) : std::nullopt;
+        }
+        entry.finish();
+        task.results.push_back(std::move(result));
+      });
+}
+
+}  // namespace
+
+void read_tolerances(TableReader& root, const Table& document, Profile& profile) {
+  const auto item = root.take("tolerances");
+  const Table* keys = item ? as_table(root.reading(), *item, "a table") : nullptr;
+  if (keys == nullptr) {
+    return;
+  }
+  Reading& reading = root.reading();
+  const std::size_t mistakes = reading.mistakes.size();
+  TableReader table(reading, *keys, item->value->mark, item->path);
+  ToleranceTask task;
+  task.place = place_of(reading, item->value->mark);
+  task.in_time = table.flag("time", false);
+  Table named;
+  std::copy_if(keys->begin(), keys->end(), std::back_inserter(named),
+               [](const Entry& entry) { return !is_own_key(entry.key); });
+  const Value all = {named, item->value->mark};
+  ToleranceReader reader(reading, document);
+  for_each_table(
+      reading, {&all, item->path}, "a tolerance, NAME = { path = …, plus_minus = … }",
+      [&](const std::string& name, TableReader& one) { task.tolerances.push_back(reader.read(name, one)); });
+  read_results(table, task);
+  if (reading.mistakes.size() == mistakes && task.tolerances.empty()) {
+    report(reading, *item, "expected at least one tolerance, NAME = { path = …, plus_minus = … }");
+  }
+  if (reading.mistakes.size() == mistakes) {
+    profile.tolerances = std::make_shared<const ToleranceTask>(std::move(task));
+  }
+}
+
+}  // namespace io_detail
+}  // namespace higherpair

@@ -1,0 +1,153 @@
+#include "program_testing.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using higherpair::testing::Outcome;
+using higherpair::testing::ProgramTest;
+using higherpair::testing::read_file;
+using higherpair::testing::shipped_profile;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+std::string shipped(const std::string& name) {
+  return shipped_profile(name + ".toml");
+}
+
+class SensitivityCommand : public ProgramTest {
+protected:
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return run_program("sensitivity " + arguments);
+  }
+};
+
+TEST_F(SensitivityCommand, PrintsTablesThatFitAScreen) {
+  for (const char* profile : {"toleranced_linkage", "eccentric_disc_oscillating_roller", "watt_sixbar",
+                              "ellipse_cam_roller", "tolerance_study"}) {
+    const Outcome outcome = run(shipped(profile));
+    EXPECT_EQ(outcome.code, 0) << profile << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    std::istringstream lines(outcome.out);
+    std::string line;
+    while (std::getline(lines, line)) {
+      EXPECT_LE(line.size(), 80U) << line;
+    }
+  }
+}
+
+TEST_F(SensitivityCommand, RanksDimensionsAndNamesThoseWithoutInfluence) {
+  const Outcome outcome =
+      run(shipped("flat_faced_translating") + " --results follower.y:max --by 'bodies.*' --top 1");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("max of follower.y"), HasSubstr("mm/unit"), HasSubstr("% per %"),
+                                 HasSubstr("more: --top"), HasSubstr("without influence on any of these")));
+}
+
+TEST_F(SensitivityCommand, PrintsBandsAndWhichToleranceToTighten) {
+  const std::string profile = shipped("toleranced_linkage");
+  EXPECT_THAT(run(profile).out, AllOf(HasSubstr("worst case"), HasSubstr("statistical, 99.73 %"),
+                                      HasSubstr("wanted within +-0.5: kept"), HasSubstr("share")));
+  const Outcome outcome = run(profile + " --set tolerances.results.swing.within=0.1");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("EXCEEDED"), HasSubstr("tighten"), HasSubstr("all zones to")));
+}
+
+TEST_F(SensitivityCommand, ChecksBandsByVariants) {
+  const std::string arguments = shipped("toleranced_linkage") + " --samples 37 --variants 500";
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("variants, 99.73 %"), HasSubstr("500 variants, 500 of them run all the way")));
+  EXPECT_EQ(run(arguments + " --threads 1").out, outcome.out);
+  EXPECT_NE(run(arguments + " --seed 2").out, outcome.out);
+}
+
+TEST_F(SensitivityCommand, WritesJson) {
+  const Outcome outcome = run(shipped("toleranced_linkage") + " --samples 19 --variants 100 --json -");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("good"), true);
+  EXPECT_EQ(json.at("where_unit"), "deg");
+  EXPECT_EQ(json.at("numbers").at(0).at("name"), "crank");
+  EXPECT_EQ(json.at("numbers").at(2).at("minus"), 0.074);
+  const nlohmann::json& swing = json.at("results").at(0);
+  EXPECT_EQ(swing.at("name"), "swing");
+  EXPECT_EQ(swing.at("slopes").at(0).at("kind"), "exact");
+  EXPECT_EQ(swing.at("slopes").at(0).at("unit"), "deg/mm");
+  EXPECT_EQ(swing.at("band").at("kept"), true);
+  double shares = 0;
+  for (const nlohmann::json& slope : swing.at("slopes")) shares += slope.at("share").get<double>();
+  EXPECT_NEAR(shares, 1, 1e-12);
+  EXPECT_EQ(swing.at("variants").at("variants"), 100);
+  EXPECT_EQ(json.at("variants").at("count"), 100);
+}
+
+TEST_F(SensitivityCommand, WritesCsv) {
+  const Outcome outcome = run(shipped("flat_faced_translating") + " --results follower.y:max --csv -");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              StartsWith("result,column,of,value,unit,at[deg],number,number_value,number_unit,down,up,kind,"
+                         "relative,share\nfollower.y:max,follower.y,max,"));
+}
+
+TEST_F(SensitivityCommand, WritesTheDerivativesOfColumnsRowByRow) {
+  const std::string arguments = shipped("flat_faced_translating") +
+                                " --samples 5 --results follower.y:max --by bodies.cam.curves.disc.radius";
+  const Outcome outcome = run(arguments + " --rows -");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("driver[deg],follower.y[mm],d(follower.y)/d(bodies.cam.curves.disc."
+                                      "radius)[mm/mm]\n"));
+  EXPECT_THAT(run(arguments + " --rows rows.csv --columns follower.y,follower.v*").out, HasSubstr("max of"));
+  EXPECT_THAT(read_file(folder_ / "rows.csv"), HasSubstr("d(follower.vy)/d("));
+}
+
+TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsNotGood) {
+  const Outcome outcome = run(shipped("lock_up"));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("the path is not good"));
+  EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("nan")));
+}
+
+TEST_F(SensitivityCommand, SaysWhatIsWrong) {
+  copy_profiles({"toleranced_linkage"});
+  const auto message = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << outcome.out;
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  };
+  const std::string linkage = "toleranced_linkage.toml", cam = shipped("flat_faced_translating");
+  EXPECT_THAT(message(linkage + " --results rocker.angel:max"), HasSubstr("did you mean `rocker.angle`"));
+  EXPECT_THAT(message(linkage + " --results rocker.angle"), HasSubstr("expected COLUMN:OF"));
+  EXPECT_THAT(message(linkage + " --by bodies.krank"), HasSubstr("no number of the profile has such a path"));
+  EXPECT_THAT(message(cam + " --variants 100"), HasSubstr("there is no [tolerances]"));
+  EXPECT_THAT(message(linkage + " --variants 100 --by 'bodies.*'"), HasSubstr("leave --by out"));
+  EXPECT_THAT(message(linkage + " --seed 3"), HasSubstr("add --variants N"));
+  EXPECT_THAT(message(linkage + " --columns follower.y"), HasSubstr("add --rows FILE"));
+  EXPECT_THAT(message(linkage + " --rows -  --columns 'roker.*'"), HasSubstr("no column of this run"));
+  EXPECT_THAT(message(linkage + " --csv toleranced_linkage.toml"), HasSubstr("the file that is read"));
+  EXPECT_THAT(message(linkage + " --csv a.csv --rows a.csv"), HasSubstr("give each a file of its own"));
+  EXPECT_THAT(message(linkage + " --set tolerances.crank.plus_minus=-1"), HasSubstr("must be > 0"));
+  EXPECT_THAT(message(linkage + " --variants 1"), HasSubstr("--variants"));
+  EXPECT_EQ(run(linkage + " --set bodies.coupler.points.B.0=5").code, 3);
+}
+
+TEST_F(SensitivityCommand, StopsWhenInterrupted) {
+  const Outcome outcome = run(shipped("toleranced_linkage") +
+                              " --variants 10000000 --json late.json & program=$!; sleep 1; "
+                              "kill -INT $program; wait $program");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "late.json"));
+}
+
+}  // namespace

@@ -1,0 +1,446 @@
+// Derivatives of results: closed forms, differences between whole runs with other numbers, kinks, and what
+// has none.
+#include "front/cam_profile.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::kCam;
+using testing::model_of;
+using testing::shipped_model;
+
+constexpr const char* kSlider = R"(
+[bodies.ground]
+points.O = [0, 0]
+points.rail = [0, 12]
+[bodies.crank]
+points = { O = [0, 0], A = [30, 0] }
+[bodies.rod]
+pose   = { x = 30, y = 0, angle = 7 }
+points = { A = [0, 0], B = [100, 0] }
+[bodies.slider]
+pose     = { x = 129, y = 12 }
+points.B = [0, 0]
+[joints]
+o = { type = "revolute", between = ["ground.O", "crank.O"] }
+a = { type = "revolute", between = ["crank.A", "rod.A"] }
+b = { type = "revolute", between = ["rod.B", "slider.B"] }
+s = { type = "prismatic", between = ["ground.rail", "slider.B"], direction = [1, 0] }
+[driver]
+joint   = "o"
+start   = 0
+end     = 360
+samples = 7
+velocity = "2 rad/s"
+)";
+
+constexpr const char* kRocker = R"(
+[bodies.ground]
+points = { O2 = [0, 0], O4 = [80, 0] }
+[bodies.crank]
+points = { O = [0, 0], A = [20, 0] }
+[bodies.coupler]
+pose   = { x = 20, y = 0, angle = 45 }
+points = { A = [0, 0], B = [70, 0] }
+[bodies.rocker]
+pose   = { x = 80, y = 0, angle = 100 }
+points = { O = [0, 0], B = [50, 0] }
+[joints]
+o = { type = "revolute", between = ["ground.O2", "crank.O"] }
+a = { type = "revolute", between = ["crank.A", "coupler.A"] }
+b = { type = "revolute", between = ["coupler.B", "rocker.B"] }
+p = { type = "revolute", between = ["ground.O4", "rocker.O"] }
+[driver]
+joint = "o"
+samples = 20
+)";
+
+SensitivitySettings wanted(const std::vector<std::string>& results, const std::vector<std::string>& by = {}) {
+  SensitivitySettings settings;
+  for (const std::string& result : results) settings.results.push_back(measure_from(result).value());
+  settings.by = by;
+  return settings;
+}
+
+SensitivityReport report_of(const Model& model, const SensitivitySettings& settings) {
+  const auto report = sensitivity(model, settings);
+  EXPECT_TRUE(report) << (report ? "" : to_string(report.error()));
+  return report.value_or(SensitivityReport());
+}
+
+const Slope& slope(const SensitivityReport& report, std::size_t result, const std::string& number) {
+  static const Slope kNothing;
+  for (std::size_t i = 0; i < report.numbers.size(); ++i) {
+    if (report.numbers[i].name == number) return report.results.at(result).slopes.at(i);
+  }
+  ADD_FAILURE() << "no number " << number;
+  return kNothing;
+}
+
+double exact(const SensitivityReport& report, std::size_t result, const std::string& number) {
+  const Slope& found = slope(report, result, number);
+  EXPECT_EQ(found.kind, SlopeKind::kExact) << number << ": " << found.remark;
+  EXPECT_EQ(found.down, found.up) << number;
+  return found.up;
+}
+
+std::string refusal(const Model& model, const SensitivitySettings& settings = {}) {
+  const auto report = sensitivity(model, settings);
+  return report ? "" : to_string(report.error());
+}
+
+// Stroke of an offset slider-crank: √((l+r)² − e²) − √((l−r)² − e²), whatever the rows.
+TEST(SensitivityOfResults, TheStrokeOfASliderCrankIsTheClosedForm) {
+  const double r = 30, l = 100, e = 12;
+  const auto far = [&](double s) { return std::sqrt((l + s * r) * (l + s * r) - e * e); };
+  for (const char* samples : {"driver.samples=7", "driver.samples=361", "driver.samples=50"}) {
+    const SensitivityReport report =
+        report_of(model_of(kSlider, {samples}), wanted({"slider.x:range", "slider.x:max", "slider.x:min"}));
+    EXPECT_NEAR(report.results[0].value, far(1) - far(-1), 1e-10);
+    const double by_r = (l + r) / far(1) + (l - r) / far(-1);
+    EXPECT_NEAR(exact(report, 0, "bodies.crank.points.A.0"), by_r, 1e-9) << samples;
+    const double by_l = (l + r) / far(1) - (l - r) / far(-1);
+    EXPECT_NEAR(exact(report, 0, "bodies.rod.points.B.0"), by_l, 1e-9);
+    EXPECT_NEAR(exact(report, 0, "bodies.ground.points.rail.1"), -e / far(1) + e / far(-1), 1e-9);
+    EXPECT_NEAR(exact(report, 1, "bodies.crank.points.A.0"), (l + r) / far(1), 1e-9);
+    EXPECT_NEAR(exact(report, 2, "bodies.crank.points.A.0"), -(l - r) / far(-1), 1e-9);
+    // Turned to its other end, a vector's second coordinate changes its length to second order alone, and so
+    // does the start of the crank: only where the extreme is, not what it is.
+    EXPECT_NEAR(exact(report, 0, "bodies.crank.points.A.1"), 0, 1e-9);
+    EXPECT_EQ(exact(report, 0, "bodies.rod.pose.x"), 0);
+  }
+}
+
+// Between the positions in which crank and coupler are in line, of crank-rockers of any lengths.
+TEST(SensitivityOfResults, TheSwingOfARockerIsTheClosedForm) {
+  const auto swing = [](double a, double b, double c, double d) {
+    const auto limit = [&](double s) {
+      return std::acos((d * d + c * c - (b + s * a) * (b + s * a)) / (2 * d * c));
+    };
+    return (limit(1) - limit(-1)) * 180 / kPi;
+  };
+  const auto derivative = [](auto f) { return (8 * (f(1e-3) - f(-1e-3)) - (f(2e-3) - f(-2e-3))) / 12e-3; };
+  std::mt19937 random(11);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int i = 0; i < 12; ++i) {
+    const double a = between(12, 22), b = between(62, 75), c = between(52, 60), d = between(75, 82);
+    const Model model = model_of(
+        kRocker,
+        {"bodies.crank.points.A.0=" + std::to_string(a), "bodies.coupler.points.B.0=" + std::to_string(b),
+         "bodies.rocker.points.B.0=" + std::to_string(c), "bodies.ground.points.O4.0=" + std::to_string(d),
+         "bodies.rocker.pose.x=" + std::to_string(d)});
+    const SensitivityReport report = report_of(model, wanted({"rocker.angle:range"}));
+    EXPECT_NEAR(report.results[0].value, swing(a, b, c, d), 1e-4);  // of six digits in the text
+    EXPECT_NEAR(exact(report, 0, "bodies.crank.points.A.0"),
+                derivative([&](double h) { return swing(a + h, b, c, d); }), 1e-5);
+    EXPECT_NEAR(exact(report, 0, "bodies.coupler.points.B.0"),
+                derivative([&](double h) { return swing(a, b + h, c, d); }), 1e-5);
+    EXPECT_NEAR(exact(report, 0, "bodies.rocker.points.B.0"),
+                derivative([&](double h) { return swing(a, b, c + h, d); }), 1e-5);
+    EXPECT_NEAR(exact(report, 0, "bodies.ground.points.O4.0"),
+                derivative([&](double h) { return swing(a, b, c, d + h); }), 1e-5);
+  }
+}
+
+TEST(SensitivityOfResults, OfAMirrorImageAreMirrored) {
+  const std::vector<std::string> results = {"slider.x:range", "slider.vx:max", "rod.angle:range"};
+  const SensitivityReport one = report_of(model_of(kSlider, {}), wanted(results));
+  const SensitivityReport other = report_of(
+      model_of(kSlider, {"bodies.ground.points.rail.1=-12", "bodies.slider.pose.y=-12",
+                         "bodies.rod.pose.angle=-7", "driver.end=-360", "driver.velocity=-2 rad/s"}),
+      wanted(results));
+  for (std::size_t m = 0; m < results.size(); ++m) {
+    EXPECT_NEAR(one.results[m].value, other.results[m].value, 1e-9);
+    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
+      const std::string& name = one.numbers[i].name;
+      const bool turns = name.ends_with(".1") || name.ends_with(".y") || name.ends_with("angle");
+      const double expected = (turns ? -1 : 1) * one.results[m].slopes[i].up;
+      EXPECT_NEAR(other.results[m].slopes[i].up, expected, 1e-9) << name << " " << results[m];
+    }
+  }
+}
+
+// y = r + e sin θ, ÿ = -e ω² sin θ.
+TEST(SensitivityOfResults, AnEccentricUnderAFlatFaceIsTheClosedForm) {
+  const Model model = model_of(kCam, {"driver.velocity=360", "driver.start=0"});
+  const double omega = 2 * kPi;
+  const SensitivityReport report =
+      report_of(model, wanted({"follower.y:max", "follower.y:range", "follower.ay:max", "follower.vy:at=0"},
+                              {"bodies.*", "driver.velocity", "driver.start"}));
+  const std::string e = "bodies.cam.curves.disc.center.0", r = "bodies.cam.curves.disc.radius";
+  EXPECT_NEAR(exact(report, 0, e), 1, 1e-10);
+  EXPECT_NEAR(exact(report, 0, r), 1, 1e-10);
+  EXPECT_NEAR(exact(report, 1, e), 2, 1e-10);
+  EXPECT_EQ(exact(report, 1, r), 0);
+  EXPECT_NEAR(exact(report, 2, e), omega * omega, 1e-8);
+  EXPECT_NEAR(exact(report, 2, "driver.velocity"), 2 * 10 * omega * kPi / 180, 1e-8);
+  EXPECT_NEAR(exact(report, 3, e), omega, 1e-9);
+  EXPECT_NEAR(exact(report, 3, "driver.velocity"), 10 * kPi / 180, 1e-9);
+  // The row moves with the start; an extreme within the path does not.
+  EXPECT_NEAR(exact(report, 3, "driver.start"), 0, 1e-9);
+  EXPECT_NEAR(exact(report, 0, "driver.start"), 0, 1e-9);
+  EXPECT_EQ(report.results[0].where, 90);
+  EXPECT_EQ(report.where_unit, "deg");
+}
+
+TEST(SensitivityOfResults, MeansAreThoseOfTheRows) {
+  const Model model = model_of(kCam, {});
+  const SensitivityReport report =
+      report_of(model, wanted({"follower.y:mean", "follower.y:rms", "follower.vy:rms"}, {"bodies.cam.*"}));
+  double sum = 0, square = 0, by_e = 0;
+  const int rows = 37;
+  const Model other = model_of(kCam, {"driver.samples=37"});
+  for (int k = 0; k < rows; ++k) {
+    const double s = std::sin(k * kPi / 18), y = 30 + 10 * s;
+    sum += s;
+    square += y * y;
+    by_e += y * s;
+  }
+  const SensitivityReport few =
+      report_of(other, wanted({"follower.y:mean", "follower.y:rms"}, {"bodies.cam.*"}));
+  const std::string e = "bodies.cam.curves.disc.center.0", r = "bodies.cam.curves.disc.radius";
+  EXPECT_NEAR(exact(few, 0, r), 1, 1e-10);
+  EXPECT_NEAR(exact(few, 0, e), sum / rows, 1e-10);
+  EXPECT_NEAR(exact(few, 1, e), by_e / rows / std::sqrt(square / rows), 1e-9);
+  EXPECT_NEAR(exact(report, 2, e), report.results[2].value / 10, 1e-8);
+}
+
+// Against runs with other numbers, of many rows, whose extremes a parabola through three of them gives.
+double dense_result(const Model& model, const Measure& measure) {
+  RunSettings settings;
+  settings.samples = 5761;
+  settings.columns = {measure.column};
+  const auto run = model.run(settings);
+  if (!run) return std::nan("");
+  const Motion& motion = *run;
+  const ColumnValues v = motion.column(measure.column);
+  const auto vertex = [&](double sign) {
+    std::size_t best = 0;
+    for (std::size_t k = 0; k < v.size(); ++k) best = sign * v[k] > sign * v[best] ? k : best;
+    if (best == 0 || best + 1 == v.size()) return v[best];
+    const double a = v[best - 1], b = v[best], c = v[best + 1];
+    return b + (c - a) * (c - a) / (8 * (2 * b - a - c));
+  };
+  switch (measure.of) {
+    case MeasureKind::kMax:
+      return vertex(1);
+    case MeasureKind::kMin:
+      return vertex(-1);
+    case MeasureKind::kMaxAbs:
+      return std::max(std::abs(vertex(1)), std::abs(vertex(-1)));
+    default:
+      return vertex(1) - vertex(-1);
+  }
+}
+
+struct Case {
+  std::string name;
+  std::string profile;
+  std::vector<std::string> results;
+  std::vector<std::string> overrides = {};
+};
+
+class SensitivityOfShipped : public ::testing::TestWithParam<Case> {};
+
+TEST_P(SensitivityOfShipped, IsTheDifferenceBetweenRunsWithOtherNumbers) {
+  const Model model = shipped_model(GetParam().profile, GetParam().overrides);
+  const SensitivityReport report = report_of(model, wanted(GetParam().results, {"bodies.*"}));
+  int compared = 0;
+  for (std::size_t i = 0; i < report.numbers.size(); ++i) {
+    const SensitivityNumber& number = report.numbers[i];
+    for (std::size_t m = 0; m < report.results.size(); ++m) {
+      const Slope& ours = report.results[m].slopes[i];
+      const double h = 1e-4 * number.scale;
+      const auto at = [&](double step) -> double {
+        const auto other = model.with({{number.paths[0], number.value + step}});
+        return other ? dense_result(*other, report.results[m].measure) : std::nan("");
+      };
+      const double one = (at(h) - at(-h)) / (2 * h), two = (at(2 * h) - at(-2 * h)) / (4 * h);
+      if (std::isnan(two)) continue;
+      ++compared;
+      const double scale = std::abs(report.results[m].value) / number.scale;
+      EXPECT_NEAR(ours.up, (4 * one - two) / 3, 1e-5 * (scale + std::abs(two)) + 2 * std::abs(one - two))
+          << number.name << " " << report.results[m].name << " " << ours.remark;
+    }
+  }
+  EXPECT_GT(compared, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, SensitivityOfShipped,
+    ::testing::Values(
+        Case{"RoundCam",
+             "eccentric_disc_oscillating_roller",
+             {"follower.angle:range", "follower.alpha:maxabs", "touch.pressure:max", "touch.sliding:max"}},
+        Case{"EllipseCam", "ellipse_cam_roller", {"follower.angle:max", "follower.alpha:min"}},
+        Case{"SlenderEllipseCam",
+             "ellipse_cam_roller",
+             {"follower.alpha:max", "touch.rho1:min"},
+             {"bodies.cam.curves.oval.semi_axes.1=17", "bodies.cam.curves.oval.rotation=40"}},
+        Case{"HyperbolaCam", "hyperbola_cam", {"follower.angle:min", "follower.omega:range"}},
+        Case{"SixBar", "watt_sixbar", {"link6.angle:range", "link6.alpha:max"}},
+        Case{"ScotchYoke", "scotch_yoke", {"yoke.ax:max"}},
+        Case{"SliderCrank", "slider_crank", {"piston.x:max", "slide.acceleration:maxabs"}},
+        Case{"FourBar", "four_bar", {"coupler.E.y:max", "rocker.alpha:max"}},
+        Case{"Gears", "geared_five_bar", {"left_link.T.y:max", "left_link.T.y:range", "T.velocity:max"}}),
+    [](const auto& name) { return name.param.name; });
+
+TEST(SensitivityOfResults, WhereTwoExtremesAreEqualTheResultHasAKink) {
+  const SensitivityReport report = report_of(model_of(kCam, {}), wanted({"follower.vy:maxabs"}));
+  // Up and down are equally fast, and remain so: no kink.
+  EXPECT_NEAR(exact(report, 0, "bodies.cam.curves.disc.center.0"), 1, 1e-9);
+  const SensitivityReport yoke =
+      report_of(model_of(kSlider, {"bodies.ground.points.rail.1=0", "bodies.slider.pose.y=0"}),
+                wanted({"rod.angle:maxabs"}));
+  // asin(r/l) at 90 and 270 degrees; an offset makes one of the two larger.
+  const double s = 0.3, by_angle = 180 / kPi / std::sqrt(1 - s * s) / 100;
+  const Slope& kink = slope(yoke, 0, "bodies.ground.points.rail.1");
+  EXPECT_EQ(kink.kind, SlopeKind::kKink);
+  EXPECT_NEAR(kink.up, by_angle, 1e-8);
+  EXPECT_NEAR(kink.down, -by_angle, 1e-8);
+  EXPECT_NEAR(std::abs(kink.steepest()), by_angle, 1e-8);
+  EXPECT_NEAR(exact(yoke, 0, "bodies.crank.points.A.0"), by_angle, 1e-8);
+  // Nearly so: a rival.
+  const SensitivityReport off =
+      report_of(model_of(kSlider, {"bodies.ground.points.rail.1=0.1", "bodies.slider.pose.y=0"}),
+                wanted({"rod.angle:maxabs"}));
+  ASSERT_TRUE(off.results[0].rival);
+  EXPECT_NEAR(off.results[0].value - *off.results[0].rival, 0.2 * by_angle, 1e-4);
+  EXPECT_EQ(slope(off, 0, "bodies.ground.points.rail.1").kind, SlopeKind::kExact);
+}
+
+TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
+  const std::vector<std::string> results = {"slider.x:range", "slider.ax:max", "rod.omega:max"};
+  const SensitivityReport mm = report_of(model_of(kSlider, {}), wanted(results));
+  const SensitivityReport km = report_of(model_of(kSlider, {"units.length=km"}), wanted(results));
+  const SensitivityReport um = report_of(model_of(kSlider, {"units.length=um"}), wanted(results));
+  for (std::size_t m = 0; m < results.size(); ++m) {
+    for (std::size_t i = 0; i < mm.numbers.size(); ++i) {
+      const double one = mm.results[m].slopes[i].up;
+      EXPECT_NEAR(km.results[m].slopes[i].up, one, 1e-9 * (1 + std::abs(one))) << mm.numbers[i].name;
+      EXPECT_NEAR(um.results[m].slopes[i].up, one, 1e-9 * (1 + std::abs(one))) << mm.numbers[i].name;
+    }
+  }
+}
+
+// A flank that a law has shaped makes the law's lift whatever its size; it is one of boundaries.
+TEST(SensitivityOfResults, OfBoundariesAreDifferencesThatSaySo) {
+  const Model model = shipped_model("law_cam_flat", {"driver.samples=37"});
+  const SensitivityReport report = report_of(model, wanted({"follower.y:range"}, {"bodies.follower.pose.y"}));
+  const Slope& by_pose = report.results[0].slopes[0];
+  EXPECT_EQ(by_pose.kind, SlopeKind::kDifferences);
+  EXPECT_NEAR(by_pose.up, 0, 1e-6);
+  EXPECT_LT(by_pose.error, 1e-4);
+}
+
+TEST(SensitivityOfResults, ANumberThatChangesTheRowsHasNoSlopes) {
+  const Model model = model_of(kCam, {"driver.duration=1", "driver.time_step=0.01"});
+  SensitivitySettings settings = wanted({"follower.y:last"}, {"driver.duration", "driver.time_step"});
+  settings.in_time = true;
+  const SensitivityReport report = report_of(model, settings);
+  EXPECT_EQ(slope(report, 0, "driver.time_step").kind, SlopeKind::kNone);
+  EXPECT_THAT(slope(report, 0, "driver.time_step").remark, HasSubstr("other rows"));
+  EXPECT_EQ(report.where_unit, "s");
+}
+
+TEST(SensitivityOfResults, DefaultsAreWhatAMechanismIsFor) {
+  std::vector<std::string> names;
+  for (const NamedMeasure& result : default_results(shipped_model("eccentric_disc_oscillating_roller", {}))) {
+    names.push_back(result.name);
+  }
+  EXPECT_THAT(names, ::testing::ElementsAre("follower_pivot.position:range",
+                                            "follower_pivot.acceleration:maxabs", "touch.pressure:max"));
+}
+
+TEST(SensitivityOfResults, AreTheSameOnAnyNumberOfThreads) {
+  const Model model = shipped_model("watt_sixbar", {});
+  SensitivitySettings settings;
+  settings.threads = 1;
+  const SensitivityReport one = report_of(model, settings);
+  settings.threads = 3;
+  const SensitivityReport three = report_of(model, settings);
+  for (std::size_t m = 0; m < one.results.size(); ++m) {
+    for (std::size_t i = 0; i < one.numbers.size(); ++i) {
+      const double a = one.results[m].slopes[i].up, b = three.results[m].slopes[i].up;
+      EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b)));
+    }
+  }
+}
+
+TEST(SensitivityOfResults, StopWhenTold) {
+  const std::atomic<bool> stop = true;
+  SensitivitySettings settings;
+  settings.stop = &stop;
+  const auto report = sensitivity(model_of(kCam, {}), settings);
+  EXPECT_TRUE(!report || report->stopped);
+}
+
+TEST(SensitivityOfResults, SayWhatIsWrong) {
+  const Model model = model_of(kCam, {});
+  EXPECT_THAT(refusal(model, wanted({"folower.y:max"})), HasSubstr("did you mean `follower.y`"));
+  EXPECT_THAT(refusal(model, wanted({}, {"bodies.cam.curves.disc.radus"})),
+              ::testing::AllOf(HasSubstr("--by bodies.cam.curves.disc.radus: no number of the profile"),
+                               HasSubstr("did you mean `bodies.cam.curves.disc.radius`")));
+  EXPECT_THAT(refusal(model, wanted({"follower.y:at=1.5"})), HasSubstr("no row is at 1.5"));
+  EXPECT_THAT(refusal(model_of(kSlider, {"bodies.rod.points.B.0=3"})), HasSubstr("cannot"));
+  Mechanism built = model.mechanism();
+  EXPECT_THAT(refusal(Model::from(built).value()), HasSubstr("was built"));
+  const auto wrong = [](const std::string& text) { return to_string(measure_from(text).error()); };
+  EXPECT_THAT(wrong("follower.y"), HasSubstr("expected COLUMN:OF"));
+  EXPECT_THAT(wrong("follower.y:mx"), HasSubstr("did you mean `max`"));
+  EXPECT_THAT(wrong("follower.y:at"), HasSubstr("expected COLUMN:at=X"));
+  EXPECT_THAT(wrong("follower.y:at=x"), HasSubstr("expected COLUMN:at=X"));
+  EXPECT_THAT(wrong("follower.y:max=3"), HasSubstr("only `at` has a place"));
+}
+
+// Rows: against runs with other numbers at the same positions.
+TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
+  for (const char* name : {"eccentric_disc_oscillating_roller", "law_cam_roller"}) {
+    const Model model = shipped_model(name, {"driver.samples=9"});
+    SensitivitySettings settings;
+    settings.by = {"bodies.follower.curves.roller.radius"};
+    SlopeTable head;
+    std::vector<std::vector<double>> slopes;
+    const auto table = sensitivity_rows(
+        model, {"follower.angle", "follower.alpha", "touch.arc1", "touch.linkage"}, settings,
+        [&](const SlopeTable& made) { head = made; },
+        [&](const RowSlopes& row) {
+          slopes.emplace_back(row.slopes.begin(), row.slopes.end());
+          return true;
+        });
+    ASSERT_TRUE(table) << to_string(table.error());
+    ASSERT_EQ(slopes.size(), 9U);
+    ASSERT_EQ(head.numbers.size(), 1U);
+    const auto at = [&](double h) {
+      return model.with({{head.numbers[0].paths[0], head.numbers[0].value + h}}).value().run().value();
+    };
+    const double h = 1e-3;
+    const Motion more = at(h), less = at(-h);
+    for (std::size_t c = 1; c < head.columns.size(); ++c) {
+      EXPECT_NE(head.columns[c].name, "touch.linkage");
+      for (std::size_t k = 0; k < slopes.size(); ++k) {
+        const double difference =
+            (more.column(head.columns[c].name)[k] - less.column(head.columns[c].name)[k]) / (2 * h);
+        if (std::isnan(difference)) continue;
+        EXPECT_NEAR(slopes[k][c], difference, 1e-5 * (1 + std::abs(difference)))
+            << name << " " << head.columns[c].name << " row " << k;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace higherpair

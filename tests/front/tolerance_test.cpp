@@ -1,0 +1,195 @@
+// Bands of results within tolerances, against closed forms and random variants.
+#include "front/cam_profile.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using testing::kCam;
+using testing::model_of;
+using testing::shipped_model;
+
+// The top of the cam's lift is r + e: linear in both.
+constexpr const char* kLinear = R"(
+[tolerances]
+radius = { path = "bodies.cam.curves.disc.radius", plus_minus = 0.03 }
+throw = { path = "bodies.cam.curves.disc.center.0", plus = 0.06, minus = 0.02, sigmas = 4 }
+[tolerances.results]
+top = { column = "follower.y", of = "max", within = 0.05 }
+)";
+
+struct Bands {
+  SensitivityReport report;
+  std::vector<ToleranceBand> bands;
+};
+
+Bands bands_of(const Model& model) {
+  Bands found;
+  found.report = sensitivity(model).value();
+  found.bands = tolerance_bands(*model.profile().tolerances, found.report);
+  return found;
+}
+
+TEST(ToleranceBands, OfALinearResultAreTheRootSumOfSquares) {
+  const auto [report, bands] = bands_of(model_of(kCam + std::string(kLinear)));
+  const ToleranceBand& band = bands.at(0);
+  EXPECT_NEAR(report.results[0].value, 40, 1e-12);
+  EXPECT_NEAR(band.worst_low, 40 - 0.05, 1e-10);
+  EXPECT_NEAR(band.worst_high, 40 + 0.09, 1e-10);
+  EXPECT_NEAR(band.center, 40.02, 1e-10);
+  const double sigma = std::hypot(0.01, 0.01);
+  EXPECT_NEAR(band.deviation, sigma, 1e-10);
+  EXPECT_NEAR(band.low, 40.02 - 3 * sigma, 1e-10);
+  EXPECT_NEAR(band.high, 40.02 + 3 * sigma, 1e-10);
+  EXPECT_NEAR(band.shares[0], 0.5, 1e-9);
+  EXPECT_NEAR(band.shares[1], 0.5, 1e-9);
+  EXPECT_TRUE(band.complete);
+}
+
+TEST(ToleranceBands, SayWhichToleranceToTightenAndHowFar) {
+  const Model model = model_of(kCam + std::string(kLinear), {"tolerances.radius.plus_minus=0.06"});
+  const ToleranceBand band = bands_of(model).bands.at(0);
+  EXPECT_FALSE(band.kept);
+  EXPECT_FALSE(band.worst_kept);
+  EXPECT_EQ(band.order.front(), 0U);
+  // 0.05 = 0.02 + 3 √(0.01² + σ²): σ is the factor times 0.02.
+  ASSERT_TRUE(band.tighten);
+  EXPECT_FALSE(std::isnan(*band.tighten));
+  EXPECT_NEAR(*band.tighten, 0, 1e-4);
+  ASSERT_TRUE(band.tighten_all);
+  EXPECT_NEAR(*band.tighten_all, 0.01 / std::hypot(0.01, 0.02), 1e-9);
+  const auto with = [&](const std::string& override) {
+    return bands_of(model_of(kCam + std::string(kLinear), {"tolerances.radius.plus_minus=0.06", override}))
+        .bands.at(0);
+  };
+  const ToleranceBand wider = with("tolerances.results.top.within=0.06");
+  ASSERT_TRUE(wider.tighten);
+  const double half = 0.06 * *wider.tighten;
+  EXPECT_NEAR(0.02 + 3 * std::hypot(0.01, half / 3), 0.06, 1e-10);
+  const ToleranceBand tight = with("tolerances.results.top.within=0.03");
+  EXPECT_FALSE(tight.tighten);
+  EXPECT_TRUE(tight.tighten_all);
+  const ToleranceBand shifted = with("tolerances.results.top.within=0.01");
+  EXPECT_FALSE(shifted.tighten_all);
+  EXPECT_TRUE(with("tolerances.results.top.within=0.2").worst_kept);
+}
+
+// With one uniform number three standard deviations are beyond the zone.
+TEST(ToleranceBands, AreNeverBeyondTheWorstCase) {
+  const Model model = model_of(kCam + std::string(R"(
+[tolerances]
+radius = { path = "bodies.cam.curves.disc.radius", plus_minus = 0.03, distribution = "uniform" }
+results.top = { column = "follower.y", of = "max" }
+)"));
+  const ToleranceBand band = bands_of(model).bands.at(0);
+  EXPECT_NEAR(band.deviation, 0.03 / std::sqrt(3.0), 1e-10);
+  EXPECT_NEAR(band.low, 40 - 0.03, 1e-10);
+  EXPECT_EQ(band.low, band.worst_low);
+}
+
+TEST(ToleranceVariantsOf, ALinearResultAgreeWithItsBands) {
+  const Model model = model_of(kCam + std::string(kLinear), {"driver.samples=13"});
+  const auto [report, bands] = bands_of(model);
+  ToleranceVariantSettings settings;
+  settings.count = 20000;
+  const ToleranceVariants variants = tolerance_variants(model, report, settings).value();
+  EXPECT_EQ(variants.count, 20000);
+  EXPECT_EQ(variants.good, 20000);
+  const VariantBand& seen = variants.bands.at(0);
+  EXPECT_EQ(seen.variants, 20000);
+  EXPECT_FALSE(seen.curved);
+  EXPECT_LT(seen.farthest, 1e-9);
+  EXPECT_NEAR(seen.deviation, bands[0].deviation, 0.02 * bands[0].deviation);
+  EXPECT_NEAR(seen.median, bands[0].center, 0.05 * bands[0].deviation);
+  EXPECT_NEAR(seen.low, bands[0].low, 0.3 * bands[0].deviation);
+  EXPECT_NEAR(seen.high, bands[0].high, 0.3 * bands[0].deviation);
+  // Of the normal distribution about 40.02: within 40 ± 0.05.
+  const auto below = [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; };
+  EXPECT_NEAR(seen.share_within, below(0.03 / bands[0].deviation) - below(-0.07 / bands[0].deviation), 0.005);
+}
+
+TEST(ToleranceVariantsOf, AreTheSameOnAnyNumberOfThreadsAndOthersWithAnotherSeed) {
+  const Model model = model_of(kCam + std::string(kLinear), {"driver.samples=7"});
+  const SensitivityReport report = sensitivity(model).value();
+  const auto low = [&](int threads, std::uint64_t seed) {
+    ToleranceVariantSettings settings;
+    settings.count = 3000;
+    settings.threads = threads;
+    settings.seed = seed;
+    return tolerance_variants(model, report, settings).value().bands.at(0).low;
+  };
+  EXPECT_EQ(low(1, 1), low(3, 1));
+  EXPECT_NE(low(1, 1), low(1, 2));
+}
+
+// A pivot in the middle of its offset changes the stroke to second order alone: no slope sees it.
+TEST(ToleranceVariantsOf, AResultThatBendsSayThatItDoes) {
+  const Model model = model_of(R"(
+[bodies.ground]
+points = { O = [0, 0], rail = [0, 0] }
+[bodies.crank]
+points = { O = [0, 0], A = [30, 0] }
+[bodies.rod]
+pose   = { x = 30, y = 0, angle = 0 }
+points = { A = [0, 0], B = [100, 0] }
+[bodies.slider]
+pose     = { x = 130, y = 0 }
+points.B = [0, 0]
+[joints]
+o = { type = "revolute", between = ["ground.O", "crank.O"] }
+a = { type = "revolute", between = ["crank.A", "rod.A"] }
+b = { type = "revolute", between = ["rod.B", "slider.B"] }
+s = { type = "prismatic", between = ["ground.rail", "slider.B"], direction = [1, 0] }
+[driver]
+joint   = "o"
+start   = 30
+end     = 390
+samples = 1441
+[tolerances]
+offset = { path = "bodies.ground.points.rail.1", plus_minus = 3, distribution = "uniform" }
+results.stroke = { column = "slider.x", of = "range" }
+)");
+  const auto [report, bands] = bands_of(model);
+  EXPECT_NEAR(report.results[0].value, 60, 1e-9);
+  EXPECT_NEAR(bands[0].worst_high - bands[0].worst_low, 0, 1e-9);
+  ToleranceVariantSettings settings;
+  settings.count = 600;
+  const ToleranceVariants variants = tolerance_variants(model, report, settings).value();
+  EXPECT_TRUE(variants.bands[0].curved);
+  EXPECT_GT(variants.bands[0].high, 60.02);
+}
+
+TEST(ToleranceVariantsOf, StopWhenTold) {
+  const Model model = model_of(kCam + std::string(kLinear));
+  const SensitivityReport report = sensitivity(model).value();
+  const std::atomic<bool> stop = true;
+  ToleranceVariantSettings settings;
+  settings.stop = &stop;
+  const auto variants = tolerance_variants(model, report, settings);
+  EXPECT_TRUE(!variants || variants->stopped);
+}
+
+TEST(ToleranceBands, OfTheShippedProfileAgreeWithItsVariants) {
+  const Model model = shipped_model("toleranced_linkage", {"driver.samples=61"});
+  const auto [report, bands] = bands_of(model);
+  ToleranceVariantSettings settings;
+  settings.count = 4000;
+  const ToleranceVariants variants = tolerance_variants(model, report, settings).value();
+  EXPECT_EQ(variants.good, 4000);
+  for (std::size_t m = 0; m < bands.size(); ++m) {
+    EXPECT_TRUE(bands[m].complete);
+    EXPECT_NEAR(variants.bands[m].deviation, bands[m].deviation, 0.06 * bands[m].deviation)
+        << report.results[m].name;
+    EXPECT_NEAR(variants.bands[m].median, bands[m].center, 0.1 * bands[m].deviation);
+  }
+}
+
+}  // namespace
+}  // namespace higherpair

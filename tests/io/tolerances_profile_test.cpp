@@ -1,0 +1,140 @@
+// What [tolerances] of a profile says, and every message about it; all quantities of a profile.
+#include "higherpair/io/profile_document.hpp"
+#include "higherpair/io/tolerance_task.hpp"
+#include "io/profile_testing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kCamProfile;
+using testing::messages;
+using testing::Overrides;
+using testing::read;
+
+constexpr const char* kTolerances = R"(
+[tolerances]
+r = { path = "bodies.cam.curves.disc.radius", plus_minus = 0.02 }
+[tolerances.results]
+peak = { column = "follower.alpha", of = "maxabs", within = 3 }
+)";
+
+std::string cam(const std::string& tolerances = kTolerances) {
+  return std::string(kCamProfile) + tolerances;
+}
+
+std::string message(const Overrides& overrides, const std::string& tolerances = kTolerances) {
+  const auto all = messages(cam(tolerances), overrides);
+  EXPECT_EQ(all.size(), 1U) << ::testing::PrintToString(all);
+  return all.empty() ? "" : all[0];
+}
+
+TEST(ToleranceProfiles, AreReadInTheirOrder) {
+  const Profile profile = read(cam(R"(
+[tolerances]
+r = { path = "bodies.cam.curves.disc.radius", plus_minus = "20 um" }
+e = { path = "bodies.cam.curves.disc.center.0", plus = -0.01, minus = 0.03, distribution = "uniform" }
+i = { path = "bodies.follower.inertia", plus = 0.5, distribution = "triangular" }
+both = { path = ["bodies.ground.points.O1.0", "bodies.ground.points.O1.1"], plus_minus = 0.1, sigmas = 4 }
+time = true
+results.peak = { column = "follower.alpha", of = "max", within = 3 }
+results.rest = { column = "follower.angle", of = "at", at = 30 }
+)"));
+  ASSERT_TRUE(profile.tolerances);
+  const ToleranceTask& task = *profile.tolerances;
+  ASSERT_EQ(task.tolerances.size(), 4U);
+  const Tolerance& r = task.tolerances[0];
+  EXPECT_EQ(r.name, "r");
+  EXPECT_EQ(r.value, 20);
+  EXPECT_EQ(r.unit, "mm");
+  EXPECT_DOUBLE_EQ(r.plus, 0.02);
+  EXPECT_DOUBLE_EQ(r.minus, 0.02);
+  EXPECT_DOUBLE_EQ(r.deviation(), 0.02 / 3);
+  EXPECT_EQ(r.kind, DistributionKind::kNormal);
+  const Tolerance& e = task.tolerances[1];
+  EXPECT_DOUBLE_EQ(e.middle(), 10 - 0.02);
+  EXPECT_DOUBLE_EQ(e.half(), 0.01);
+  EXPECT_DOUBLE_EQ(e.deviation(), 0.01 / std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(e.distribution().low, 9.97);
+  EXPECT_DOUBLE_EQ(e.distribution().high, 9.99);
+  const Tolerance& i = task.tolerances[2];  // "2.1e-4 kg m^2"
+  EXPECT_DOUBLE_EQ(i.value, 210);
+  EXPECT_EQ(i.unit, "kg*mm^2");
+  EXPECT_DOUBLE_EQ(i.deviation(), 0.25 / std::sqrt(6.0));
+  EXPECT_DOUBLE_EQ(i.distribution().mode, 210.25);
+  EXPECT_THAT(task.tolerances[3].paths,
+              ElementsAre("bodies.ground.points.O1.0", "bodies.ground.points.O1.1"));
+  EXPECT_DOUBLE_EQ(task.tolerances[3].distribution().deviation, 0.025);
+  EXPECT_TRUE(task.in_time);
+  ASSERT_EQ(task.results.size(), 2U);
+  EXPECT_EQ(task.results[0].within, 3);
+  EXPECT_FALSE(task.results[1].within);
+  EXPECT_FALSE(read(kCamProfile).tolerances);
+}
+
+TEST(ToleranceProfiles, SayWhatIsWrongWithThem) {
+  EXPECT_THAT(message({"tolerances.r.path=bodies.cam.curves.disc.radus"}),
+              ::testing::AllOf(HasSubstr("there is no `radus`"), HasSubstr("did you mean `radius`")));
+  EXPECT_THAT(message({"tolerances.r.path=bodies.cam.curves.disc"}),
+              HasSubstr("expected the path of a number"));
+  EXPECT_THAT(message({"tolerances.r.path=tolerances.r.plus_minus"}),
+              HasSubstr("tolerances have none themselves"));
+  EXPECT_THAT(message({"tolerances.r.path=driver.samples"}), HasSubstr("is no dimension of the mechanism"));
+  EXPECT_THAT(
+      message({"tolerances.r.path=[\"bodies.cam.curves.disc.radius\", \"bodies.cam.curves.disc.center.0\"]"}),
+      HasSubstr("numbers with one tolerance are equal in the profile"));
+  EXPECT_THAT(message({"tolerances.e={path=\"bodies.cam.curves.disc.radius\", plus_minus=1}"}),
+              HasSubstr("another variable sets this already"));
+  EXPECT_THAT(message({"tolerances.r.plus_minus=0"}), HasSubstr("tolerances.r.plus_minus = 0: must be > 0"));
+  EXPECT_THAT(message({"tolerances.r.plus_minus=2 deg"}), HasSubstr("expected a length"));
+  EXPECT_THAT(message({"tolerances.r.plus=0.1"}), HasSubstr("say the same"));
+  EXPECT_THAT(message({}, R"(
+[tolerances]
+r = { path = "bodies.cam.curves.disc.radius" }
+)"),
+              HasSubstr("plus_minus is missing"));
+  EXPECT_THAT(message({}, R"(
+[tolerances]
+r = { path = "bodies.cam.curves.disc.radius", plus = 0.02, minus = -0.02 }
+)"),
+              HasSubstr("is empty: plus + minus must be > 0"));
+  EXPECT_THAT(message({"tolerances.r.distribution=norml"}), HasSubstr("did you mean `normal`"));
+  EXPECT_THAT(message({"tolerances.r.sigmas=-1"}), HasSubstr("must be > 0"));
+  EXPECT_THAT(message({"tolerances.r.sigmas=4", "tolerances.r.distribution=uniform"}),
+              HasSubstr("belongs to a normal distribution"));
+  EXPECT_THAT(message({"tolerances.r.plusminus=1"}), HasSubstr("unknown key; did you mean `plus_minus`"));
+  EXPECT_THAT(message({"tolerances.results.peak.within=0"}), HasSubstr("must be > 0"));
+  EXPECT_THAT(message({"tolerances.results.peak.of=most"}), HasSubstr("expected one of"));
+  EXPECT_THAT(message({}, "[tolerances]\n"), HasSubstr("expected at least one tolerance"));
+  EXPECT_THAT(message({}, "[tolerances]\nr = 3\n"), HasSubstr("expected a tolerance"));
+}
+
+TEST(Quantities, OfAProfileAreAllThatMeasureSomething) {
+  const auto document = ProfileDocument::parse(kCamProfile, "test.toml").value();
+  const auto quantities = document.quantities();
+  const auto find = [&](const std::string& path) {
+    const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                    [&](const auto& quantity) { return quantity.path == path; });
+    return found == quantities.end() ? nullptr : &*found;
+  };
+  ASSERT_NE(find("bodies.cam.curves.disc.radius"), nullptr);
+  EXPECT_EQ(find("bodies.cam.curves.disc.radius")->value, 20);
+  EXPECT_EQ(find("bodies.cam.curves.disc.radius")->dimension, dimension::kLength);
+  ASSERT_NE(find("bodies.follower.inertia"), nullptr);
+  EXPECT_DOUBLE_EQ(find("bodies.follower.inertia")->value, 210);
+  EXPECT_EQ(find("bodies.follower.pose.angle")->dimension, dimension::kAngle);
+  EXPECT_EQ(find("driver.samples"), nullptr);
+  EXPECT_EQ(find("title"), nullptr);
+  EXPECT_EQ(std::count_if(quantities.begin(), quantities.end(),
+                          [](const auto& quantity) { return quantity.path == "gravity.1"; }),
+            1);
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,261 @@
+#include "sensitivity_command.hpp"
+
+#include "json_text.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "run_command.hpp"
+#include "sensitivity_report.hpp"
+#include "sweep/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+constexpr std::int64_t kMostVariants = 100'000'000;
+
+// With one variant alone there are no quantiles.
+constexpr std::int64_t kFewestVariants = 2;
+
+int refuse(const std::string& message) {
+  fmt::print(stderr, "higherpair: {}\n", message);
+  return kExitInput;
+}
+
+// What is interrupted at its start fails too.
+int failure(const Error& error) {
+  return interruption() ? kExitInterrupted : report_error(error);
+}
+
+// The derivatives of columns as CSV, written as the rows come.
+class RowsFile {
+public:
+  explicit RowsFile(const std::string& path) : file_(path) {}
+
+  void begin(const SlopeTable& table) {
+    columns_ = table.columns.size();
+    std::string line;
+    for (const Column& column : table.columns) {
+      line += fmt::format("{}{}[{}]", line.empty() ? "" : ",", column.name, column.unit);
+    }
+    for (const SensitivityNumber& number : table.numbers) {
+      for (std::size_t c = 1; c < columns_; ++c) {
+        const Column& column = table.columns[c];
+        line += fmt::format(",d({})/d({})[{}]", column.name, number.name, unit_per(column.unit, number.unit));
+      }
+    }
+    file_.write(line + "\n");
+  }
+
+  // The first column is the place, whose derivatives are nobody's question.
+  bool take(const RowSlopes& row) {
+    std::string line;
+    for (const double value : row.values) add(value, line);
+    for (std::size_t k = 0; k < row.slopes.size(); ++k) {
+      if (k % columns_ != 0) add(row.slopes[k], line);
+    }
+    line.back() = '\n';
+    file_.write(line);
+    return file_.good();
+  }
+
+  OutputFile& file() { return file_; }
+
+private:
+  static void add(double value, std::string& line) {
+    line += std::isfinite(value) ? fmt::format("{},", value == 0 ? 0.0 : value) : ",";
+  }
+
+  OutputFile file_;
+  std::size_t columns_ = 0;
+};
+
+std::vector<std::string> columns_of_rows(const SensitivityOptions& options, const SensitivityReport& report) {
+  std::vector<std::string> columns = options.columns;
+  if (columns.empty()) {
+    for (const ResultSensitivity& result : report.results) columns.push_back(result.measure.column);
+  }
+  return columns;
+}
+
+std::optional<int> write_rows(const SensitivityOptions& options, const Model& model,
+                              const SensitivitySettings& settings, const SensitivityReport& report) {
+  RowsFile rows(*options.rows);
+  const auto table = sensitivity_rows(
+      model, columns_of_rows(options, report), settings, [&](const SlopeTable& made) { rows.begin(made); },
+      [&](const RowSlopes& row) { return rows.take(row); });
+  if (!table) {
+    return failure(table.error());
+  }
+  if (table->stopped) {
+    return kExitInterrupted;
+  }
+  rows.file().finish();
+  return commit_all({&rows.file()}) ? std::nullopt : std::optional(kExitMachine);
+}
+
+Result<ToleranceVariants> run_variants(const SensitivityOptions& options, const Model& model,
+                                       const SensitivityReport& report) {
+  SweepProgress progress(0, *options.variants, !options.quiet);
+  ToleranceVariantSettings settings;
+  settings.count = *options.variants;
+  settings.seed = options.seed.value_or(1);
+  settings.threads = options.threads;
+  settings.samples = options.samples;
+  settings.tolerance = options.tolerance;
+  settings.stop = &interruption();
+  settings.progress = [&](std::int64_t done) { progress.at(done); };
+  return tolerance_variants(model, report, settings);
+}
+
+int write(const SensitivityOptions& options, const Model& model, const SensitivityFindings& findings) {
+  const Forms forms = {[&] { return sensitivity_csv(findings); },
+                       [&] { return text_of(sensitivity_json(findings)) + "\n"; },
+                       [&] { return sensitivity_text(findings); }};
+  const bool rows_alone = options.rows == "-" && !options.csv && !options.json;
+  if (!rows_alone && !write_forms(options.csv, options.json, forms)) {
+    return kExitMachine;
+  }
+  print_notes(findings.report.notes, options.quiet);
+  if (!options.quiet && !findings.report.good) print_events(findings.report.events, model);
+  const bool kept = std::all_of(findings.bands.begin(), findings.bands.end(),
+                                [](const ToleranceBand& band) { return band.kept; });
+  return findings.report.good && kept ? kExitOk : kExitRows;
+}
+
+void check_outputs(const SensitivityOptions& options) {
+  std::vector<NamedFile> outputs;
+  if (options.csv) outputs.push_back({"--csv", *options.csv});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.rows) outputs.push_back({"--rows", *options.rows});
+  if (!options.csv && !options.json && options.rows != "-") outputs.push_back({"standard output", "-"});
+  refuse_shared_files({{"FILE", options.profile}}, outputs);
+  if (!options.rows && !options.columns.empty()) {
+    throw CLI::ValidationError("--columns", "only --rows writes columns: add --rows FILE");
+  }
+  if (options.seed && !options.variants) {
+    throw CLI::ValidationError("--seed", "only variants are drawn: add --variants N");
+  }
+}
+
+std::optional<int> refuse_variants(const SensitivityOptions& options, const Model& model) {
+  if (!options.variants) {
+    return std::nullopt;
+  }
+  if (!model.profile().tolerances) {
+    return refuse("--variants: there is no [tolerances] in the profile: it says how numbers scatter");
+  }
+  if (!options.by.empty()) {
+    return refuse("--variants: the numbers that scatter are those of [tolerances]; leave --by out");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CLI::App* add_sensitivity_command(CLI::App& app, SensitivityOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "sensitivity",
+      "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
+      "tolerance to tighten");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options.profile, {"the derivatives", options.csv},
+                     {"the derivatives and bands", options.json});
+  command
+      ->add_option("--results", options.results,
+                   "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
+                   "slider.x:at=30; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--by", options.by,
+          "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--rows", options.rows,
+                      "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
+                      "output)");
+  command
+      ->add_option("--columns", options.columns,
+                   "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--variants", options.variants,
+                   "check the bands of [tolerances] by so many random variants, such as 100000")
+      ->check(CLI::Range(kFewestVariants, kMostVariants));
+  command->add_option("--seed", options.seed, "other random variants (default 1)");
+  command->add_option("--top", options.top, "so many dimensions of each result are printed (default 10)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  add_set_option(*command, options.overrides);
+  command->add_option("--samples", options.samples, "number of rows");
+  add_tolerance_option(*command, options.tolerance);
+  command->add_option("--threads", options.threads, "so many at a time; otherwise as many as there are cores")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--time", options.timed, "the motion in time, as step has it");
+  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
+  command->final_callback([&options] { check_outputs(options); });
+  return command;
+}
+
+int sensitivity_command(const SensitivityOptions& options) {
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  if (const auto code = refuse_variants(options, *model)) {
+    return *code;
+  }
+  listen_to_signals();
+  SensitivitySettings settings;
+  settings.in_time = options.timed;
+  settings.samples = options.samples;
+  settings.tolerance = options.tolerance;
+  settings.by = options.by;
+  settings.threads = options.threads;
+  settings.stop = &interruption();
+  for (const std::string& text : options.results) {
+    auto measure = measure_from(text);
+    if (!measure) {
+      return report_error(measure.error());
+    }
+    settings.results.push_back(*std::move(measure));
+  }
+  auto report = sensitivity(*model, settings);
+  if (!report) {
+    return failure(report.error());
+  }
+  if (report->stopped) {
+    return kExitInterrupted;
+  }
+  SensitivityFindings findings;
+  findings.report = *std::move(report);
+  findings.top = options.top;
+  if (model->profile().tolerances && options.by.empty()) {
+    findings.task = model->profile().tolerances.get();
+    findings.bands = tolerance_bands(*findings.task, findings.report);
+  }
+  if (options.variants) {
+    auto variants = run_variants(options, *model, findings.report);
+    if (!variants) {
+      return failure(variants.error());
+    }
+    if (variants->stopped) {
+      return kExitInterrupted;
+    }
+    findings.variants = *std::move(variants);
+  }
+  if (options.rows) {
+    if (const auto code = write_rows(options, *model, settings, findings.report)) {
+      return *code;
+    }
+  }
+  return write(options, *model, findings);
+}
+
+}  // namespace higherpair::cli
