@@ -195,21 +195,38 @@ private:
     outcome.free = outcome.best = best_;
     outcome.starts = starts_;
     outcome.end = end;
-    Search search(problem_, best_.branch, end == DesignEnd::kStopped ? nullptr : options_.stop);
-    const bool stepped = std::any_of(problem_.variables.begin(), problem_.variables.end(),
-                                     [](const DesignVariable& variable) { return variable.step > 0; });
-    if (stepped && !best_.x.empty()) {
-      outcome.best = rounded_to_steps(search, best_, options_.method);
-    }
+    const std::atomic<bool>* const stop = end == DesignEnd::kStopped ? nullptr : options_.stop;
+    std::int64_t further = 0;
     if (!best_.x.empty()) {
+      Search search(problem_, best_.branch, stop);
       outcome.multipliers = multipliers_at(search, best_);
+      further += search.evaluations();
+      outcome.best = made(best_, stop, further);
     }
-    outcome.evaluations = evaluations_ + search.evaluations();
     outcome.different = static_cast<int>(optima_.size());
     std::stable_sort(optima_.begin(), optima_.end(), is_better);
     optima_.resize(std::min(optima_.size(), kMostOptima));
     outcome.optima = std::move(optima_);
+    const auto count = static_cast<std::size_t>(std::max(0, options_.alternatives));
+    for (std::size_t k = 0; k < std::min(count, outcome.optima.size()); ++k) {
+      outcome.made.push_back(k == 0 ? outcome.best : made(outcome.optima[k], stop, further));
+    }
+    outcome.evaluations = evaluations_ + further;
     return outcome;
+  }
+
+  // With numbers of the steps of the variables.
+  [[nodiscard]] DesignPoint made(const DesignPoint& point, const std::atomic<bool>* stop,
+                                 std::int64_t& evaluations) const {
+    const bool stepped = std::any_of(problem_.variables.begin(), problem_.variables.end(),
+                                     [](const DesignVariable& variable) { return variable.step > 0; });
+    if (!stepped) {
+      return point;
+    }
+    Search search(problem_, point.branch, stop);
+    DesignPoint rounded = rounded_to_steps(search, point, options_.method);
+    evaluations += search.evaluations();
+    return rounded;
   }
 
   const DesignProblem& problem_;

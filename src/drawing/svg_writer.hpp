@@ -1,5 +1,7 @@
 #pragma once
 
+#include "higherpair/drawing/xml.hpp"
+
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -11,9 +13,6 @@ namespace higherpair {
 /// A number as SVG has it: at most 5 decimals, without zeros at the end, never an exponent.
 /// \pre  finite
 [[nodiscard]] std::string svg_number(double value);
-
-/// Text between tags or quotes: & < > " as entities, U+FFFD for control characters, which XML cannot hold.
-[[nodiscard]] std::string xml_escaped(std::string_view text);
 
 /// The `d` of a path, in px.
 class SvgPath {

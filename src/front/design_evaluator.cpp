@@ -1,5 +1,6 @@
 #include "design_evaluator.hpp"
 
+#include "design_gradient.hpp"
 #include "higherpair/design/optimise.hpp"
 
 #include <algorithm>
@@ -46,125 +47,179 @@ double degrees(double sine) {
   return std::asin(std::clamp(sine, 0.0, 1.0)) * 180 / kPi;
 }
 
+double sine_of(double angle_deg) {
+  return std::sin(angle_deg * kPi / 180);
+}
+
 class ModelEvaluator : public DesignEvaluator {
 public:
   explicit ModelEvaluator(std::shared_ptr<const DesignSetup> setup)
       : setup_(std::move(setup)),
         task_(setup_->numbers.task()),
-        unit_(to_si(dimension::kLength, setup_->numbers.model().units()).apply(1)) {
+        unit_(to_si(dimension::kLength, setup_->numbers.model().units()).apply(1)),
+        candidates_(*setup_) {
     for (const DesignTask::Objective& objective : task_.objectives) {
       if (objective.path) timed_rows_.push_back(timed_rows(*setup_, *objective.path));
     }
+    misses_.resize(timed_rows_.size());
   }
 
   void evaluate(std::span<const double> x, int branch, DesignValues& values) override {
-    DesignRows rows = rows_of(*setup_, x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
+    go_to(x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
     values.cost = 0;
-    std::vector<double> residuals;
+    numbers_.clear();
     std::size_t path = 0;
     std::size_t measure = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
       const double root = std::sqrt(objective.weight);
       if (objective.path) {
-        const Eigen::VectorXd misses = misses_in(rows, *objective.path, path++);
-        for (const double miss : misses) residuals.push_back(root * miss);
+        for (const double miss : misses_[path++]) numbers_.push_back(root * miss);
         continue;
       }
-      for (const double target : objective.values) {
-        const double value = measured(rows, measure++);
-        residuals.push_back(root * (std::isfinite(value) ? value - target : kMissing));
+      if (!objective.followed.empty()) {
+        for (std::size_t k = 0; k < objective.values.size(); ++k) {
+          const double off = off_of(objective, measure, k);
+          numbers_.push_back(root * (std::isfinite(off) ? off : kMissing));
+        }
+        measure += objective.values.size();
+        continue;
       }
-      if (!objective.measure) continue;
-      const double value = measured(rows, measure++);
+      const double value = measured(measure++);
       if (objective.target) {
-        residuals.push_back(root * (std::isfinite(value) ? value - *objective.target : kMissing));
+        numbers_.push_back(root * (std::isfinite(value) ? value - *objective.target : kMissing));
       } else {
-        values.cost += objective.weight * (std::isfinite(value) ? value : kMissing);
+        values.cost += objective.weight * (std::isfinite(value) ? value : kMissing * setup_->cost_scale);
       }
     }
     values.residuals =
-        Eigen::Map<const Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
-    const std::vector<double> constraints = constraints_of(rows, measure);
+        Eigen::Map<const Eigen::VectorXd>(numbers_.data(), static_cast<Eigen::Index>(numbers_.size()));
+    numbers_.clear();
+    add_constraints(measure);
     values.constraints =
-        Eigen::Map<const Eigen::VectorXd>(constraints.data(), static_cast<Eigen::Index>(constraints.size()));
+        Eigen::Map<const Eigen::VectorXd>(numbers_.data(), static_cast<Eigen::Index>(numbers_.size()));
+  }
+
+  bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian) override {
+    go_to(x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
+    return add_gradient(*setup_, candidates_, {x_, branch_, *rows_, places_}, unit_, jacobian);
   }
 
   DesignScore score(std::span<const double> x, int branch) {
-    DesignRows rows = rows_of(*setup_, x, branch);
+    go_to(x, branch);
     DesignScore score;
-    score.started = rows.started;
-    score.missing = rows.missing;
+    score.started = rows_->started;
+    score.missing = rows_->missing;
     std::size_t path = 0;
     std::size_t measure = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
       if (!objective.values.empty()) {
         double sum = 0;
-        for (const double target : objective.values) sum += std::pow(measured(rows, measure++) - target, 2);
+        for (std::size_t k = 0; k < objective.values.size(); ++k) {
+          sum += std::pow(off_of(objective, measure, k), 2);
+        }
+        measure += objective.values.size();
         score.objectives.push_back(sum);
         continue;
       }
-      score.objectives.push_back(objective.path ? misses_in(rows, *objective.path, path++).squaredNorm()
-                                                : measured(rows, measure++));
-      if (objective.path && !rows.started) score.objectives.back() = kUndefined;
+      score.objectives.push_back(objective.path ? misses_[path++].squaredNorm() : measured(measure++));
+      if (objective.path && !rows_->started) score.objectives.back() = kUndefined;
     }
     std::size_t transmission = 0;
     for (const DesignTask::Constraint& constraint : task_.constraints) {
       if (constraint.transmission) {
-        score.constraints.push_back(rows.started ? degrees(rows.transmissions[transmission]) : kUndefined);
+        score.constraints.push_back(rows_->started ? degrees(rows_->transmissions[transmission])
+                                                   : kUndefined);
         ++transmission;
       } else {
-        score.constraints.push_back(measured(rows, measure++));
+        score.constraints.push_back(measured(measure++));
       }
     }
     return score;
   }
 
 private:
-  static double measured(const DesignRows& rows, std::size_t k) {
-    return k < rows.measured.size() ? rows.measured[k] : kUndefined;
+  // Methods ask for the values and the derivatives of one candidate.
+  void go_to(std::span<const double> x, int branch) {
+    if (rows_ != nullptr && branch == branch_ && std::equal(x.begin(), x.end(), x_.begin(), x_.end())) {
+      return;
+    }
+    x_.assign(x.begin(), x.end());
+    branch_ = branch;
+    rows_ = &candidates_.work_out(x, branch);
+    std::size_t path = 0;
+    places_.clear();
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      if (!objective.path) continue;
+      misses_of_path(*objective.path, path);
+      ++path;
+    }
   }
 
-  [[nodiscard]] Eigen::VectorXd misses_in(DesignRows& rows, const DesignTask::PointPath& path,
-                                          std::size_t k) const {
-    if (!rows.started) {
-      return Eigen::VectorXd::Constant(miss_count(path), kMissing);
+  void misses_of_path(const DesignTask::PointPath& path, std::size_t k) {
+    if (!rows_->started) {
+      misses_[k].setConstant(miss_count(path), kMissing);
+      places_.emplace_back();
+      return;
     }
-    return misses_of(path, nearest_places(path, rows, rows.points[k], timed_rows_[k]), unit_);
+    places_.push_back(nearest_places(path, *rows_, rows_->points[k], timed_rows_[k]));
+    misses_[k] = misses_of(path, places_.back(), unit_);
   }
 
-  [[nodiscard]] std::vector<double> constraints_of(const DesignRows& rows, std::size_t measure) const {
-    std::vector<double> constraints;
-    for (const double gap : rows.gaps) {
-      constraints.push_back(std::isfinite(gap) ? gap / setup_->size + kSpare : 0.0);
+  // Of a column that follows values: what it misses the k-th of them by.
+  [[nodiscard]] double off_of(const DesignTask::Objective& objective, std::size_t first,
+                              std::size_t k) const {
+    const double off = measured(first + k) - objective.values[k];
+    return objective.follow_change ? off - (measured(first) - objective.values[0]) : off;
+  }
+
+  [[nodiscard]] double measured(std::size_t k) const {
+    return k < rows_->measured.size() ? rows_->measured[k] : kUndefined;
+  }
+
+  // Appends them to numbers_.
+  void add_constraints(std::size_t measure) {
+    for (const double gap : rows_->gaps) {
+      numbers_.push_back(std::isfinite(gap) ? gap / setup_->size + kSpare : 0.0);
     }
-    constraints.push_back(rows.missing > 0 ? rows.missing : kGoodPath);
+    numbers_.push_back(rows_->missing > 0 ? rows_->missing : kGoodPath);
     std::size_t transmission = 0;
-    for (const DesignTask::Constraint& constraint : task_.constraints) {
+    for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
+      const DesignTask::Constraint& constraint = task_.constraints[k];
       // Sines in place of angles: smooth everywhere.
       const auto add = [&](double off) {
-        constraints.push_back(std::isfinite(off) ? off + kInside : kViolated);
+        numbers_.push_back(std::isfinite(off) ? off + kInside : kViolated);
       };
       if (constraint.transmission) {
-        const double sine = transmission < rows.transmissions.size() && rows.started
-                                ? rows.transmissions[transmission]
+        const double sine = transmission < rows_->transmissions.size() && rows_->started
+                                ? rows_->transmissions[transmission]
                                 : kUndefined;
         ++transmission;
-        if (constraint.above) add(std::sin(*constraint.above * kPi / 180) - sine);
-        if (constraint.below) add(sine - std::sin(*constraint.below * kPi / 180));
+        if (constraint.above) add(sine_of(*constraint.above) - sine);
+        if (constraint.below) add(sine - sine_of(*constraint.below));
         continue;
       }
-      const double value = measured(rows, measure++);
-      if (constraint.above) add((*constraint.above - value) / scale_of(constraint));
-      if (constraint.below) add((value - *constraint.below) / scale_of(constraint));
+      const double value = measured(measure++);
+      if (constraint.above) add((*constraint.above - value) / setup_->scales[k]);
+      if (constraint.below) add((value - *constraint.below) / setup_->scales[k]);
     }
-    return constraints;
   }
 
   std::shared_ptr<const DesignSetup> setup_;
   const DesignTask& task_;
   double unit_;
+  DesignCandidates candidates_;
   std::vector<std::vector<std::size_t>> timed_rows_;  // of each path
+  std::vector<double> numbers_;
+
+  // The candidate worked out last.
+  std::vector<double> x_;
+  int branch_ = 0;
+  DesignRows* rows_ = nullptr;
+  std::vector<std::vector<PathMiss>> places_;  // of each path
+  std::vector<Eigen::VectorXd> misses_;
 };
+
+}  // namespace
 
 Eigen::Index closure_count(const DesignSetup& setup) {
   Eigen::Index modes = 0;
@@ -172,46 +227,32 @@ Eigen::Index closure_count(const DesignSetup& setup) {
   return modes;
 }
 
-}  // namespace
-
-double scale_of(const DesignTask::Constraint& constraint) {
-  const double largest =
-      std::max(std::abs(constraint.above.value_or(0)), std::abs(constraint.below.value_or(0)));
-  return largest > 0 ? largest : 1;
+// A limit of 0, or next to it, says nothing of what much is; what the start has does.
+void set_scales(DesignSetup& setup) {
+  const DesignTask& task = setup.numbers.task();
+  setup.scales.assign(task.constraints.size(), 1);
+  std::vector<double> x;
+  for (const DesignTask::Variable& variable : task.variables) x.push_back(variable.range.start);
+  const DesignScore start = score_of(setup, x, setup.start_branch.value_or(0));
+  for (std::size_t k = 0; k < task.constraints.size(); ++k) {
+    const DesignTask::Constraint& constraint = task.constraints[k];
+    const double limit =
+        std::max(std::abs(constraint.above.value_or(0)), std::abs(constraint.below.value_or(0)));
+    const double there = std::isfinite(start.constraints[k]) ? std::abs(start.constraints[k]) : 0;
+    const double largest = std::max(limit, there);
+    setup.scales[k] = largest > 0 ? largest : 1;
+  }
+  for (const double objective : start.objectives) {
+    if (std::isfinite(objective)) setup.cost_scale = std::max(setup.cost_scale, std::abs(objective));
+  }
 }
 
 DesignScore score_of(const DesignSetup& setup, std::span<const double> x, int branch) {
   return ModelEvaluator(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup)).score(x, branch);
 }
 
-std::vector<LimitPlaces> limit_places(const DesignSetup& setup) {
-  std::vector<LimitPlaces> places;
-  Eigen::Index next = closure_count(setup) + 1;
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    LimitPlaces& limits = places.emplace_back();
-    if (constraint.above) limits.above = next++;
-    if (constraint.below) limits.below = next++;
-  }
-  return places;
-}
-
-DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
-  const DesignTask& task = setup->numbers.task();
-  DesignProblem problem;
-  for (const DesignTask::Variable& variable : task.variables) problem.variables.push_back(variable.range);
-  for (const DesignTask::Objective& objective : task.objectives) {
-    problem.residuals += objective.path ? miss_count(*objective.path) : objective.target ? 1 : 0;
-    problem.residuals += static_cast<Eigen::Index>(objective.values.size());
-    problem.has_cost = problem.has_cost || (objective.measure && !objective.target);
-  }
-  problem.constraints = closure_count(*setup) + 1;
-  for (const DesignTask::Constraint& constraint : task.constraints) {
-    problem.constraints += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
-  }
-  problem.branches = task.keep_branch ? 1 : setup->branches;
-  problem.start_branch = setup->start_branch.value_or(0);
-  problem.evaluator = [setup] { return std::make_unique<ModelEvaluator>(setup); };
-  return problem;
+std::unique_ptr<DesignEvaluator> evaluator_of(std::shared_ptr<const DesignSetup> setup) {
+  return std::make_unique<ModelEvaluator>(std::move(setup));
 }
 
 }  // namespace higherpair

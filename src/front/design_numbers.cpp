@@ -29,7 +29,7 @@ bool is_all_numbers(const Mechanism& mechanism) {
       });
   const bool endless = std::all_of(mechanism.joints.begin(), mechanism.joints.end(),
                                    [](const Joint& joint) { return !joint.from && !joint.to; });
-  return whole_curves && endless && mechanism.laws.empty();
+  return whole_curves && endless;
 }
 
 std::vector<double> numbers_of(const Mechanism& mechanism) {
@@ -45,14 +45,20 @@ DesignNumbers::DesignNumbers(Model model, const DesignTask& task) : model_(std::
     start_.push_back(variable.range.start);
   }
   base_ = numbers_of(model_.mechanism());
-  linear_ = is_all_numbers(model_.mechanism()) && find_slopes();
+  const bool changes_laws =
+      std::any_of(task.variables.begin(), task.variables.end(), [](const auto& variable) {
+        return std::any_of(variable.paths.begin(), variable.paths.end(),
+                           [](const std::string& path) { return path.starts_with("laws."); });
+      });
+  linear_ = !changes_laws && is_all_numbers(model_.mechanism()) && find_slopes();
 }
 
 std::vector<Setting> DesignNumbers::settings_of(std::span<const double> x) const {
   std::vector<Setting> settings;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    for (const std::string& path : task_->variables[i].paths) {
-      settings.emplace_back(path, x[i]);
+    const DesignTask::Variable& variable = task_->variables[i];
+    for (std::size_t k = 0; k < variable.paths.size(); ++k) {
+      settings.emplace_back(variable.paths[k], variable.factors[k] * x[i]);
     }
   }
   return settings;
@@ -64,7 +70,7 @@ Result<Model> DesignNumbers::model_of(std::span<const double> x) const {
 
 std::shared_ptr<const Model::Data> DesignNumbers::data_of(std::span<const double> x) const {
   const auto model = linear_ ? model_.with_mechanism(mechanism_of(x)) : model_of(x);
-  return model ? std::make_shared<const Model::Data>(model->data()) : nullptr;
+  return model ? model->data().shared_from_this() : nullptr;
 }
 
 std::optional<std::vector<double>> DesignNumbers::numbers_at(std::span<const double> x) const {
@@ -91,6 +97,10 @@ bool DesignNumbers::find_slopes() {
     for (std::size_t k = 0; k < base_.size(); ++k) {
       slope.push_back(((*high)[k] - (*low)[k]) / (range.high - range.low));
     }
+    std::vector<std::size_t>& changed = changed_.emplace_back();
+    for (std::size_t k = 0; k < slope.size(); ++k) {
+      if (slope[k] != 0) changed.push_back(k);
+    }
   }
   for (const double share : {0.23, 0.71}) {
     std::vector<double> x;
@@ -112,14 +122,20 @@ bool DesignNumbers::find_slopes() {
   return true;
 }
 
+void DesignNumbers::fill_numbers(std::span<const double> x, std::vector<double>& numbers) const {
+  numbers.assign(base_.begin(), base_.end());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (const std::size_t k : changed_[i]) {
+      numbers[k] += slopes_[i][k] * (x[i] - start_[i]);
+    }
+  }
+}
+
 Mechanism DesignNumbers::mechanism_of(std::span<const double> x) const {
   Mechanism mechanism = model_.mechanism();
-  for_each_number(mechanism, [&, k = std::size_t{0}](double& number) mutable {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      number += slopes_[i][k] * (x[i] - start_[i]);
-    }
-    ++k;
-  });
+  std::vector<double> numbers;
+  fill_numbers(x, numbers);
+  for_each_number(mechanism, [&, k = std::size_t{0}](double& number) mutable { number = numbers[k++]; });
   return mechanism;
 }
 

@@ -28,6 +28,9 @@ public:
   /// Where is_linear: the mechanism alone, and the derivative of its numbers by a variable.
   [[nodiscard]] Mechanism mechanism_of(std::span<const double> x) const;
   [[nodiscard]] Mechanism derivative(std::size_t variable) const;
+  /// The same in the order of for_each_number.
+  void fill_numbers(std::span<const double> x, std::vector<double>& numbers) const;
+  [[nodiscard]] std::span<const double> slopes(std::size_t variable) const { return slopes_[variable]; }
 
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const DesignTask& task() const { return *task_; }
@@ -40,8 +43,9 @@ private:
   Model model_;
   const DesignTask* task_;
   bool linear_ = false;
-  std::vector<double> start_, base_;         // of the variables, and the mechanism's numbers there
-  std::vector<std::vector<double>> slopes_;  // of those, by each variable
+  std::vector<double> start_, base_;               // of the variables, and the mechanism's numbers there
+  std::vector<std::vector<double>> slopes_;        // of those, by each variable
+  std::vector<std::vector<std::size_t>> changed_;  // the numbers whose slopes are not 0
 };
 
 }  // namespace higherpair

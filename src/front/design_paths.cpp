@@ -134,7 +134,7 @@ public:
     PathMiss miss;
     miss.p_W = p_;
     miss.driver = wrapped(t);
-    const bool at_end = !loop_ && (t <= low_ || t >= high_);
+    const bool at_end = t <= from || t >= to;  // of the path, or of where it was looked for
     if (!at_end && v_.norm() > 0) miss.along = v_.normalized();
     return miss;
   }
@@ -172,6 +172,7 @@ std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRo
   for (std::size_t i = 0; i < misses.size(); ++i) {
     misses[i].p_W = points[nearest[i]];
     misses[i].driver = rows.positions[nearest[i]];
+    misses[i].row = nearest[i];
   }
   if (!refine) {
     return misses;
@@ -197,7 +198,16 @@ Eigen::Index miss_count(const DesignTask::PointPath& path) {
   return static_cast<Eigen::Index>(path.through.size()) * (path.timed ? 2 : 1);
 }
 
+PathPlacement placement_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses) {
+  std::vector<Vector2d> places;
+  for (const PathMiss& miss : misses) places.push_back(miss.p_W);
+  return {path, places};
+}
+
 Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses, double unit) {
+  if (path.is_free()) {
+    return placement_of(path, misses).misses() / unit;
+  }
   Eigen::VectorXd numbers(miss_count(path));
   for (std::size_t i = 0; i < misses.size(); ++i) {
     const Vector2d off = (misses[i].p_W - path.through[i]) / unit;

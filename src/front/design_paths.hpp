@@ -1,7 +1,9 @@
 #pragma once
 
+#include "design_placement.hpp"
 #include "design_rows.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,11 +17,12 @@ struct PathMiss {
   Vector2d along =
       Vector2d::Zero();  ///< unit tangent there; 0: the place is a given row, or an end of the path
   double driver = 0;     ///< position of the driver there [rad or m]
+  std::optional<std::size_t> row = std::nullopt;  ///< set: the place is this row
 };
 
 /// Where the path of a task comes nearest to its points, each of them: in its row if it is timed, else
 /// wherever it comes by, in the order of the points if they have one. Places between rows are found to
-/// rounding. \param points  of the path in the rows \param keep_rows  whether PathMiss::row is wanted
+/// rounding. \param points  of the path in the rows \param timed_rows  of a timed path, of each of its points
 [[nodiscard]] std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
                                                    std::span<const Vector2d> points,
                                                    std::span<const std::size_t> timed_rows);
@@ -28,6 +31,9 @@ struct PathMiss {
 /// the sign of the side on which the point lies. In units of the length `unit` [m].
 [[nodiscard]] Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses,
                                         double unit);
+
+/// Of a free path with time: how it is placed.
+[[nodiscard]] PathPlacement placement_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses);
 
 /// How many numbers misses_of gives.
 [[nodiscard]] Eigen::Index miss_count(const DesignTask::PointPath& path);

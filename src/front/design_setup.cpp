@@ -11,18 +11,6 @@
 namespace higherpair {
 namespace {
 
-std::vector<Measure> measures_of(const DesignTask& task) {
-  std::vector<Measure> measures;
-  for (const DesignTask::Objective& objective : task.objectives) {
-    if (objective.measure) measures.push_back(*objective.measure);
-    measures.insert(measures.end(), objective.followed.begin(), objective.followed.end());
-  }
-  for (const DesignTask::Constraint& constraint : task.constraints) {
-    if (constraint.measure) measures.push_back(*constraint.measure);
-  }
-  return measures;
-}
-
 bool has_row_at(const DriverSchedule& schedule, double position) {
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const double there = schedule.state(k).profile.position;
@@ -97,7 +85,12 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
     return tl::unexpected(*std::move(refusal));
   }
   std::vector<Measure> measures = measures_of(*task);
-  auto settings = settings_for(model, measures);
+  RunSettings wanted;
+  for (const DesignTask::Constraint& constraint : task->constraints) {
+    const std::vector<EventType>& types = constraint.without;
+    if (std::find(types.begin(), types.end(), EventType::kContactOpen) != types.end()) wanted.forces = true;
+  }
+  auto settings = settings_for(model, measures, wanted);
   if (!settings) {
     return tl::unexpected(std::move(settings.error()));
   }
@@ -109,6 +102,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
     return refuse(std::move(mistakes));
   }
   auto setup = std::make_shared<DesignSetup>(DesignSetup{DesignNumbers(model, *task),
+                                                         quantities_of(*task),
                                                          std::move(measures),
                                                          *std::move(settings),
                                                          *std::move(schedule),
@@ -117,9 +111,16 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
                                                          1});
   setup->branches = branch_count(*model.data().plan);
   setup->size = model.data().plan->size;
+  std::vector<Column> table;
   if (const auto start = model.start(setup->settings)) {
     setup->start_branch = branch_of(start->impl().run);
+    table = start->columns();
   }
+  if (Diagnostics mistakes = complete_quantities(model, *task, setup->measures, table, setup->quantities);
+      !mistakes.empty()) {
+    return refuse(std::move(mistakes));
+  }
+  set_scales(*setup);
   if (Diagnostics mistakes = idle_parts(*setup); !mistakes.empty()) {
     return refuse(std::move(mistakes));
   }

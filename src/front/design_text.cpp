@@ -62,8 +62,10 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
   const Model::Data& model = setup.numbers.model().data();
   std::vector<NewValue> values;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    for (const std::string& path : task.variables[i].paths) {
-      values.push_back({path, fmt::format("{}", x[i] == 0 ? 0.0 : x[i])});
+    const DesignTask::Variable& variable = task.variables[i];
+    for (std::size_t k = 0; k < variable.paths.size(); ++k) {
+      const double value = variable.factors[k] * x[i];
+      values.push_back({variable.paths[k], fmt::format("{}", value == 0 ? 0.0 : value)});
     }
   }
   const auto written = [&]() -> Result<std::string> {

@@ -61,12 +61,12 @@ Profile read_root(TableReader& root, const Table& document) {
   read_drivers(root, profile, joint_type_known, laws);
   read_loads(root, mechanism);
   read_springs(root, mechanism, joint_type_known);
-  laws.finish();
   read_drawing(root, profile);
   read_limits(root, profile);
   read_sweep(root, document, profile);
   read_tolerances(root, document, profile);
-  read_design(root, document, profile);
+  read_design(root, document, laws, profile);
+  laws.finish();
   (void)root.take("extra");
   root.finish();
   return profile;

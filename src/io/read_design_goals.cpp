@@ -1,6 +1,6 @@
+#include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/suggestion.hpp"
-#include "point_table.hpp"
-#include "read_boundary.hpp"
+#include "laws.hpp"
 #include "read_design.hpp"
 #include "read_measure.hpp"
 
@@ -13,109 +13,70 @@
 namespace higherpair::io_detail {
 namespace {
 
-using PointPath = DesignTask::PointPath;
-
-bool find_point(Reading& reading, const Item& item, const Mechanism& mechanism, PointPath& path) {
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const Body& body = mechanism.bodies[b];
-    for (std::size_t p = 0; p < body.points.size(); ++p) {
-      names.push_back(body.name + "." + body.points[p].name);
-      if (names.back() == path.point) {
-        path.ref = {static_cast<int>(b), static_cast<int>(p)};
-        if (b == 0) report(reading, item, "a point of ground does not move");
-        return true;
-      }
+// What a law gives for a column: by its name.
+std::optional<Dimension> dimension_of(const Measure& measure, const Mechanism& mechanism) {
+  const auto ends = [&](std::string_view ending) { return measure.column.ends_with(ending); };
+  if (ends(".angle")) return dimension::kAngle;
+  if (ends(".x") || ends(".y")) return dimension::kLength;
+  for (const Joint& joint : mechanism.joints) {
+    if (measure.column == joint.name + ".position") {
+      return has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
     }
   }
-  report(reading, item, "there is no such point; " + suggestion(path.point, names));
-  return false;
+  return std::nullopt;
 }
 
-void check_points(Reading& reading, const Item& item, const PointPath& path) {
-  if (path.through.size() < 2) {
-    report(reading, item, "expected at least two points: one alone is no path");
+// `follow = "LAW"`: at every row, how the column changes from the first one on.
+void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& profile, LawBook& laws,
+                DesignTask::Objective& objective) {
+  const auto value = dimension_of(measure, profile.mechanism);
+  if (!value) {
+    report(reading, follow,
+           "a law is of an angle or of a coordinate: BODY.angle, BODY.POINT.x, JOINT.position");
+    return;
   }
-  for (std::size_t i = 1; i < path.through.size(); ++i) {
-    if (path.through[i] == path.through[i - 1]) {
-      report(reading, item, fmt::format("points {} and {} are the same: leave one out", i, i + 1));
-    }
+  if (profile.mechanism.drivers.size() != 1) {
+    report(reading, follow,
+           "a law is a function of one driver's position: expected a mechanism with one driver");
+    return;
+  }
+  const Joint& driven =
+      profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers.front().joint)];
+  const LawQuantities quantities{has_angle(driven.type) ? dimension::kAngle : dimension::kLength, *value};
+  const auto index = laws.find(follow, quantities, profile.mechanism);
+  const auto schedule = DriverSchedule::analyze(profile);
+  if (!index || !schedule) return;
+  const MotionLaw& law = laws.in_profile_units(*index);
+  objective.follow_change = true;
+  for (std::int64_t k = 0; k < schedule->size(); ++k) {
+    measure.at = schedule->state(k).profile.position;
+    double s = 0;
+    law.expand(measure.at, LawSide::kBefore, std::span(&s, 1));
+    objective.followed.push_back(measure);
+    objective.values.push_back(s);
   }
 }
 
-void read_list_of_points(Reading& reading, const Item& list, PointPath& path) {
-  const auto* items = std::get_if<Array>(&list.value->content);
-  if (items == nullptr) {
-    report(reading, list, "expected a list of points, [[x, y], …]");
+void follow_pairs(Reading& reading, const Item& follow, Measure measure, DesignTask::Objective& objective) {
+  const auto* items = std::get_if<Array>(&follow.value->content);
+  if (items == nullptr || items->size() < 2) {
+    report(reading, follow,
+           "expected a list of at least two pairs, [[driver, value], …], or the name of a law");
     return;
   }
   for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item entry = {&(*items)[i], fmt::format("{}.{}", list.path, i)};
-    const auto point = as_vector(reading, entry, dimension::kLength);
-    if (!point) return;
-    path.through.push_back(*point);
-  }
-  check_points(reading, list, path);
-}
-
-void read_file_of_points(TableReader& table, const Item& file, PointPath& path) {
-  Reading& reading = table.reading();
-  const std::optional<Unit> unit = read_file_unit(table);
-  const auto text = read_named_file(table, file, "table");
-  if (!text) return;
-  const auto read = read_points(*text, {{"x", "y"}, {dimension::kLength, dimension::kLength}},
-                                {.length = unit.value_or(reading.units.length)});
-  if (!read) {
-    for (const std::string& mistake : read.error()) report(reading, file, mistake);
-    return;
-  }
-  for (const auto& [x, y] : read->points) path.through.emplace_back(x.si, y.si);
-  check_points(reading, file, path);
-}
-
-void read_positions(Reading& reading, const Item& at, PointPath& path) {
-  const auto* items = std::get_if<Array>(&at.value->content);
-  if (items == nullptr || items->size() != path.through.size()) {
-    report(reading, at,
-           fmt::format("expected a list of {} positions of the driver, one for each point",
-                       path.through.size()));
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto position = as_plain_number(reading, {&(*items)[i], fmt::format("{}.{}", at.path, i)});
-    if (position) path.at.push_back(*position);
+    const auto pair =
+        as_list(reading, {&(*items)[i], fmt::format("{}.{}", follow.path, i)}, {dimension::kNumber}, 2);
+    if (!pair) return;
+    measure.at = (*pair)[0].value;
+    objective.followed.push_back(measure);
+    objective.values.push_back((*pair)[1].value);
   }
 }
 
-std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& mechanism) {
-  Reading& reading = table.reading();
-  PointPath path;
-  bool known = false;
-  if (const auto item = table.need("point", "the point whose path is meant, \"coupler.E\"")) {
-    path.point = as_text(reading, *item).value_or("");
-    known = !path.point.empty() && find_point(reading, *item, mechanism, path);
-  }
-  if (const auto file = table.take("file")) {
-    table.refuse("through", "the points are in the file already: one of the two");
-    read_file_of_points(table, *file, path);
-  } else if (const auto list = table.need(
-                 "through", "[[x, y], …], the points of the path in ground (or a `file` with them)")) {
-    read_list_of_points(reading, *list, path);
-  }
-  path.timed = table.flag("timed", false);
-  path.ordered = table.flag("ordered", true);
-  path.closed = table.flag("closed", false);
-  if (!path.timed) {
-    table.refuse("at", "holds for a path with timed = true");
-  } else if (const auto at = table.take("at")) {
-    read_positions(reading, *at, path);
-  }
-  if (path.timed && path.closed) table.refuse("closed", "the points of a timed path have their rows");
-  return known && path.through.size() > 1 ? std::optional(std::move(path)) : std::nullopt;
-}
-
-// `follow`: pairs of a position of the driver and the value that the column is to have there.
-void read_follow(TableReader& table, const Item& follow, DesignTask::Objective& objective) {
+// `follow`: what a column is to be where the driver stands.
+void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBook& laws,
+                 DesignTask::Objective& objective) {
   Reading& reading = table.reading();
   table.refuse("of", "the column is followed at the positions in `follow`");
   table.refuse("at", "the positions are those in `follow`");
@@ -127,19 +88,76 @@ void read_follow(TableReader& table, const Item& follow, DesignTask::Objective& 
     measure.column = as_text(reading, *column).value_or("");
   }
   measure.of = MeasureKind::kAt;
-  const auto* items = std::get_if<Array>(&follow.value->content);
-  if (items == nullptr || items->size() < 2) {
-    report(reading, follow, "expected a list of at least two pairs, [[driver, value], …]");
+  if (std::holds_alternative<std::string>(follow.value->content)) {
+    follow_law(reading, follow, std::move(measure), profile, laws, objective);
     return;
   }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto pair =
-        as_list(reading, {&(*items)[i], fmt::format("{}.{}", follow.path, i)}, {dimension::kNumber}, 2);
-    if (!pair) return;
-    measure.at = (*pair)[0].value;
-    objective.followed.push_back(measure);
-    objective.values.push_back((*pair)[1].value);
+  objective.follow_change = table.flag("change", false);
+  follow_pairs(reading, follow, std::move(measure), objective);
+}
+
+// `figure`: of those that `check` works out, "contacts.touch.contact_pressure".
+std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& item) {
+  table.refuse("column", "this is a figure of `check`: one of the two");
+  table.refuse("of", "a figure is an extreme already");
+  const std::string text = as_text(table.reading(), item).value_or("");
+  const std::size_t dot = text.rfind('.');
+  if (dot == std::string::npos || dot + 1 == text.size()) {
+    report(table.reading(), item,
+           "expected a figure of `check`, such as \"contacts.touch.contact_pressure\"");
+    return std::nullopt;
   }
+  DesignTask::Figure figure{text.substr(0, dot), text.substr(dot + 1), ""};
+  if (const auto curve = table.take("curve")) figure.of = as_text(table.reading(), *curve).value_or("");
+  return figure;
+}
+
+std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& item,
+                                                const Mechanism& mechanism) {
+  static const std::vector<std::pair<std::string, GrashofClass>> classes = {
+      {"crank-rocker", GrashofClass::kCrankRocker},   {"rocker-crank", GrashofClass::kRockerCrank},
+      {"double-crank", GrashofClass::kDoubleCrank},   {"double-rocker", GrashofClass::kDoubleRocker},
+      {"triple-rocker", GrashofClass::kTripleRocker},
+  };
+  std::vector<std::string> names;
+  for (const auto& [name, of] : classes) names.push_back(name);
+  const auto choice = as_choice(table.reading(), item, names);
+  if (!choice) return std::nullopt;
+  DesignTask::Grashof grashof{names[*choice], classes[*choice].second, -1};
+  if (const auto coupler = table.take("coupler")) {
+    std::vector<std::string> bodies;
+    for (const Body& body : mechanism.bodies) bodies.push_back(body.name);
+    const auto body = as_choice(table.reading(), *coupler, bodies);
+    if (!body) return std::nullopt;
+    grashof.coupler = static_cast<int>(*body);
+  }
+  return grashof;
+}
+
+std::vector<EventType> read_events(Reading& reading, const Item& item) {
+  static const std::vector<std::pair<std::string, EventType>> types = {
+      {"dead_point", EventType::kDeadPoint},
+      {"stroke_end", EventType::kStrokeEnd},
+      {"contact_open", EventType::kContactOpen},
+      {"second_contact", EventType::kSecondContact},
+      {"conforming", EventType::kConforming},
+      {"curvature_jump", EventType::kCurvatureJump},
+      {"corner", EventType::kCorner},
+      {"law_jump", EventType::kLawJump},
+  };
+  std::vector<std::string> names;
+  for (const auto& [name, type] : types) names.push_back(name);
+  std::vector<EventType> events;
+  const auto* items = std::get_if<Array>(&item.value->content);
+  if (items == nullptr || items->empty()) {
+    report(reading, item, "expected a list of events, such as [\"dead_point\"]");
+    return events;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto choice = as_choice(reading, {&(*items)[i], fmt::format("{}.{}", item.path, i)}, names);
+    if (choice) events.push_back(types[*choice].second);
+  }
+  return events;
 }
 
 }  // namespace
@@ -158,7 +176,7 @@ std::optional<double> optional_plain_number(TableReader& table, const std::strin
   return item ? as_plain_number(table.reading(), *item) : std::nullopt;
 }
 
-std::optional<DesignTask::Objective> read_objective(TableReader& table, const Profile& profile) {
+std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile& profile, LawBook& laws) {
   Reading& reading = table.reading();
   DesignTask::Objective objective;
   objective.path_of_key = table.path();
@@ -173,7 +191,10 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, const Pr
       reader.finish();
     }
   } else if (const auto follow = table.take("follow")) {
-    read_follow(table, *follow, objective);
+    read_follow(table, *follow, profile, laws, objective);
+  } else if (const auto figure = table.take("figure")) {
+    objective.figure = read_figure(table, *figure);
+    objective.target = optional_plain_number(table, "target");
   } else {
     objective.measure = read_measure(table);
     objective.target = optional_plain_number(table, "target");
@@ -182,7 +203,8 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, const Pr
     objective.weight = as_plain_number(reading, *weight).value_or(1);
     if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
   }
-  const bool complete = objective.path || objective.measure || !objective.followed.empty();
+  const bool complete =
+      objective.path || objective.measure || objective.figure || !objective.followed.empty();
   return complete ? std::optional(std::move(objective)) : std::nullopt;
 }
 
@@ -200,11 +222,21 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     } else if (joint) {
       constraint.transmission = DesignTask::Transmission{as_text(reading, *pin).value_or(""), *joint};
     }
+  } else if (const auto grashof = table.take("grashof")) {
+    constraint.grashof = read_grashof(table, *grashof, profile.mechanism);
+    constraint.above = 0;
+  } else if (const auto without = table.take("without")) {
+    table.refuse("below", "none of these events is to happen");
+    table.refuse("above", "none of these events is to happen");
+    constraint.without = read_events(reading, *without);
+    constraint.below = 0;
+  } else if (const auto figure = table.take("figure")) {
+    constraint.figure = read_figure(table, *figure);
   } else {
     constraint.measure = read_measure(table);
   }
-  constraint.below = optional_plain_number(table, "below");
-  constraint.above = optional_plain_number(table, "above");
+  if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
+  if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
   const auto wrong = [&](const std::string& what) {
     reading.mistakes.push_back({table.mark(), table.path() + ": " + what});
   };
@@ -213,7 +245,8 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     wrong(fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
   }
-  const bool complete = constraint.measure || constraint.transmission;
+  const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
+                        constraint.grashof || !constraint.without.empty();
   return complete ? std::optional(std::move(constraint)) : std::nullopt;
 }
 

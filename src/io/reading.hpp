@@ -121,6 +121,6 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
                   LawBook& laws);
 
 /// [design]: what is to be chosen, and for what. \param document  the whole profile, for paths into it
-void read_design(TableReader& root, const Table& document, Profile& profile);
+void read_design(TableReader& root, const Table& document, LawBook& laws, Profile& profile);
 
 }  // namespace higherpair::io_detail

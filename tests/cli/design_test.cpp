@@ -97,6 +97,29 @@ TEST_F(DesignCommand, WhatIsWrongIsExitCode2AndNothingIsWritten) {
   EXPECT_EQ(run("design " + five_ + " -o " + file("b.toml") + " --time 0").code, 2);
 }
 
+TEST_F(DesignCommand, WritesSeveralOptimaAndAPage) {
+  const Answer answer = run("design " + five_ + " -o " + file("b.toml") + " --best 3 --report " +
+                            file("b.html") + " --starts 12");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("different optima"));
+  EXPECT_NE(read(file("b.toml")), read(file("b.2.toml")));
+  EXPECT_NE(read(file("b.2.toml")), read(file("b.3.toml")));
+  EXPECT_EQ(run("analyze " + file("b.3.toml") + " --csv -").code, 0);
+  EXPECT_FALSE(fs::exists(file("b.4.toml")));
+  EXPECT_THAT(read(file("b.html")), HasSubstr("<figcaption>After</figcaption>"));
+}
+
+TEST_F(DesignCommand, SeveralOptimaNeedFilesOfTheirOwn) {
+  const Answer to_output = run("design " + five_ + " -o - --best 2");
+  EXPECT_EQ(to_output.code, 2);
+  EXPECT_THAT(to_output.text, HasSubstr("several profiles need a file name"));
+  const std::string second = write("b.2.toml", read(five_));
+  EXPECT_EQ(run("design " + second + " -o " + file("b.toml") + " --best 2").code, 2);
+  EXPECT_EQ(read(second), read(five_));
+  EXPECT_EQ(run("design " + five_ + " -o " + file("b.toml") + " --best 11").code, 2);
+  EXPECT_EQ(run("design " + five_ + " -o " + file("b.toml") + " --report " + file("b.toml")).code, 2);
+}
+
 TEST_F(DesignCommand, EndsInTime) {
   const Answer answer =
       run("design " + five_ + " -o " + file("b.toml") + " --starts 100000000 --time 0.2 --json -");

@@ -187,7 +187,7 @@ TEST(Design, TasksMadeFromKnownMechanismsAreSolved) {
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  for (int task = 0; task < 6; ++task) {
+  for (int task = 0; task < 50; ++task) {
     const auto known = guess.with({{"bodies.ground.points.O4.0", between(5, 9)},
                                    {"bodies.crank.points.A.0", between(1, 3)},
                                    {"bodies.coupler.points.B.0", between(6, 8)},

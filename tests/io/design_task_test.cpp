@@ -124,8 +124,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{R"(a = { path = "bodies.crank.points.A.0", min = "5 mm", max = 50 })",
               "expected a plain number, in the unit that it has in the profile or in tables"},
         Wrong{R"(a = { path = ["bodies.crank.points.A.0", "bodies.crank.points.B.1"], min = 1, max = 50 })",
-              "this number is 5 and the first one of this variable 20: numbers that are to be equal have to "
-              "be equal"},
+              "this number is 5, but by the first one of this variable it is to be 20: write "
+              "that into the profile"},
         Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 5, max = 50 }
 b = { path = "bodies.crank.points.A.0", min = 5, max = 50 })",
               "test.toml:15:14: design.variables.b.path = \"bodies.crank.points.A.0\": this number is "

@@ -1,6 +1,7 @@
 // Time of one step, next to the time of a four-bar written by hand, measured in the same run. Answers are
 // checked before anything is timed.
 #include "checks.hpp"
+#include "designs.hpp"
 #include "front/column_set.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/drawing/scene.hpp"
@@ -197,6 +198,29 @@ void register_laws(const std::vector<LawCase>& laws, double floor) {
   }
 }
 
+// One thread; what is held against the floor is one position of the candidate's hundred.
+void register_design(const DesignCase& design, double floor) {
+  for (const bool gradients : {false, true}) {
+    add(gradients ? "design/candidate_with_gradients" : "design/candidate", [=](benchmark::State& state) {
+      const auto evaluator = design.problem.evaluator();
+      DesignValues values;
+      DesignJacobian jacobian;
+      std::size_t number = 0;
+      const auto start = std::chrono::steady_clock::now();
+      for (auto _ : state) {
+        const std::vector<double>& x = design.candidates[number++ % design.candidates.size()];
+        evaluator->evaluate(x, design.problem.start_branch, values);
+        if (gradients) (void)evaluator->differentiate(x, design.problem.start_branch, jacobian);
+        benchmark::DoNotOptimize(values.residuals.data());
+        benchmark::DoNotOptimize(jacobian.residuals.data());
+      }
+      const double positions = static_cast<double>(number) * static_cast<double>(values.residuals.size() / 2);
+      state.counters["floors"] = nanoseconds_since(start) / positions / floor;
+      state.SetItemsProcessed(static_cast<std::int64_t>(number));
+    });
+  }
+}
+
 // Through the general plan: the motion of all bodies, and the reactions of all joints with it.
 void register_plan(const std::string& name, const Run& start, double floor) {
   const auto measure = [=](benchmark::State& state, bool with_forces) {
@@ -273,6 +297,7 @@ int run(int argc, char** argv) {
   const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
   const std::vector<LawCase> laws = checked_laws();
   const std::vector<VariantCase> variants = checked_variants();
+  const DesignCase design = checked_design();
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -282,6 +307,7 @@ int run(int argc, char** argv) {
   register_four_bars(floor);
   register_watt_by_hand(watt.by_hand, floor);
   register_laws(laws, floor);
+  register_design(design, floor);
   register_plan("four_bar", four_bar.run, floor);
   register_plan("watt_sixbar", watt.run, floor);
   register_variants(variants);

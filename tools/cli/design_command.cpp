@@ -7,6 +7,7 @@
 #include "run_command.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -38,6 +39,23 @@ private:
   bool shown_ = false;
 };
 
+// out/better.toml, out/better.2.toml, …
+std::string numbered(const std::string& path, int number) {
+  if (number == 1) return path;
+  std::filesystem::path name(path);
+  const std::string ending = name.extension().string();
+  return name.replace_extension().string() + fmt::format(".{}", number) + ending;
+}
+
+// The profile itself, and as many others of the best as there are.
+std::vector<FileText> profiles_of(const DesignReport& report, const DesignCommandOptions& options) {
+  std::vector<FileText> files = {{options.output, report.text}};
+  for (std::size_t k = 1; k < report.optima.size() && !report.optima[k].text.empty(); ++k) {
+    files.push_back({numbered(options.output, static_cast<int>(k + 1)), report.optima[k].text});
+  }
+  return files;
+}
+
 DesignSettings settings_of(const DesignCommandOptions& options, BestSoFar& best) {
   DesignSettings settings;
   settings.seed = options.seed;
@@ -45,6 +63,7 @@ DesignSettings settings_of(const DesignCommandOptions& options, BestSoFar& best)
   settings.evaluations = options.evaluations;
   settings.seconds = options.seconds.value_or(0);
   settings.threads = options.threads;
+  settings.best = options.best;
   settings.stop = &interruption();
   settings.progress = [&best](const DesignProgress& progress) { best.show(progress); };
   return settings;
@@ -58,6 +77,11 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
   command->add_option("FILE", options.profile, "profile of the mechanism with [design] (TOML)")->required();
   command->add_option("-o,--output", options.output, "the new profile; -: standard output")->required();
   command->add_option("--json", options.json, "what was found as JSON, to this file; -: standard output");
+  command->add_option("--report", options.page, "a page with what was found, drawn before and after (HTML)");
+  command
+      ->add_option("--best", options.best,
+                   "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
+      ->check(CLI::Range(1, 10));
   command->add_option("--seed", options.seed,
                       "of the random starts (default 1): the same seed, the same result");
   command->add_option("--time", options.seconds, "seconds after which no further search begins")
@@ -75,6 +99,13 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
   command->final_callback([&options] {
     std::vector<NamedFile> outputs = {{"--output", options.output}};
     if (options.json) outputs.push_back({"--json", *options.json});
+    if (options.page) outputs.push_back({"--report", *options.page});
+    if (options.output == "-" && options.best > 1) {
+      throw CLI::ValidationError("--best", "several profiles need a file name: --output BETTER.toml");
+    }
+    for (int k = 2; k <= options.best; ++k) {
+      outputs.push_back({fmt::format("--best {}", k), numbered(options.output, k)});
+    }
     refuse_shared_files({{"FILE", options.profile}}, outputs);
   });
   return command;
@@ -93,9 +124,14 @@ int design_command(const DesignCommandOptions& options) {
   if (!report) {
     return report_error(report.error());
   }
-  std::vector<FileText> files = {{options.output, report->text}};
+  std::vector<FileText> files = profiles_of(*report, options);
   if (options.json) files.push_back({*options.json, text_of(design_json(*report)) + "\n"});
-  const bool to_output = options.output == "-" || options.json == "-";
+  if (options.page) {
+    auto page = design_page(*model, *report);
+    if (!page) return report_error(page.error());
+    files.push_back({*options.page, *std::move(page)});
+  }
+  const bool to_output = options.output == "-" || options.json == "-" || options.page == "-";
   if (!write_files(files)) {
     return kExitMachine;
   }

@@ -18,6 +18,8 @@ struct DesignCommandOptions {
   std::string profile;
   std::string output;  ///< the new profile
   std::optional<std::string> json;
+  std::optional<std::string> page;  ///< --report
+  int best = 1;                     ///< so many files, the further ones with a number in their names
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
   std::optional<std::int64_t> evaluations;

@@ -43,6 +43,11 @@ int widest(const Lines& lines, std::string_view head) {
   return static_cast<int>(width);
 }
 
+std::string_view bound_text(const DesignReport::Variable& variable) {
+  if (!variable.at_bound) return "";
+  return variable.high - variable.after < variable.after - variable.low ? "  at its max" : "  at its min";
+}
+
 std::string variables_text(const DesignReport& report) {
   int width = 8;
   for (const auto& variable : report.variables)
@@ -52,7 +57,7 @@ std::string variables_text(const DesignReport& report) {
   for (const auto& variable : report.variables) {
     text += fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {:>12}{}\n", variable.name, width,
                         shown(variable.before), shown(variable.after), shown(variable.low),
-                        shown(variable.high), variable.at_bound ? "  at its bound" : "");
+                        shown(variable.high), bound_text(variable));
   }
   return text;
 }
@@ -77,16 +82,17 @@ std::string constraints_text(const DesignReport& report) {
   text += fmt::format("{:<{}}  {:>16}  {:>16}\n", "assembles all the way", width,
                       report.starts_good ? "yes" : "no", report.path_good ? "yes" : "no");
   for (const auto& constraint : report.constraints) {
-    text += fmt::format("{:<{}}  {:>16}  {:>16}  {:<10} margin {}{}{}\n", constraint.what, width,
-                        shown(constraint.before), shown(constraint.after), constraint.unit,
-                        shown(constraint.margin), constraint.margin < 0 ? ", VIOLATED" : "",
-                        constraint.cost > 0 ? ", a unit of it is worth " + shown(constraint.cost) : "");
+    text += fmt::format(
+        "{:<{}}  {:>16}  {:>16}  {:<10} margin {}{}{}\n", constraint.what, width, shown(constraint.before),
+        shown(constraint.after), constraint.unit, shown(constraint.margin),
+        constraint.margin < 0 ? ", VIOLATED" : "",
+        constraint.cost > 0 ? fmt::format(", costs {:.4g} {}", constraint.cost, constraint.cost_unit) : "");
   }
   return text;
 }
 
 std::string search_text(const DesignReport& report) {
-  std::string text = fmt::format("\n{} searches by {}, {} candidates; {} different ends\n", report.starts,
+  std::string text = fmt::format("\n{} searches by {}, {} candidates; {} different optima\n", report.starts,
                                  report.method, report.evaluations, report.different);
   for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
     text += fmt::format("  {}. {}{}:", k + 1, shown(report.optima[k].objective),
@@ -143,7 +149,8 @@ Json design_json(const DesignReport& report) {
                                    {"before", number(constraint.before)},
                                    {"after", number(constraint.after)},
                                    {"margin", number(constraint.margin)},
-                                   {"cost", number(constraint.cost)}});
+                                   {"cost", number(constraint.cost)},
+                                   {"cost_unit", constraint.cost_unit}});
   }
   Json optima = Json::array();
   for (const auto& optimum : report.optima) {

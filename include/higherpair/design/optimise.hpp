@@ -42,6 +42,7 @@ struct DesignOptions {
                                  ///< machine
   std::optional<double> target;  ///< enough once the objective is this small and all constraints hold
   int threads = 0;               ///< 0: all; makes no difference to the result
+  int alternatives = 1;          ///< so many of the optima are given as they can be made
   const std::atomic<bool>* stop = nullptr;              ///< once true, the best so far is returned
   std::function<void(const DesignProgress&)> progress;  ///< called by the caller's thread, from time to time
 };
@@ -63,11 +64,14 @@ struct DesignOutcome {
   /// Ends of the searches that differ, best first: by more than 1e-3 of a range in some variable. At most 10.
   std::vector<DesignPoint> optima;
   int different = 0;  ///< how many they were
-  int starts = 0;     ///< searches done
+  /// The first DesignOptions::alternatives of them with numbers of the steps of the variables; the first one
+  /// is `best`.
+  std::vector<DesignPoint> made;
+  int starts = 0;  ///< searches done
   std::int64_t evaluations = 0;
   DesignEnd end = DesignEnd::kStarts;
-  /// Of each constraint: how much the objective would gain for each unit by which its limit is moved, to
-  /// first order at `best`; 0 where it is not active, or nothing is known.
+  /// Of each constraint: how much smaller the objective would be for each unit by which its limit is moved
+  /// outwards, to first order at `free`; >= 0, and 0 where it is not active, or nothing is known.
   std::vector<double> multipliers;
 };
 

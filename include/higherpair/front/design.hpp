@@ -17,6 +17,7 @@ struct DesignSettings {
   std::optional<std::int64_t> evaluations;
   double seconds = 0;  ///< > 0: no further search after so long
   int threads = 0;     ///< 0: all; makes no difference to the result
+  int best = 1;        ///< of so many different optima the text is made as well, where there are so many
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const DesignProgress&)> progress;
 };
@@ -48,14 +49,18 @@ struct DesignReport {
     double before = 0;
     double after = 0;
     double margin = 0;  ///< >= 0: it holds
-    /// By how much the whole objective would gain for each unit by which the limit is moved, to first order;
-    /// 0 where it is not active.
+    /// How much smaller the objective, of several their weighted sum, would be for each unit by which the
+    /// limit is moved outwards, to first order, at the design before it was rounded to steps; 0 where it is
+    /// not active.
     double cost = 0;
+    std::string cost_unit;  ///< "mm^2/deg"; of several objectives "1/deg"
   };
   struct Alternative {
     std::vector<double> variables;
     double objective = 0;
     bool holds = false;  ///< all constraints
+    std::string
+        text;  ///< of the first DesignSettings::best: the profile, of the first one DesignReport::text
   };
 
   std::string title;
@@ -69,7 +74,7 @@ struct DesignReport {
   bool path_good = false;           ///< whether the new one does
   bool holds = false;               ///< whether all constraints hold, and path_good
   std::string method;               ///< of the local searches: "least squares", …
-  std::vector<Alternative> optima;  ///< different ends of searches, the best first
+  std::vector<Alternative> optima;  ///< different ends of searches, the best first; at most 10
   int different = 0;
   int starts = 0;
   std::int64_t evaluations = 0;
@@ -85,5 +90,15 @@ struct DesignReport {
 /// for variables and objectives that change nothing; and where nothing that was tried can be assembled
 /// (kMechanism).
 [[nodiscard]] Result<DesignReport> design(const Model& model, const DesignSettings& settings = {});
+
+/// A page (HTML, nothing else needed) with what was found: the mechanism before and after with the paths of
+/// its points, variables, objectives and constraints. Fails where neither can be drawn.
+/// \param before  the model that the design began with
+[[nodiscard]] Result<std::string> design_page(const Model& before, const DesignReport& report);
+
+/// The task as the engine takes it (design/problem.hpp), for a search of one's own: variables in the units of
+/// the profile, residuals and costs in those of tables, constraints of the closure of each dyad, of the whole
+/// path, and of the task. Fails as design() does before its search.
+[[nodiscard]] Result<DesignProblem> design_problem(const Model& model);
 
 }  // namespace higherpair

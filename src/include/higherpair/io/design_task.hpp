@@ -1,8 +1,10 @@
 #pragma once
 
+#include "higherpair/analysis/run.hpp"
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/measure.hpp"
+#include "higherpair/linkage/grashof.hpp"
 #include "higherpair/mechanism/description.hpp"
 
 #include <cstdint>
@@ -14,10 +16,11 @@ namespace higherpair {
 
 /// What [design] of a profile asks for.
 struct DesignTask {
-  /// A number of the profile that may be chosen, or several that are to be equal.
+  /// A number of the profile that may be chosen, or several that are to be equal or multiples of it.
   struct Variable {
     std::string name;
     std::vector<std::string> paths;  ///< as --set names them; at least one
+    std::vector<double> factors;     ///< of each path: the number there is so many times the variable
     DesignVariable range;            ///< in the unit in which the number stands in the profile
     Place place;
   };
@@ -33,6 +36,24 @@ struct DesignTask {
         at;  ///< timed: the driver's positions in these rows, in the profile's unit; empty: all rows
     bool ordered = true;  ///< not timed: one after the other as the driver goes on
     bool closed = false;  ///< ordered: whichever of them comes first
+    /// What the whole path may be besides: only its form counts. Of a timed path.
+    bool free_position = false, free_turn = false, free_scale = false;
+
+    [[nodiscard]] bool is_free() const { return free_position || free_turn || free_scale; }
+  };
+
+  /// A figure of check(): "contacts.touch", "contact_pressure", and of a curve "cam.disc".
+  struct Figure {
+    std::string item;
+    std::string quantity;
+    std::string of;
+  };
+
+  /// By how much a four-bar is of a class [length of tables], > 0: it is.
+  struct Grashof {
+    std::string wanted;  ///< "crank-rocker", …
+    GrashofClass of = GrashofClass::kCrankRocker;
+    int coupler = -1;  ///< body; -1: of the only four-bar
   };
 
   /// A transmission angle: between two links that a pin joins, 0 at a dead point, at most 90°.
@@ -45,19 +66,25 @@ struct DesignTask {
     std::string path_of_key;  ///< "design.objectives.0"
     std::optional<PointPath> path;
     std::optional<Measure> measure;
+    std::optional<Figure> figure;
     /// A column that is to follow given values: measures of kAt, and the values.
     std::vector<Measure> followed;
     std::vector<double> values;
-    std::optional<double> target;  ///< of a measure, in the unit of tables; none: as small as possible
-    double weight = 1;             ///< > 0; of a path and of a target within the square
+    bool follow_change = false;  ///< only how it changes from the first of them on counts
+    std::optional<double>
+        target;         ///< of a measure or figure, in the unit of tables; none: as small as possible
+    double weight = 1;  ///< > 0; of a path and of a target within the square
     Place place;
   };
 
   struct Constraint {
     std::string path_of_key;
     std::optional<Measure> measure;
+    std::optional<Figure> figure;
     std::optional<Transmission> transmission;  ///< the least over all rows
-    std::optional<double> below, above;        ///< at least one; in the unit of tables
+    std::optional<Grashof> grashof;
+    std::vector<EventType> without;      ///< how many of these events happen
+    std::optional<double> below, above;  ///< at least one; in the unit of tables
     Place place;
   };
 

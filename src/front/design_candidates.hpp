@@ -1,0 +1,45 @@
+#pragma once
+
+#include "design_pins.hpp"
+#include "design_runs.hpp"
+#include "design_slopes.hpp"
+
+#include <span>
+
+namespace higherpair {
+
+/// Works out candidates one after the other, each by the quickest way that tells what the task asks; for one
+/// thread.
+class DesignCandidates {
+public:
+  /// \param setup  outlives this
+  explicit DesignCandidates(const DesignSetup& setup);
+
+  /// The rows of the candidate x on a branch; they hold until the next one.
+  [[nodiscard]] DesignRows& work_out(std::span<const double> x, int branch);
+
+  /// Of a linkage of pins: exact derivatives of the last rows by the variables, but for measures.
+  [[nodiscard]] PinnedRows* pins() { return pins_ ? &*pins_ : nullptr; }
+  /// Exact derivatives of the last rows, of all that pins() has not; none where they are not covered. \param
+  /// places  of each path; empty with pins()
+  [[nodiscard]] std::optional<DesignSlopes> slopes(std::span<const double> x, int branch,
+                                                   std::span<const std::vector<SlopePlace>> places) const;
+
+private:
+  void work_out_rows(std::span<const double> x, int branch);
+  [[nodiscard]] Result<Model> model_of(std::span<const double> x, int branch) const;
+  [[nodiscard]] std::optional<Mechanism> mechanism_of(std::span<const double> x) const;
+  void add_quantities(std::span<const double> x, int branch);
+  [[nodiscard]] std::optional<DesignCandidate> candidate_of(std::span<const double> x, bool with_data) const;
+  void place_directly(std::span<const double> x, int branch);
+  void fail();
+
+  const DesignSetup* setup_;
+  std::optional<PinnedRows> pins_;
+  std::optional<RunSlopes> run_slopes_;
+  bool direct_ = false;        // positions of any row in closed form
+  bool any_position_ = false;  // places between rows are wanted
+  DesignRows rows_;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,140 @@
+#include "design_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+struct Quantity {
+  const char* ending;
+  Dimension dimension;
+};
+constexpr std::array<Quantity, 9> kQuantities = {{{".x", dimension::kLength},
+                                                  {".y", dimension::kLength},
+                                                  {".vx", dimension::kVelocity},
+                                                  {".vy", dimension::kVelocity},
+                                                  {".ax", dimension::kAcceleration},
+                                                  {".ay", dimension::kAcceleration},
+                                                  {".angle", dimension::kAngle},
+                                                  {".omega", dimension::kAngularVelocity},
+                                                  {".alpha", dimension::kAngularAcceleration}}};
+constexpr std::size_t kOfPoints = 6;  // so many of them points have
+
+std::optional<std::size_t> quantity_of(const std::string& name, const std::string& owner, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) {
+    if (name == owner + kQuantities[k].ending) return k;
+  }
+  return std::nullopt;
+}
+
+// x and y of a place, of its velocity and of its acceleration.
+std::array<Vector2d, 3> point_slopes(const BodyMotion& body, const BodyMotion& change, const Vector2d& p_B,
+                                     const Vector2d& p_B_slope) {
+  const Vector2d r = body.X_WB.R_WB * p_B;
+  const Vector2d r_slope = change.theta * perp(r) + body.X_WB.R_WB * p_B_slope;
+  return {change.X_WB.p_WB + r_slope, change.v_WB + change.omega * perp(r) + body.omega * perp(r_slope),
+          change.a_WB + change.alpha * perp(r) + body.alpha * perp(r_slope) -
+              2 * body.omega * change.omega * r - body.omega * body.omega * r_slope};
+}
+
+std::optional<std::size_t> extreme_row(std::span<const double> values, double sign) {
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!std::isnan(values[k]) && (!best || sign * values[k] > sign * values[*best])) best = k;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& units,
+                                      const std::string& name) {
+  const auto found = [&](std::size_t body, std::optional<std::size_t> point, std::size_t quantity) {
+    return BodyColumn{body, point, quantity, from_si(kQuantities[quantity].dimension, units).apply(1)};
+  };
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    if (const auto quantity = quantity_of(name, body.name, kQuantities.size())) {
+      return found(b, std::nullopt, *quantity);
+    }
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const auto quantity = quantity_of(name, body.name + "." + body.points[p].name, kOfPoints);
+      if (quantity) return found(b, p, *quantity);
+    }
+  }
+  return std::nullopt;
+}
+
+double column_slope(const BodyColumn& column, const Run& run, const Mechanism& derivative,
+                    const RowSensitivity& of_row) {
+  const BodyMotion& change = of_row.bodies[column.body];
+  if (column.quantity >= kOfPoints) {
+    return column.scale * std::array{change.theta, change.omega, change.alpha}[column.quantity - kOfPoints];
+  }
+  Vector2d p_B = Vector2d::Zero(), p_B_slope = p_B;
+  if (column.point) {
+    p_B = run.mechanism().bodies[column.body].points[*column.point].p_B;
+    p_B_slope = derivative.bodies[column.body].points[*column.point].p_B;
+  }
+  const auto slopes = point_slopes(run.row.bodies[column.body], change, p_B, p_B_slope);
+  return column.scale * slopes[column.quantity / 2](static_cast<Eigen::Index>(column.quantity % 2));
+}
+
+std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double> values,
+                                 std::span<const double> places) {
+  std::vector<WeightedRow> rows;
+  const auto add = [&](std::optional<std::size_t> row, double weight) {
+    if (row && !std::isnan(values[*row])) rows.push_back({*row, weight});
+  };
+  const auto highest = extreme_row(values, 1), lowest = extreme_row(values, -1);
+  const auto defined = static_cast<double>(
+      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }));
+  switch (measure.of) {
+    case MeasureKind::kMax:
+      add(highest, 1);
+      break;
+    case MeasureKind::kMin:
+      add(lowest, 1);
+      break;
+    case MeasureKind::kMaxAbs:
+      if (highest && std::abs(values[*highest]) >= std::abs(values[*lowest])) {
+        add(highest, values[*highest] < 0 ? -1 : 1);
+      } else {
+        add(lowest, -1);
+      }
+      break;
+    case MeasureKind::kRange:
+      add(highest, 1);
+      add(lowest, -1);
+      break;
+    case MeasureKind::kFirst:
+      add(0, 1);
+      break;
+    case MeasureKind::kLast:
+      add(values.size() - 1, 1);
+      break;
+    case MeasureKind::kAt: {
+      std::size_t nearest = 0;
+      for (std::size_t k = 1; k < places.size(); ++k) {
+        if (std::abs(places[k] - measure.at) < std::abs(places[nearest] - measure.at)) nearest = k;
+      }
+      add(nearest, 1);
+      break;
+    }
+    case MeasureKind::kMean:
+      for (std::size_t k = 0; k < values.size(); ++k) add(k, 1 / defined);
+      break;
+    case MeasureKind::kRms: {
+      double sum = 0;
+      for (const double value : values) sum += std::isnan(value) ? 0 : value * value;
+      const double rms = std::sqrt(sum / defined);
+      for (std::size_t k = 0; k < values.size() && rms > 0; ++k) add(k, values[k] / (defined * rms));
+      break;
+    }
+  }
+  return rows;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,203 @@
+#include "design_gradient.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+class Gradient {
+public:
+  Gradient(const DesignSetup& setup, DesignCandidates& candidates, const DesignStanding& standing,
+           double unit, DesignJacobian& jacobian)
+      : setup_(setup),
+        task_(setup.numbers.task()),
+        pins_(candidates.pins()),
+        standing_(standing),
+        rows_(standing.rows),
+        unit_(unit),
+        jacobian_(jacobian) {}
+
+  bool fill(const DesignCandidates& candidates) {
+    const bool assembles = rows_.started && rows_.missing == 0;
+    const bool has_room = std::any_of(setup_.quantities.begin(), setup_.quantities.end(),
+                                      [](const DesignQuantity& one) { return one.grashof.has_value(); });
+    if (!assembles && (pins_ == nullptr || has_room)) {
+      return false;
+    }
+    if (pins_ == nullptr || (assembles && !setup_.quantities.empty())) {
+      slopes_ = candidates.slopes(standing_.x, standing_.branch, slope_places());
+      if (!slopes_) return false;
+    }
+    set_sizes();
+    add_objectives();
+    add_constraints();
+    return true;
+  }
+
+private:
+  void set_sizes() {
+    const auto variables = static_cast<Eigen::Index>(standing_.x.size());
+    Eigen::Index residuals = 0;
+    for (const DesignTask::Objective& objective : task_.objectives) residuals += residual_count(objective);
+    auto constraints = static_cast<Eigen::Index>(rows_.gaps.size()) + 1;
+    for (const DesignTask::Constraint& constraint : task_.constraints) {
+      constraints += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
+    }
+    jacobian_.cost.setZero(variables);
+    jacobian_.residuals.setZero(residuals, variables);
+    jacobian_.constraints.setZero(constraints, variables);
+  }
+
+  // Where a run has to be differentiated for them.
+  [[nodiscard]] std::vector<std::vector<SlopePlace>> slope_places() const {
+    std::vector<std::vector<SlopePlace>> places;
+    if (pins_ != nullptr) return places;
+    std::size_t k = 0;
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      if (!objective.path) continue;
+      auto& path = places.emplace_back();
+      for (const PathMiss& miss : standing_.places[k]) {
+        const bool is_row = miss.row.has_value();
+        path.push_back({objective.path->ref, is_row ? *miss.row : row_near(miss.driver),
+                        is_row ? std::nullopt : std::optional(miss.driver)});
+      }
+      ++k;
+    }
+    return places;
+  }
+
+  [[nodiscard]] std::size_t row_near(double driver) const {
+    const auto far = [&](double position) { return std::abs(position - driver); };
+    const auto nearest = std::min_element(rows_.positions.begin(), rows_.positions.end(),
+                                          [&](double a, double b) { return far(a) < far(b); });
+    return static_cast<std::size_t>(nearest - rows_.positions.begin());
+  }
+
+  void add_objectives() {
+    Eigen::Index row = 0;
+    std::size_t path = 0;
+    Eigen::Index quantity = 0;
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      const double root = std::sqrt(objective.weight);
+      if (objective.path) {
+        if (rows_.started) add_path(*objective.path, path, root / unit_, row);
+        ++path;
+      } else if (!objective.followed.empty()) {
+        add_followed(objective, quantity, root, row);
+        quantity += static_cast<Eigen::Index>(objective.followed.size());
+      } else {
+        if (slopes_ && objective.target)
+          jacobian_.residuals.row(row) = root * slopes_->measured.row(quantity);
+        if (slopes_ && !objective.target) {
+          jacobian_.cost += objective.weight * slopes_->measured.row(quantity);
+        }
+        ++quantity;
+      }
+      row += residual_count(objective);
+    }
+    objective_quantities_ = quantity;
+  }
+
+  void add_followed(const DesignTask::Objective& objective, Eigen::Index first, double root,
+                    Eigen::Index row) {
+    if (!slopes_) return;
+    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(objective.followed.size()); ++k) {
+      jacobian_.residuals.row(row + k) = root * slopes_->measured.row(first + k);
+      if (objective.follow_change) {
+        jacobian_.residuals.row(row + k) -= root * slopes_->measured.row(first);
+      }
+    }
+  }
+
+  // x and y of each place of a path. Where a place moves along the path its distance does not change: that of
+  // a fixed position of the driver counts.
+  [[nodiscard]] Eigen::MatrixXd place_slopes(const DesignTask::PointPath& path, std::size_t k) {
+    if (pins_ == nullptr) {
+      return slopes_->paths[k];
+    }
+    const std::vector<PathMiss>& places = standing_.places[k];
+    Eigen::MatrixXd slopes(2 * static_cast<Eigen::Index>(places.size()), jacobian_.cost.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      slopes.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
+          places[i].row ? pins_->point_slopes(path.ref, *places[i].row)
+                        : pins_->point_slopes_at(path.ref, places[i].driver);
+    }
+    return slopes;
+  }
+
+  void add_path(const DesignTask::PointPath& path, std::size_t k, double scale, Eigen::Index row) {
+    const Eigen::MatrixXd slopes = place_slopes(path, k);
+    const std::vector<PathMiss>& places = standing_.places[k];
+    if (path.is_free()) {
+      jacobian_.residuals.middleRows(row, slopes.rows()) =
+          scale * placement_of(path, places).miss_slopes(slopes);
+    } else if (path.timed) {
+      jacobian_.residuals.middleRows(row, slopes.rows()) = scale * slopes;
+    } else {
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto index = static_cast<Eigen::Index>(i);
+        const Vector2d off = places[i].p_W - path.through[i];
+        const Vector2d outward =
+            places[i].along.isZero() ? Vector2d(off.stableNormalized()) : perp(places[i].along);
+        jacobian_.residuals.row(row + index) = scale * outward.transpose() * slopes.middleRows<2>(2 * index);
+      }
+    }
+  }
+
+  void add_constraints() {
+    Eigen::MatrixXd& J = jacobian_.constraints;
+    Eigen::Index row = 0;
+    for (std::size_t g = 0; g < rows_.gaps.size(); ++g, ++row) {
+      if (pins_ != nullptr) {
+        pins_->add_gap_slopes(g, 1 / setup_.size, J, row);
+      } else {
+        J.row(row) = slopes_->gaps.row(row) / setup_.size;
+      }
+    }
+    ++row;  // the path: either good or not
+    std::size_t transmission = 0;
+    Eigen::Index quantity = objective_quantities_;
+    for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
+      const DesignTask::Constraint& constraint = task_.constraints[k];
+      const auto add = [&](double sign) {
+        if (!constraint.transmission) {
+          if (slopes_) J.row(row) = sign / setup_.scales[k] * slopes_->measured.row(quantity);
+        } else if (pins_ != nullptr && rows_.started) {
+          pins_->add_transmission_slopes(transmission, sign, J, row);
+        } else if (slopes_) {
+          J.row(row) = sign * slopes_->transmissions.row(static_cast<Eigen::Index>(transmission));
+        }
+        ++row;
+      };
+      if (constraint.above) add(-1);
+      if (constraint.below) add(1);
+      transmission += constraint.transmission ? 1 : 0;
+      quantity += constraint.transmission ? 0 : 1;
+    }
+  }
+
+  const DesignSetup& setup_;
+  const DesignTask& task_;
+  PinnedRows* pins_;
+  const DesignStanding& standing_;
+  const DesignRows& rows_;
+  double unit_;
+  DesignJacobian& jacobian_;
+  std::optional<DesignSlopes> slopes_;
+  Eigen::Index objective_quantities_ = 0;  // those before the constraints'
+};
+
+}  // namespace
+
+Eigen::Index residual_count(const DesignTask::Objective& objective) {
+  return objective.path ? miss_count(*objective.path)
+                        : static_cast<Eigen::Index>(objective.values.size()) + (objective.target ? 1 : 0);
+}
+
+bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates, const DesignStanding& standing,
+                  double unit, DesignJacobian& jacobian) {
+  return Gradient(setup, candidates, standing, unit, jacobian).fill(candidates);
+}
+
+}  // namespace higherpair

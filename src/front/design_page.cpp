@@ -1,0 +1,180 @@
+// A page that shows a design: the mechanism before and after, and what was asked and found.
+#include "higherpair/drawing/xml.hpp"
+#include "higherpair/front/design.hpp"
+#include "higherpair/front/drawing.hpp"
+#include "higherpair/io/design_task.hpp"
+#include "model_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+body { font: 15px/1.45 "Helvetica Neue", Arial, "Liberation Sans", sans-serif; color: #111; margin: 2rem auto;
+  max-width: 64rem; padding: 0 1rem; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
+figure { display: inline-block; width: 48%; margin: 0; vertical-align: top; }
+figure svg { width: 100%; height: auto; border: 1px solid #ddd; } figcaption { font-weight: bold; }
+@media (max-width: 50rem) { figure { width: 100%; } }
+table { border-collapse: collapse; } th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #ddd; }
+th { background: #f3f5f7; } th:first-child, td:first-child { text-align: left; }
+.violated { color: #a00; font-weight: bold; }
+circle.target { fill: #fff; stroke: #b0306a; stroke-width: 1.6; }
+)";
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "&ndash;";
+}
+
+// Cells are escaped already.
+std::string row_of(const std::vector<std::string>& cells, std::string_view tag = "td",
+                   std::string_view style = "") {
+  std::string row = style.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", style);
+  for (const std::string& cell : cells) row += fmt::format("<{0}>{1}</{0}>", tag, cell);
+  return row + "</tr>\n";
+}
+
+std::string variables_table(const DesignReport& report) {
+  std::string table = "<table>\n" + row_of({"variable", "before", "after", "min", "max", ""}, "th");
+  for (const auto& variable : report.variables) {
+    table += row_of({xml_escaped(variable.name), number(variable.before), number(variable.after),
+                     number(variable.low), number(variable.high), variable.at_bound ? "at its bound" : ""});
+  }
+  return table + "</table>\n";
+}
+
+std::string objectives_table(const DesignReport& report) {
+  std::string table = "<table>\n" + row_of({"objective", "before", "after", "target", "unit"}, "th");
+  for (const auto& objective : report.objectives) {
+    table += row_of({xml_escaped(objective.what), number(objective.before), number(objective.after),
+                     objective.target ? number(*objective.target) : "least", xml_escaped(objective.unit)});
+  }
+  table += row_of({"altogether", number(report.before), number(report.after), "", ""});
+  return table + "</table>\n";
+}
+
+std::string constraints_table(const DesignReport& report) {
+  std::string table =
+      "<table>\n" + row_of({"constraint", "before", "after", "unit", "margin", "what it costs"}, "th");
+  table += row_of({"assembles all the way", report.starts_good ? "yes" : "no",
+                   report.path_good ? "yes" : "no", "", "", ""},
+                  "td", report.path_good ? "" : "violated");
+  for (const auto& constraint : report.constraints) {
+    const std::string cost =
+        constraint.cost > 0 ? number(constraint.cost) + " " + xml_escaped(constraint.cost_unit) : "";
+    table += row_of({xml_escaped(constraint.what), number(constraint.before), number(constraint.after),
+                     xml_escaped(constraint.unit), number(constraint.margin), cost},
+                    "td", constraint.margin < 0 ? "violated" : "");
+  }
+  return table + "</table>\n";
+}
+
+std::string search_table(const DesignReport& report) {
+  std::vector<std::string> heads = {"", "objective"};
+  for (const auto& variable : report.variables) heads.push_back(xml_escaped(variable.name));
+  std::string table =
+      fmt::format("<p>{} searches by {}, {} candidates; {} different optima, the best of which are:</p>\n",
+                  report.starts, xml_escaped(report.method), report.evaluations, report.different) +
+      "<table>\n" + row_of(heads, "th");
+  for (std::size_t k = 0; k < report.optima.size(); ++k) {
+    const auto& optimum = report.optima[k];
+    std::vector<std::string> cells = {fmt::format("{}", k + 1), number(optimum.objective)};
+    for (const double value : optimum.variables) cells.push_back(fmt::format("{:.6g}", value));
+    table += row_of(cells, "td", optimum.holds ? "" : "violated");
+  }
+  return table + "</table>\n";
+}
+
+// The value of an attribute of the picture's first element.
+std::string_view attribute(std::string_view svg, std::string_view name) {
+  const std::string mark = fmt::format("{}=\"", name);
+  const std::size_t at = svg.find(mark);
+  if (at == std::string_view::npos) return {};
+  const std::size_t begin = at + mark.size();
+  return svg.substr(begin, svg.find('"', begin) - begin);
+}
+
+// The points that paths are to lead through, on top of a picture.
+std::string targets_on(std::string_view svg, const Model& model) {
+  const double scale = std::atof(std::string(attribute(svg, "data-scale")).c_str());
+  char* rest = nullptr;
+  const std::string origin(attribute(svg, "data-origin"));
+  const double x0 = std::strtod(origin.c_str(), &rest);
+  const double y0 = std::strtod(rest, nullptr);
+  const Scaling length = from_si(dimension::kLength, model.units());
+  std::string circles;
+  for (const DesignTask::Objective& objective : model.profile().design->objectives) {
+    if (!objective.path) continue;
+    for (const Vector2d& point : objective.path->through) {
+      circles += fmt::format("<circle class=\"target\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.5\"/>",
+                             x0 + scale * length.apply(point.x()), y0 - scale * length.apply(point.y()));
+    }
+  }
+  return circles;
+}
+
+Result<std::string> picture_of(const Model& model) {
+  SceneSettings settings;
+  for (const DesignTask::Objective& objective : model.profile().design->objectives) {
+    if (objective.path) settings.traces.push_back(objective.path->point);
+  }
+  const auto scenes = scenes_of(model, settings);
+  if (!scenes) {
+    return tl::unexpected(scenes.error());
+  }
+  DrawSettings draw = draw_settings(model.units());
+  draw.title = model.mechanism().title;
+  std::string svg = draw_svg(scenes->scenes, draw);
+  svg.erase(0, svg.find("<svg"));
+  const std::size_t end = svg.rfind("</svg>");
+  svg.insert(end, targets_on(svg, model));
+  return svg;
+}
+
+std::string figure_of(const Result<std::string>& picture, std::string_view caption) {
+  const std::string shown = picture ? *picture : "<p>It cannot be drawn: it cannot be put together.</p>";
+  return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption, shown);
+}
+
+}  // namespace
+
+Result<std::string> design_page(const Model& before, const DesignReport& report) {
+  if (!before.data().document || !before.profile().design) {
+    return tl::unexpected(error_about(before.data(), ErrorKind::kInput, "is not the model of a design"));
+  }
+  const auto after = Model::from_text(report.text, before.data().name, before.data().document->overrides());
+  if (!after) {
+    return tl::unexpected(after.error());
+  }
+  const auto first = picture_of(before);
+  const auto second = picture_of(*after);
+  if (!first && !second) {
+    return tl::unexpected(second.error());
+  }
+  const std::string title = report.title.empty() ? "Design" : xml_escaped(report.title);
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
+      title, kStyle);
+  page += figure_of(first, "Before") + figure_of(second, "After");
+  if (!report.holds) {
+    page +=
+        "<p class=\"violated\">No design was found in which all constraints hold: this is the one that "
+        "violates them least.</p>\n";
+  }
+  page += "<h2>Variables</h2>\n" + variables_table(report);
+  page += "<h2>Objectives</h2>\n" + objectives_table(report);
+  page += "<h2>Constraints</h2>\n" + constraints_table(report);
+  page += "<h2>Search</h2>\n" + search_table(report);
+  return page + "</body>\n</html>\n";
+}
+
+}  // namespace higherpair

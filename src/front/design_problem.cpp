@@ -1,0 +1,43 @@
+// A task as the optimiser takes it.
+#include "design_setup.hpp"
+#include "higherpair/front/design.hpp"
+
+#include <utility>
+
+namespace higherpair {
+
+std::vector<LimitPlaces> limit_places(const DesignSetup& setup) {
+  std::vector<LimitPlaces> places;
+  Eigen::Index next = closure_count(setup) + 1;
+  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
+    LimitPlaces& limits = places.emplace_back();
+    if (constraint.above) limits.above = next++;
+    if (constraint.below) limits.below = next++;
+  }
+  return places;
+}
+
+DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
+  const DesignTask& task = setup->numbers.task();
+  DesignProblem problem;
+  for (const DesignTask::Variable& variable : task.variables) problem.variables.push_back(variable.range);
+  for (const DesignTask::Objective& objective : task.objectives) {
+    problem.residuals += objective.path ? miss_count(*objective.path) : objective.target ? 1 : 0;
+    problem.residuals += static_cast<Eigen::Index>(objective.values.size());
+    problem.has_cost = problem.has_cost || ((objective.measure || objective.figure) && !objective.target);
+  }
+  problem.constraints = closure_count(*setup) + 1;
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    problem.constraints += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
+  }
+  problem.branches = task.keep_branch ? 1 : setup->branches;
+  problem.start_branch = setup->start_branch.value_or(0);
+  problem.evaluator = [setup] { return evaluator_of(setup); };
+  return problem;
+}
+
+Result<DesignProblem> design_problem(const Model& model) {
+  return design_setup(model).map(problem_of);
+}
+
+}  // namespace higherpair

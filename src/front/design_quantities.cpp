@@ -1,0 +1,167 @@
+#include "design_quantities.hpp"
+
+#include "higherpair/front/check.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "higherpair/mechanism/loops.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+std::optional<FourBarInMechanism> four_bar_of(const Mechanism& mechanism,
+                                              const DesignTask::Grashof& grashof) {
+  std::vector<FourBarInMechanism> found = find_four_bars(mechanism);
+  std::erase_if(found, [&](const FourBarInMechanism& loop) {
+    return grashof.coupler >= 0 && loop.coupler != grashof.coupler;
+  });
+  return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
+}
+
+bool is_meant(const CheckFigure& figure, const DesignTask::Figure& wanted) {
+  return figure.item == wanted.item && figure.quantity == wanted.quantity &&
+         (wanted.of.empty() || figure.of == wanted.of);
+}
+
+// Of the task's entries that have quantities: where they stand in the profile, in the order of quantities.
+struct Entry {
+  Place place;
+  std::string path;
+};
+std::vector<Entry> entries_of(const DesignTask& task) {
+  std::vector<Entry> entries;
+  for (const DesignTask::Objective& objective : task.objectives) {
+    const std::size_t count = objective.measure || objective.figure ? 1 : objective.followed.size();
+    entries.insert(entries.end(), count, {objective.place, objective.path_of_key});
+  }
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    if (!constraint.transmission) entries.push_back({constraint.place, constraint.path_of_key});
+  }
+  return entries;
+}
+
+std::string figure_objection(const std::vector<CheckFigure>& figures, const DesignTask::Figure& wanted) {
+  std::vector<std::string> names;
+  std::vector<std::string> curves;
+  for (const CheckFigure& figure : figures) {
+    names.push_back(figure.item + "." + figure.quantity);
+    if (figure.item == wanted.item && figure.quantity == wanted.quantity) curves.push_back(figure.of);
+  }
+  const std::string name = wanted.item + "." + wanted.quantity;
+  if (curves.empty()) {
+    return fmt::format("`check` has no such figure of this mechanism; {}", suggestion(name, names));
+  }
+  return fmt::format("which curve is meant? say curve = \"{}\"", fmt::join(curves, "\" or curve = \""));
+}
+
+}  // namespace
+
+std::vector<DesignQuantity> quantities_of(const DesignTask& task) {
+  std::vector<DesignQuantity> quantities;
+  std::size_t measures = 0;
+  const auto add_measure = [&] { quantities.emplace_back().measure = measures++; };
+  for (const DesignTask::Objective& objective : task.objectives) {
+    if (objective.measure) add_measure();
+    if (objective.figure) quantities.emplace_back().figure = objective.figure;
+    for (std::size_t k = 0; k < objective.followed.size(); ++k) add_measure();
+  }
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    if (constraint.measure) add_measure();
+    if (constraint.figure) quantities.emplace_back().figure = constraint.figure;
+    if (constraint.grashof) quantities.emplace_back().grashof = constraint.grashof;
+    if (!constraint.without.empty()) quantities.emplace_back().without = constraint.without;
+  }
+  return quantities;
+}
+
+std::vector<Measure> measures_of(const DesignTask& task) {
+  std::vector<Measure> measures;
+  for (const DesignTask::Objective& objective : task.objectives) {
+    if (objective.measure) measures.push_back(*objective.measure);
+    measures.insert(measures.end(), objective.followed.begin(), objective.followed.end());
+  }
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    if (constraint.measure) measures.push_back(*constraint.measure);
+  }
+  return measures;
+}
+
+// A link turns fully against all others iff it is no longer, together with any one of them, than the other
+// two together: it is the shortest then.
+std::optional<double> grashof_room(const Mechanism& mechanism, const DesignTask::Grashof& grashof) {
+  const auto loop = four_bar_of(mechanism, grashof);
+  if (!loop) {
+    return std::nullopt;
+  }
+  const FourBar& bar = loop->linkage;
+  const auto room = [](double turns, double a, double b, double c) {
+    return std::min({b + c - turns - a, a + c - turns - b, a + b - turns - c});
+  };
+  switch (grashof.of) {
+    case GrashofClass::kCrankRocker:
+      return room(bar.r2, bar.r1, bar.r3, bar.r4);
+    case GrashofClass::kRockerCrank:
+      return room(bar.r4, bar.r1, bar.r2, bar.r3);
+    case GrashofClass::kDoubleCrank:
+      return room(bar.r1, bar.r2, bar.r3, bar.r4);
+    case GrashofClass::kDoubleRocker:
+      return room(bar.r3, bar.r1, bar.r2, bar.r4);
+    default:
+      return -grashof_margin(bar);
+  }
+}
+
+std::vector<double> figures_of(const Model& model, const std::vector<DesignQuantity>& quantities) {
+  std::vector<double> values(quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  const auto report = check(model);
+  for (std::size_t k = 0; report && k < quantities.size(); ++k) {
+    if (!quantities[k].figure) continue;
+    const auto figure =
+        std::find_if(report->figures.begin(), report->figures.end(),
+                     [&](const CheckFigure& one) { return is_meant(one, *quantities[k].figure); });
+    if (figure != report->figures.end()) values[k] = figure->value.value_or(values[k]);
+  }
+  return values;
+}
+
+Diagnostics complete_quantities(const Model& model, const DesignTask& task,
+                                const std::vector<Measure>& measures, const std::vector<Column>& table,
+                                std::vector<DesignQuantity>& quantities) {
+  Diagnostics mistakes;
+  const std::vector<Entry> entries = entries_of(task);
+  const bool has_figures = std::any_of(quantities.begin(), quantities.end(),
+                                       [](const DesignQuantity& one) { return one.figure.has_value(); });
+  const auto report =
+      has_figures ? check(model) : Result<CheckReport>(tl::unexpected(Error{ErrorKind::kInput, {}}));
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    DesignQuantity& quantity = quantities[k];
+    const auto object = [&](const std::string& what) {
+      mistakes.push_back({entries[k].place, fmt::format("{}: {}", entries[k].path, what)});
+    };
+    if (quantity.grashof) {
+      quantity.unit = unit_text(dimension::kLength, model.units());
+      if (!four_bar_of(model.mechanism(), *quantity.grashof)) {
+        object(
+            "expected a mechanism with one four-bar; of several the coupler says which, coupler = \"BODY\"");
+      }
+    } else if (quantity.measure) {
+      for (const Column& column : table) {
+        if (column.name == measures[*quantity.measure].column) quantity.unit = column.unit;
+      }
+    } else if (quantity.figure && report) {
+      const auto meant = [&](const CheckFigure& one) { return is_meant(one, *quantity.figure); };
+      const auto count = std::count_if(report->figures.begin(), report->figures.end(), meant);
+      if (count != 1) {
+        object(figure_objection(report->figures, *quantity.figure));
+      } else {
+        quantity.unit = std::find_if(report->figures.begin(), report->figures.end(), meant)->unit;
+      }
+    }
+  }
+  return mistakes;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,81 @@
+#include "design_row_reader.hpp"
+
+#include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+
+RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const Plan& plan, DesignRows& rows)
+    : setup_(setup), mechanism_(mechanism), plan_(plan), rows_(rows) {
+  for (const Group& group : plan.groups) {
+    modes_.push_back(rows_.gaps.size());
+    if (traits_of(group).two_modes) rows_.gaps.push_back(-std::numeric_limits<double>::infinity());
+  }
+  rows_.gap_rows.resize(rows_.gaps.size());
+  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
+    if (constraint.transmission) rows_.transmissions.push_back(1);
+  }
+  for (const DesignTask::Objective& objective : setup.numbers.task().objectives) {
+    if (objective.path) rows_.points.emplace_back();
+  }
+}
+
+void RowReader::take(const std::vector<BodyMotion>& bodies, bool there, double driver, RowStatus status) {
+  rows_.positions.push_back(driver);
+  not_good_ += status == RowStatus::kOk ? 0 : 1;
+  if (there) take_transmissions(bodies);
+  std::size_t path = 0;
+  for (const DesignTask::Objective& objective : setup_.numbers.task().objectives) {
+    if (!objective.path) continue;
+    const PointRef& ref = objective.path->ref;
+    std::vector<Vector2d>& points = rows_.points[path++];
+    points.push_back(there || points.empty()
+                         ? bodies[static_cast<std::size_t>(ref.body)].X_WB * point_of(mechanism_, ref)
+                         : points.back());
+  }
+}
+
+void RowReader::take_gaps(const std::vector<std::optional<double>>& gaps) {
+  const std::size_t row = rows_.positions.size() - 1;
+  for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
+    if (gaps[g]) take_gap(g, *gaps[g], {{row, 1}});
+  }
+}
+
+void RowReader::take_gap(std::size_t group, double gap, const std::vector<WeightedRow>& rows) {
+  const std::size_t mode = modes_[group];
+  if (traits_of(plan_.groups[group]).two_modes && gap > rows_.gaps[mode]) {
+    rows_.gaps[mode] = gap;
+    rows_.gap_rows[mode] = rows;
+  }
+}
+
+void RowReader::take_gaps(const std::vector<BodyMotion>& bodies) {
+  std::vector<std::optional<double>> gaps;
+  for (const Group& group : plan_.groups) gaps.push_back(closure_gap(group, bodies));
+  take_gaps(gaps);
+}
+
+void RowReader::finish(int limits) {
+  rows_.missing = (not_good_ + 0.5 * limits) / static_cast<double>(rows_.positions.size());
+}
+
+void RowReader::take_transmissions(const std::vector<BodyMotion>& bodies) {
+  std::size_t k = 0;
+  for (const DesignTask::Constraint& constraint : setup_.numbers.task().constraints) {
+    if (!constraint.transmission) continue;
+    const auto sine = transmission_sine(plan_, constraint.transmission->joint, bodies);
+    rows_.transmission_rows.resize(rows_.transmissions.size());
+    if (std::abs(sine.value_or(0)) < rows_.transmissions[k]) {
+      rows_.transmissions[k] = std::abs(sine.value_or(0));
+      rows_.transmission_rows[k] = rows_.positions.size() - 1;
+    }
+    ++k;
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,132 @@
+#include "design_runs.hpp"
+
+#include "analysis_impl.hpp"
+#include "higherpair/io/row_path.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row) {
+  std::vector<double> drivers;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    drivers.push_back(schedule.state(row, i).si.position);
+  }
+  return drivers;
+}
+
+bool is_end(EventType type) {
+  return type == EventType::kLimitPosition || type == EventType::kEnd || type == EventType::kOverlap;
+}
+
+double count_of(const std::vector<EventType>& types, const std::vector<Event>& events) {
+  return static_cast<double>(std::count_if(events.begin(), events.end(), [&](const Event& event) {
+    return std::find(types.begin(), types.end(), event.type) != types.end();
+  }));
+}
+
+// Positions alone: without a table.
+void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
+  int limits = 0;
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    const std::vector<DriverMotion> motions = drivers_in(schedule, k);
+    move_to(run, motions);
+    const bool inner = k > 0 && k + 1 < schedule.size();
+    limits +=
+        static_cast<int>(std::count_if(run.events.begin(), run.events.end(), [&](const RunEvent& event) {
+          return is_end(event.type) &&
+                 (inner || event.type == EventType::kOverlap || (k > 0 && event.share < 1 - 1e-9));
+        }));
+    const bool there = run.row.status != RowStatus::kNotAssemblable;
+    reader.take(run.row.bodies, there, motions.front().position, run.row.status);
+    there ? reader.take_gaps(run.row.bodies) : reader.take_gaps(closure_gaps(run, positions_in(schedule, k)));
+  }
+  reader.finish(limits);
+}
+
+bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run, RowReader& reader,
+             DesignRows& rows) {
+  const std::shared_ptr<const Model::Data>& data = candidate.data;
+  auto columns = columns_of(*data, setup.settings, data->profile.units);
+  if (!columns) {
+    return false;
+  }
+  std::optional<InverseDynamics> dynamics;
+  std::optional<Run> start;
+  if (setup.settings.forces) {
+    dynamics.emplace(run);
+    start = run;
+  }
+  Analysis analysis(std::make_unique<Analysis::Impl>(Analysis::Impl{data,
+                                                                    data->profile.units,
+                                                                    candidate.schedule,
+                                                                    std::move(run),
+                                                                    *std::move(columns),
+                                                                    std::move(dynamics),
+                                                                    std::move(start),
+                                                                    0,
+                                                                    {},
+                                                                    {},
+                                                                    {},
+                                                                    true,
+                                                                    {},
+                                                                    {},
+                                                                    nullptr}));
+  MeasureSet measures(setup.measures, analysis.columns());
+  for (const Measure& one : setup.measures) {
+    const auto slot = std::find_if(analysis.columns().begin(), analysis.columns().end(),
+                                   [&](const Column& column) { return column.name == one.column; });
+    rows.table_slots.push_back(static_cast<std::size_t>(slot - analysis.columns().begin()));
+  }
+  rows.table_columns = analysis.columns().size();
+  Row row;
+  while (analysis.next(row)) {
+    const Run& at = analysis.impl().run;
+    const std::vector<double> drivers = positions_in(analysis.impl().schedule, row.number);
+    const bool there = row.status != RowStatus::kNotAssemblable;
+    measures.add(row);
+    rows.table.insert(rows.table.end(), row.values.begin(), row.values.end());
+    rows.places.push_back(analysis.impl().schedule.state(row.number).profile.position);
+    reader.take(at.row.bodies, there, drivers.front(), row.status);
+    there ? reader.take_gaps(at.row.bodies) : reader.take_gaps(closure_gaps(at, drivers));
+  }
+  rows.measured.assign(setup.quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < setup.quantities.size(); ++k) {
+    const DesignQuantity& quantity = setup.quantities[k];
+    if (quantity.measure) rows.measured[k] = measures.value(*quantity.measure).value;
+    if (!quantity.without.empty()) rows.measured[k] = count_of(quantity.without, analysis.events());
+  }
+  const auto ends = std::count_if(analysis.events().begin(), analysis.events().end(),
+                                  [](const Event& event) { return is_end(event.type); });
+  reader.finish(analysis.good() ? 0 : static_cast<int>(ends));
+  rows.run = analysis.impl().run;
+  return true;
+}
+
+}  // namespace
+
+void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, DesignRows& rows) {
+  rows.restart();
+  rows.points.clear();
+  RowReader reader(setup, *candidate.mechanism, candidate.plan, rows);
+  const std::vector<double> first = candidate.schedule.first_positions();
+  const RunModel model = make_run_model(*candidate.mechanism, candidate.plan);
+  auto run = start_on_branch(model, first, branch);
+  if (!run) {
+    rows.missing = 1;
+    reader.take_gaps(first_closure_gaps(model, first, branch));
+    return;
+  }
+  rows.started = true;
+  if (!setup.needs_table()) {
+    follow(*run, candidate.schedule, reader);
+    rows.run = *std::move(run);
+  } else {
+    rows.started = measure(setup, candidate, *std::move(run), reader, rows);
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,286 @@
+#include "design_slopes.hpp"
+
+#include "analysis_impl.hpp"
+#include "higherpair/geometry/stencil.hpp"
+#include "higherpair/io/row_path.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// So many rows at most in which columns are differentiated along the displaced row: in more of them whole
+// candidates are quicker.
+constexpr std::size_t kMostAlong = 8;
+
+bool is_covered(const Mechanism& mechanism) {
+  return std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(), [](const Contact& contact) {
+    return contact.by_boundary || contact.keep == Keep::kGap;
+  });
+}
+
+// A run of one candidate, and with it the derivatives by each variable.
+class SlopeRun {
+public:
+  static std::optional<SlopeRun> start(const DesignSetup& setup, const DesignCandidate& candidate, int branch,
+                                       const std::vector<Mechanism>& derivatives) {
+    auto run = start_on_branch(make_run_model(*candidate.mechanism, candidate.plan),
+                               candidate.schedule.first_positions(), branch);
+    if (!run) return std::nullopt;
+    SlopeRun started(setup, candidate.schedule, *std::move(run));
+    const std::vector<double> fixed(candidate.schedule.driver_count(), 0.0);
+    for (const Mechanism& derivative : derivatives) {
+      auto by = Sensitivity::at_start(started.run_, derivative, fixed);
+      if (!by) return std::nullopt;
+      started.by_.push_back(*std::move(by));
+    }
+    return started;
+  }
+
+  // To the rows one after the other.
+  void go_to(std::size_t row) {
+    for (; next_ <= row; ++next_) {
+      motions_ = drivers_in(*schedule_, static_cast<std::int64_t>(next_));
+      move_to(run_, motions_);
+    }
+  }
+
+  // Aside, to where the only driver stands.
+  [[nodiscard]] SlopeRun beside(double driver) const {
+    SlopeRun other = *this;
+    other.motions_ = {{driver, 1, 0}};
+    move_to(other.run_, other.motions_);
+    return other;
+  }
+
+  // One for each variable; empty where there is one by which the row cannot be differentiated.
+  [[nodiscard]] std::vector<RowSensitivity> sensitivities() const {
+    std::vector<RowSensitivity> all;
+    const std::vector<DriverMotion> fixed(motions_.size());
+    for (const Sensitivity& by : by_) {
+      auto of_row = by.of_row(run_, motions_, fixed);
+      if (!of_row) return {};
+      all.push_back(*std::move(of_row));
+    }
+    return all;
+  }
+
+  [[nodiscard]] const Run& run() const { return run_; }
+  [[nodiscard]] const Sensitivity& by(std::size_t variable) const { return by_[variable]; }
+
+  // The columns of the table in the row that was gone to last.
+  [[nodiscard]] std::vector<double> table_slopes(Model::Data& like, std::size_t variable,
+                                                 const RowSensitivity& of_row) const {
+    std::vector<DriverState> drivers;
+    for (std::size_t i = 0; i < schedule_->driver_count(); ++i) {
+      drivers.push_back(schedule_->state(static_cast<std::int64_t>(next_ - 1), i));
+    }
+    const double time = schedule_->time(static_cast<std::int64_t>(next_ - 1));
+    return derivative_along(run_, by_[variable], of_row, [&](const Run& run, double /*h*/) {
+      like.profile.mechanism = run.mechanism();
+      ColumnSet columns = columns_of(like, setup_->settings, like.profile.units).value();
+      std::optional<InverseDynamics> dynamics;
+      if (setup_->settings.forces) dynamics.emplace(run);
+      const Reactions* const reactions = dynamics ? &dynamics->solve(run) : nullptr;
+      std::vector<double> values;
+      columns.fill({run, drivers, time, reactions, false}, values);
+      return values;
+    });
+  }
+
+private:
+  SlopeRun(const DesignSetup& setup, const DriverSchedule& schedule, Run run)
+      : setup_(&setup), schedule_(&schedule), run_(std::move(run)) {}
+
+  const DesignSetup* setup_;
+  const DriverSchedule* schedule_;
+  Run run_;
+  std::vector<Sensitivity> by_;
+  std::vector<DriverMotion> motions_;
+  std::size_t next_ = 0;  // row
+};
+
+// What is wanted of one row: added up where it has been gone to.
+using Task = std::function<bool(const SlopeRun&, const std::vector<RowSensitivity>&)>;
+using Tasks = std::map<std::size_t, std::vector<Task>>;
+
+bool carry_out(const Tasks& tasks, SlopeRun& run) {
+  for (const auto& [row, of_row] : tasks) {
+    run.go_to(row);
+    const std::vector<RowSensitivity> slopes = run.sensitivities();
+    if (slopes.empty() ||
+        !std::all_of(of_row.begin(), of_row.end(), [&](const Task& task) { return task(run, slopes); })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Vector2d point_slope(const SlopeRun& run, std::size_t variable, const PointRef& point,
+                     const RowSensitivity& of_row) {
+  const BodyColumn x{static_cast<std::size_t>(point.body), static_cast<std::size_t>(point.point), 0, 1};
+  BodyColumn y = x;
+  y.quantity = 1;
+  const Mechanism& derivative = run.by(variable).derivative();
+  return {column_slope(x, run.run(), derivative, of_row), column_slope(y, run.run(), derivative, of_row)};
+}
+
+void add_path_tasks(std::span<const std::vector<SlopePlace>> places, DesignSlopes& slopes, Tasks& tasks) {
+  for (std::size_t path = 0; path < places.size(); ++path) {
+    for (std::size_t i = 0; i < places[path].size(); ++i) {
+      const SlopePlace place = places[path][i];
+      Eigen::MatrixXd& J = slopes.paths[path];
+      const auto at = static_cast<Eigen::Index>(2 * i);
+      tasks[place.row].push_back([place, &J, at](const SlopeRun& run, const auto& of_row) {
+        const std::optional<SlopeRun> beside =
+            place.driver ? std::optional(run.beside(*place.driver)) : std::nullopt;
+        const std::vector<RowSensitivity> aside =
+            beside ? beside->sensitivities() : std::vector<RowSensitivity>();
+        if (beside && aside.empty()) return false;
+        for (std::size_t v = 0; v < of_row.size(); ++v) {
+          J.block<2, 1>(at, static_cast<Eigen::Index>(v)) =
+              beside ? point_slope(*beside, v, place.point, aside[v])
+                     : point_slope(run, v, place.point, of_row[v]);
+        }
+        return true;
+      });
+    }
+  }
+}
+
+// Gaps of dyads and transmission angles are functions of the plan's dimensions and of the bodies.
+void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
+  const auto add = [&](const WeightedRow& at, auto value, Eigen::MatrixXd& J, std::size_t index) {
+    tasks[at.row].push_back([value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
+      for (std::size_t v = 0; v < of_row.size(); ++v) {
+        const std::vector<double> slope =
+            derivative_along(run.run(), run.by(v), of_row[v], [&](const Run& displaced, double /*h*/) {
+              return std::vector{
+                  value(redimensioned(displaced.plan(), displaced.mechanism()), displaced.row.bodies)};
+            });
+        J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) += weight * slope.front();
+      }
+      return true;
+    });
+  };
+  for (std::size_t k = 0; k < rows.gap_rows.size(); ++k) {
+    const auto gap = [k](const Plan& plan, const std::vector<BodyMotion>& bodies) {
+      std::size_t mode = 0;
+      for (const Group& group : plan.groups) {
+        if (traits_of(group).two_modes && mode++ == k) return closure_gap(group, bodies).value_or(0);
+      }
+      return 0.0;
+    };
+    for (const WeightedRow& at : rows.gap_rows[k]) add(at, gap, slopes.gaps, k);
+  }
+  std::size_t k = 0;
+  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
+    if (!constraint.transmission) continue;
+    const auto sine = [joint = constraint.transmission->joint](const Plan& plan,
+                                                               const std::vector<BodyMotion>& bodies) {
+      return std::abs(transmission_sine(plan, joint, bodies).value_or(0));
+    };
+    if (k < rows.transmission_rows.size()) add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
+    ++k;
+  }
+}
+
+}  // namespace
+
+std::optional<RunSlopes> RunSlopes::of(const DesignSetup& setup) {
+  if (!setup.numbers.is_linear() || setup.settings.jerk || setup.settings.derivatives ||
+      setup.needs_check() || !is_covered(setup.numbers.model().mechanism())) {
+    return std::nullopt;
+  }
+  return RunSlopes(setup);
+}
+
+RunSlopes::RunSlopes(const DesignSetup& setup) : setup_(&setup) {
+  for (std::size_t v = 0; v < setup.numbers.task().variables.size(); ++v) {
+    derivatives_.push_back(setup.numbers.derivative(v));
+  }
+  const Model& model = setup.numbers.model();
+  for (const Measure& measure : setup.measures) {
+    columns_.push_back(body_column(model.mechanism(), model.units(), measure.column));
+  }
+}
+
+std::optional<DesignSlopes> RunSlopes::of_candidate(const DesignCandidate& candidate, int branch,
+                                                    const DesignRows& rows,
+                                                    std::span<const std::vector<SlopePlace>> places,
+                                                    bool groups) const {
+  const auto variables = static_cast<Eigen::Index>(derivatives_.size());
+  DesignSlopes slopes;
+  slopes.measured.setZero(static_cast<Eigen::Index>(rows.measured.size()), variables);
+  slopes.gaps.setZero(static_cast<Eigen::Index>(rows.gaps.size()), variables);
+  slopes.transmissions.setZero(static_cast<Eigen::Index>(rows.transmissions.size()), variables);
+  for (const auto& path : places) {
+    slopes.paths.emplace_back(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * path.size()), variables));
+  }
+  Tasks tasks;
+  std::map<std::size_t, std::vector<std::pair<std::size_t, WeightedRow>>> along;  // columns not of bodies
+  for (std::size_t q = 0; q < setup_->quantities.size(); ++q) {
+    const DesignQuantity& quantity = setup_->quantities[q];
+    if (quantity.grashof) {
+      for (std::size_t v = 0; v < derivatives_.size(); ++v) {
+        const auto room = [&](double h) {
+          return grashof_room(displaced(*candidate.mechanism, derivatives_[v], h), *quantity.grashof)
+              .value_or(0);
+        };
+        const double unit = from_si(dimension::kLength, setup_->numbers.model().units()).apply(1);
+        slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) =
+            unit * eighth_order_difference(room, 1e-6 * setup_->size);
+      }
+    }
+    if (!quantity.measure) continue;
+    const std::size_t slot = rows.table_slots[*quantity.measure];
+    std::vector<double> values;
+    for (std::size_t k = slot; k < rows.table.size(); k += rows.table_columns)
+      values.push_back(rows.table[k]);
+    for (const WeightedRow& at : rows_of(setup_->measures[*quantity.measure], values, rows.places)) {
+      if (const auto& column = columns_[*quantity.measure]) {
+        tasks[at.row].push_back([&slopes, q, at, &column](const SlopeRun& run, const auto& of_row) {
+          for (std::size_t v = 0; v < of_row.size(); ++v) {
+            slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+                at.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
+          }
+          return true;
+        });
+      } else {
+        along[at.row].push_back({q, at});
+      }
+    }
+  }
+  const bool elsewhere =
+      std::any_of(rows.gap_rows.begin(), rows.gap_rows.end(), [](const auto& gap) { return gap.empty(); });
+  if ((groups && elsewhere) || along.size() > kMostAlong || (!along.empty() && !candidate.data)) {
+    return std::nullopt;
+  }
+  std::optional<Model::Data> like;
+  if (!along.empty()) like = *candidate.data;
+  for (const auto& [row, wanted] : along) {
+    tasks[row].push_back([&, wanted = wanted](const SlopeRun& run, const auto& of_row) {
+      for (std::size_t v = 0; v < of_row.size(); ++v) {
+        const std::vector<double> table = run.table_slopes(*like, v, of_row[v]);
+        for (const auto& [q, at] : wanted) {
+          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+              at.weight * table[rows.table_slots[*setup_->quantities[q].measure]];
+        }
+      }
+      return true;
+    });
+  }
+  add_path_tasks(places, slopes, tasks);
+  if (groups) add_group_tasks(*setup_, rows, slopes, tasks);
+  auto run = SlopeRun::start(*setup_, candidate, branch, derivatives_);
+  if (!run || !carry_out(tasks, *run) || !slopes.measured.allFinite() || !slopes.gaps.allFinite()) {
+    return std::nullopt;
+  }
+  return slopes;
+}
+
+}  // namespace higherpair

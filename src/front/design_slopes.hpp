@@ -1,0 +1,56 @@
+#pragma once
+
+#include "design_columns.hpp"
+#include "design_runs.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// Exact derivatives of what the rows of a candidate say, one column for each variable.
+struct DesignSlopes {
+  Eigen::MatrixXd measured;            ///< of DesignRows::measured
+  Eigen::MatrixXd gaps;                ///< of DesignRows::gaps
+  Eigen::MatrixXd transmissions;       ///< of DesignRows::transmissions
+  std::vector<Eigen::MatrixXd> paths;  ///< of x and y of each place of each path, one below the other
+};
+
+/// A place of a path whose derivative is wanted: a row, or where the only driver stands, `row` not far away.
+struct SlopePlace {
+  PointRef point;
+  std::size_t row = 0;
+  std::optional<double> driver;
+};
+
+/// Derivatives by implicit differentiation of the rows of a run (analysis/sensitivity.hpp). An extreme hangs
+/// on its own row alone. Not covered, and left to differences: numbers that depend on the variables in
+/// another way than linearly; contacts of curves with ends, and such as may part; jerk; figures of check();
+/// means over many rows of columns other than those of bodies and points; candidates that do not assemble all
+/// the way.
+class RunSlopes {
+public:
+  /// None where the task is not covered. \param setup  outlives this
+  [[nodiscard]] static std::optional<RunSlopes> of(const DesignSetup& setup);
+
+  /// None where the candidate is not covered. \param rows  of this candidate, whose path is good \param
+  /// places of each path \param groups  whether gaps and transmissions are wanted
+  [[nodiscard]] std::optional<DesignSlopes> of_candidate(const DesignCandidate& candidate, int branch,
+                                                         const DesignRows& rows,
+                                                         std::span<const std::vector<SlopePlace>> places,
+                                                         bool groups) const;
+
+private:
+  explicit RunSlopes(const DesignSetup& setup);
+
+  const DesignSetup* setup_;
+  std::vector<Mechanism> derivatives_;              // by each variable
+  std::vector<std::optional<BodyColumn>> columns_;  // of each measure
+};
+
+}  // namespace higherpair

@@ -1,0 +1,142 @@
+// The path of a point as a design's objective.
+#include "higherpair/io/suggestion.hpp"
+#include "point_table.hpp"
+#include "read_boundary.hpp"
+#include "read_design.hpp"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+using PointPath = DesignTask::PointPath;
+
+bool find_point(Reading& reading, const Item& item, const Mechanism& mechanism, PointPath& path) {
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      names.push_back(body.name + "." + body.points[p].name);
+      if (names.back() == path.point) {
+        path.ref = {static_cast<int>(b), static_cast<int>(p)};
+        if (b == 0) report(reading, item, "a point of ground does not move");
+        return true;
+      }
+    }
+  }
+  report(reading, item, "there is no such point; " + suggestion(path.point, names));
+  return false;
+}
+
+void check_points(Reading& reading, const Item& item, const PointPath& path) {
+  if (path.through.size() < 2) {
+    report(reading, item, "expected at least two points: one alone is no path");
+  }
+  for (std::size_t i = 1; i < path.through.size(); ++i) {
+    if (path.through[i] == path.through[i - 1]) {
+      report(reading, item, fmt::format("points {} and {} are the same: leave one out", i, i + 1));
+    }
+  }
+}
+
+void read_list_of_points(Reading& reading, const Item& list, PointPath& path) {
+  const auto* items = std::get_if<Array>(&list.value->content);
+  if (items == nullptr) {
+    report(reading, list, "expected a list of points, [[x, y], …]");
+    return;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const Item entry = {&(*items)[i], fmt::format("{}.{}", list.path, i)};
+    const auto point = as_vector(reading, entry, dimension::kLength);
+    if (!point) return;
+    path.through.push_back(*point);
+  }
+  check_points(reading, list, path);
+}
+
+void read_file_of_points(TableReader& table, const Item& file, PointPath& path) {
+  Reading& reading = table.reading();
+  const std::optional<Unit> unit = read_file_unit(table);
+  const auto text = read_named_file(table, file, "table");
+  if (!text) return;
+  const auto read = read_points(*text, {{"x", "y"}, {dimension::kLength, dimension::kLength}},
+                                {.length = unit.value_or(reading.units.length)});
+  if (!read) {
+    for (const std::string& mistake : read.error()) report(reading, file, mistake);
+    return;
+  }
+  for (const auto& [x, y] : read->points) path.through.emplace_back(x.si, y.si);
+  check_points(reading, file, path);
+}
+
+void read_positions(Reading& reading, const Item& at, PointPath& path) {
+  const auto* items = std::get_if<Array>(&at.value->content);
+  if (items == nullptr || items->size() != path.through.size()) {
+    report(reading, at,
+           fmt::format("expected a list of {} positions of the driver, one for each point",
+                       path.through.size()));
+    return;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto position = as_plain_number(reading, {&(*items)[i], fmt::format("{}.{}", at.path, i)});
+    if (position) path.at.push_back(*position);
+  }
+}
+
+// What the path may be placed by: only its form is asked for.
+void read_free(Reading& reading, const Item& free, PointPath& path) {
+  static const std::vector<std::string> names = {"position", "turn", "scale"};
+  const auto* items = std::get_if<Array>(&free.value->content);
+  if (items == nullptr || items->empty()) {
+    report(reading, free,
+           "expected a list of \"position\", \"turn\" and \"scale\", such as [\"position\", \"turn\"]");
+    return;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto choice = as_choice(reading, {&(*items)[i], fmt::format("{}.{}", free.path, i)}, names);
+    if (!choice) return;
+    (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
+  }
+  if (path.free_position && path.through.size() < 3) {
+    report(reading, free, "expected at least three points: two have no form but their distance");
+  }
+}
+
+}  // namespace
+
+std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& mechanism) {
+  Reading& reading = table.reading();
+  PointPath path;
+  bool known = false;
+  if (const auto item = table.need("point", "the point whose path is meant, \"coupler.E\"")) {
+    path.point = as_text(reading, *item).value_or("");
+    known = !path.point.empty() && find_point(reading, *item, mechanism, path);
+  }
+  if (const auto file = table.take("file")) {
+    table.refuse("through", "the points are in the file already: one of the two");
+    read_file_of_points(table, *file, path);
+  } else if (const auto list = table.need(
+                 "through", "[[x, y], …], the points of the path in ground (or a `file` with them)")) {
+    read_list_of_points(reading, *list, path);
+  }
+  path.timed = table.flag("timed", false);
+  path.ordered = table.flag("ordered", true);
+  path.closed = table.flag("closed", false);
+  if (!path.timed) {
+    table.refuse("at", "holds for a path with timed = true");
+  } else if (const auto at = table.take("at")) {
+    read_positions(reading, *at, path);
+  }
+  if (path.timed && path.closed) table.refuse("closed", "the points of a timed path have their rows");
+  if (!path.timed) {
+    table.refuse("free", "holds for a path with timed = true");
+  } else if (const auto free = table.take("free")) {
+    read_free(reading, *free, path);
+  }
+  return known && path.through.size() > 1 ? std::optional(std::move(path)) : std::nullopt;
+}
+
+}  // namespace higherpair::io_detail

@@ -1,0 +1,271 @@
+// The derivatives that a design is searched by, against differences of whole candidates.
+#include "front/cam_profile.hpp"
+#include "higherpair/design/problem.hpp"
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <ostream>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::model_of;
+using testing::shipped_model;
+
+// Everything that a candidate is worth, in one column.
+Eigen::VectorXd worth(DesignEvaluator& evaluator, const std::vector<double>& x, int branch) {
+  DesignValues values;
+  evaluator.evaluate(x, branch, values);
+  Eigen::VectorXd all(1 + values.residuals.size() + values.constraints.size());
+  all << values.cost, values.residuals, values.constraints;
+  return all;
+}
+
+Eigen::VectorXd difference(DesignEvaluator& evaluator, std::vector<double> x, std::size_t i, int branch,
+                           double h) {
+  const double at = x[i];
+  x[i] = at + h;
+  Eigen::VectorXd high = worth(evaluator, x, branch);
+  x[i] = at - h;
+  return (high - worth(evaluator, x, branch)) / (2 * h);
+}
+
+// Extrapolated from two steps to the fourth order; where the two do not agree there is a kink.
+struct Slope {
+  Eigen::VectorXd value;
+  Eigen::VectorXd doubt;
+};
+Slope slope_of(DesignEvaluator& evaluator, const std::vector<double>& x, std::size_t i, int branch,
+               double h) {
+  const Eigen::VectorXd wide = difference(evaluator, x, i, branch, h);
+  const Eigen::VectorXd narrow = difference(evaluator, x, i, branch, h / 2);
+  return {(4 * narrow - wide) / 3, (wide - narrow).cwiseAbs()};
+}
+
+// Whether the slopes to both sides differ by more than a smooth function's do.
+bool has_kink(DesignEvaluator& evaluator, std::vector<double> x, std::size_t i, int branch, Eigen::Index row,
+              double h) {
+  const double at = x[i];
+  std::array<double, 5> values{};
+  for (int k = -2; k <= 2; ++k) {
+    x[i] = at + k * h;
+    values[static_cast<std::size_t>(k + 2)] = worth(evaluator, x, branch)(row);
+  }
+  const double near = std::abs(values[1] - 2 * values[2] + values[3]);
+  const double far = std::abs(values[0] - 2 * values[2] + values[4]);
+  return near > 0.3 * far && near > 1e-13 * (1 + std::abs(values[2]));
+}
+
+struct Seen {
+  int candidates = 0;  // whose derivatives are exact
+  int numbers = 0;     // that were compared
+  int kinks = 0;
+  int off = 0;  // by more than rounding, next to kinks that were not seen as such: small ones
+};
+
+Seen compare(const Model& model, int candidates, double closeness, unsigned seed, bool every_branch = false) {
+  const DesignProblem problem = design_problem(model).value();
+  const auto evaluator = problem.evaluator();
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  Seen seen;
+  for (int k = 0; k < candidates; ++k) {
+    std::vector<double> x;
+    for (const DesignVariable& variable : problem.variables) {
+      const double anywhere = variable.low + uniform(random) * (variable.high - variable.low);
+      x.push_back(std::lerp(variable.start, anywhere, closeness * uniform(random)));
+    }
+    const int branch = every_branch ? k % problem.branches : problem.start_branch;
+    DesignJacobian jacobian;
+    if (!evaluator->differentiate(x, branch, jacobian)) continue;
+    ++seen.candidates;
+    const Eigen::VectorXd at = worth(*evaluator, x, branch);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double range = problem.variables[i].high - problem.variables[i].low;
+      const Slope expected = slope_of(*evaluator, x, i, branch, 1e-5 * range);
+      const auto column = static_cast<Eigen::Index>(i);
+      Eigen::VectorXd found(at.size());
+      found << jacobian.cost(column), jacobian.residuals.col(column), jacobian.constraints.col(column);
+      for (Eigen::Index r = 0; r < at.size(); ++r) {
+        const double rounding = 1e-15 * (1 + std::abs(at(r))) / (1e-5 * range);
+        const double scale = std::abs(expected.value(r)) + (1 + std::abs(at(r))) / range;
+        const double off = std::abs(found(r) - expected.value(r));
+        const bool same = off <= expected.doubt(r) + 1e-6 * scale + 100 * rounding;
+        // The largest of several numbers is another one to either side of a kink.
+        const bool kink =
+            expected.doubt(r) > 1e-4 * scale || has_kink(*evaluator, x, i, branch, r, 1e-5 * range);
+        seen.kinks += kink ? 1 : 0;
+        seen.numbers += kink ? 0 : 1;
+        seen.off += same || kink ? 0 : 1;
+        EXPECT_LE(off, 1e-3 * scale + expected.doubt(r) + (kink ? INFINITY : 0))
+            << "candidate " << k << ", variable " << i << ", number " << r << ": " << found(r)
+            << ", expected " << expected.value(r);
+      }
+    }
+  }
+  return seen;
+}
+
+class Gradients : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Gradients, AreThoseOfDifferencesFarAndNear) {
+  const Seen near = compare(shipped_model(GetParam()), 20, 0.05, 5);
+  EXPECT_EQ(near.candidates, 20);
+  EXPECT_GT(near.numbers, 10 * near.kinks);
+  EXPECT_LE(near.off, near.numbers / 500);
+  // Most of these cannot turn; what they are short of is differentiated for pins alone.
+  const Seen far = compare(shipped_model(GetParam()), 60, 1, 6, true);
+  EXPECT_GE(far.candidates, 10);
+  EXPECT_GT(far.numbers, 3 * far.kinks);
+  EXPECT_LE(far.off, far.numbers / 500);
+}
+
+// A shipped mechanism of another kind with a task of its own.
+struct Kind {
+  const char* profile;
+  const char* variables;  // NAME, path and bounds of each
+  const char* goals;      // objectives and constraints
+};
+
+std::ostream& operator<<(std::ostream& out, const Kind& kind) {
+  return out << kind.profile;
+}
+
+std::string task_of(const Kind& kind) {
+  std::ostringstream text;
+  text << std::ifstream(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + kind.profile + ".toml").rdbuf();
+  text << "\n[design]\n[design.variables]\n" << kind.variables << kind.goals;
+  return text.str();
+}
+
+class Kinds : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(Kinds, HaveTheDerivativesOfDifferences) {
+  const Model model = model_of(task_of(GetParam()), {"driver.samples=37"});
+  const Seen seen = compare(model, 4, 0.02, 11);
+  EXPECT_EQ(seen.candidates, 4);
+  EXPECT_GT(seen.numbers, 10 * seen.kinks);
+  EXPECT_EQ(seen.off, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfMechanisms, Kinds,
+    ::testing::Values(Kind{"slider_crank",
+                           R"(a = { path = "bodies.crank.points.A.0", min = 1, max = 3 }
+b = { path = "bodies.rod.points.B.0", min = 4, max = 9 }
+)",
+                           R"([[design.objectives]]
+path = { point = "rod.B", through = [[3, 1], [5, 2], [6, 1.5]] }
+[[design.objectives]]
+column = "slide.acceleration"
+of     = "maxabs"
+[[design.constraints]]
+column = "rod.omega"
+of     = "rms"
+below  = 3
+)"},
+                      Kind{"quick_return",
+                           R"(crank = { path = "bodies.crank.points.P.0", min = 20, max = 60 }
+frame = { path = "bodies.ground.points.O2.1", min = 70, max = 120 }
+tip   = { path = "bodies.lever.points.T.0", min = 100, max = 300 }
+)",
+                           R"([[design.objectives]]
+column = "lever.T.ax"
+of     = "max"
+[[design.objectives]]
+column = "lever.angle"
+of     = "range"
+target = 50
+[[design.constraints]]
+column = "slot.velocity"
+of     = "max"
+below  = 600
+)"},
+                      Kind{"watt_sixbar",
+                           R"(b = { path = "bodies.link2.points.B.0", min = 30, max = 50 }
+d = { path = "bodies.link4.points.H.1", min = 50, max = 70 }
+)",
+                           R"([[design.objectives]]
+column = "link6.alpha"
+of     = "maxabs"
+[[design.constraints]]
+grashof = "crank-rocker"
+coupler = "link3"
+)"},
+                      Kind{"flat_faced_translating",
+                           R"(e = { path = "bodies.cam.curves.disc.center.0", min = 5, max = 15 }
+r = { path = "bodies.cam.curves.disc.radius", min = 15, max = 30 }
+)",
+                           R"([[design.objectives]]
+column = "follower.y"
+of     = "mean"
+[[design.constraints]]
+column = "touch.sliding"
+of     = "maxabs"
+below  = 10
+)"},
+                      Kind{"parabola_cam",
+                           R"(pivot  = { path = "bodies.ground.points.O2.0", min = 60, max = 80 }
+roller = { path = "bodies.follower.curves.disc.radius", min = 10, max = 20 }
+)",
+                           R"([[design.objectives]]
+column = "follower.angle"
+of     = "range"
+target = 30
+[[design.constraints]]
+column = "touch.transmission"
+of     = "min"
+above  = 40
+)"},
+                      Kind{"hyperbola_cam",
+                           R"(pivot  = { path = "bodies.ground.points.O2.1", min = 15, max = 25 }
+roller = { path = "bodies.follower.curves.roller.radius", min = 5, max = 15 }
+)",
+                           R"([[design.objectives]]
+column = "follower.roller.vy"
+of     = "max"
+)"},
+                      Kind{"knife_edge",
+                           R"(e = { path = "bodies.cam.curves.disc.center.0", min = 5, max = 15 }
+offset = { path = "bodies.ground.points.rail.0", min = -5, max = 5 }
+)",
+                           R"([[design.objectives]]
+column = "touch.pressure"
+of     = "max"
+)"},
+                      Kind{"flat_faced_oscillating",
+                           R"(r = { path = "bodies.cam.curves.disc.radius", min = 15, max = 25 }
+pivot = { path = "bodies.ground.points.O2.0", min = 55, max = 80 }
+)",
+                           R"([[design.objectives]]
+path = { point = "follower.tip", timed = true, at = [0, 100, 200], through = [[10, 20], [12, 25], [11, 30]] }
+[[design.objectives]]
+column = "follower.alpha"
+of     = "rms"
+)"}));
+
+INSTANTIATE_TEST_SUITE_P(OfPaths, Gradients,
+                         ::testing::Values("design_five_points", "design_eighteen_points", "design_arch_path",
+                                           "design_ellipse_path", "design_straight_path"));
+
+// A path whose place, turn and scale do not count, each way to be free.
+TEST(FreePaths, HaveTheDerivativesOfDifferences) {
+  for (const char* free : {"[\"position\"]", "[\"turn\"]", "[\"scale\"]", "[\"position\", \"turn\"]",
+                           "[\"position\", \"turn\", \"scale\"]"}) {
+    const Model model =
+        shipped_model("design_eighteen_points", {std::string("design.objectives.0.path.free=") + free});
+    const Seen seen = compare(model, 10, 0.05, 3);
+    EXPECT_EQ(seen.candidates, 10);
+    EXPECT_GT(seen.numbers, 10 * seen.kinks) << free;
+    EXPECT_EQ(seen.off, 0) << free;
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
