@@ -1,6 +1,7 @@
 #include "design_runs.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/row_path.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "design_slopes.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "higherpair/mechanism/group_traits.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis_impl.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/row_path.hpp"
 
 #include <memory>
