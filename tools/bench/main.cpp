@@ -1,11 +1,13 @@
 // Time of one step, next to the time of a four-bar written by hand, measured in the same run. Answers are
 // checked before anything is timed.
+#include "boundaries.hpp"
 #include "checks.hpp"
 #include "designs.hpp"
 #include "front/column_set.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/drawing/scene.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/front/check.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "laws.hpp"
 #include "linkages.hpp"
@@ -221,6 +223,50 @@ void register_design(const DesignCase& design, double floor) {
   }
 }
 
+// A cam of points next to the same one as a conic, which is move_to/ellipse_on_circle; a step over a joint of
+// arcs next to one in front of it.
+void register_boundaries(const BoundaryCase& spline, const JointCase& joint, double floor) {
+  add("move_to/" + spline.name, [=](benchmark::State& state) {
+    Run run = spline.run;
+    std::vector<DriverMotion> motions(1);
+    const auto step = [&](int k) {
+      motions[0] = {driver_position(k), 1, 0};
+      move_to(run, motions);
+      benchmark::DoNotOptimize(run.row.bodies.data());
+    };
+    run_turns(state, floor, step, [&] { run = spline.run; });
+  });
+  const auto add_step = [&](const std::string& name, const Run& start) {
+    add("one_step/" + name, [=, step = joint.step](benchmark::State& state) {
+      const std::vector<DriverMotion> next{{start.at.drivers.front() + step, 1, 0}};
+      Run run = start;
+      for (auto _ : state) {
+        run.at = start.at;
+        move_to(run, next);
+        benchmark::DoNotOptimize(run.row.bodies.data());
+      }
+    });
+  };
+  add_step("on_an_arc", joint.before_that);
+  add_step("over_a_joint_of_arcs", joint.before_joint);
+}
+
+// Whole files, read and checked from the beginning.
+void register_files(const LargeFiles& large) {
+  for (const LargeFiles::File& file : large.files()) {
+    add((file.check ? "read_and_check/" : "read/") + file.name, [=](benchmark::State& state) {
+      for (auto _ : state) {
+        const auto model = Model::open(file.profile);
+        benchmark::DoNotOptimize(model.has_value());
+        if (file.check) {
+          benchmark::DoNotOptimize(check(*model).has_value());
+        }
+      }
+      state.SetLabel("whole file");
+    });
+  }
+}
+
 // Through the general plan: the motion of all bodies, and the reactions of all joints with it.
 void register_plan(const std::string& name, const Run& start, double floor) {
   const auto measure = [=](benchmark::State& state, bool with_forces) {
@@ -298,6 +344,10 @@ int run(int argc, char** argv) {
   const std::vector<LawCase> laws = checked_laws();
   const std::vector<VariantCase> variants = checked_variants();
   const DesignCase design = checked_design();
+  const BoundaryCase spline_cam = checked_spline_cam(cases[1]);
+  const JointCase joint = checked_joint();
+  const LargeFiles large;
+  require_right(large);
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -317,6 +367,8 @@ int run(int argc, char** argv) {
   for (const Case& reference : cases) {
     register_rows(reference, floor);
   }
+  register_boundaries(spline_cam, joint, floor);
+  register_files(large);
   benchmark::AddCustomContext("floor",
                               fmt::format("{:.1f} ns a step: four-bar by hand, sincos and atan2", floor));
   benchmark::RunSpecifiedBenchmarks();

@@ -1,72 +1,9 @@
-// Whatever can be read as a mechanism starts or says why not, and moves: its rows are finite, and those that
-// count as ok close.
-#include "front/analysis_impl.hpp"
+// Whatever can be read as a mechanism starts or says why not, and moves by a few small steps: its rows are
+// finite, and those that count as ok close.
+#include "short_motion.hpp"
 #include "target.hpp"
 
-#include <cmath>
-#include <cstdlib>
-#include <string_view>
-#include <vector>
-
-namespace {
-
-using namespace higherpair;
-
-constexpr std::size_t kMostBodies = 20;
-constexpr int kRows = 6;
-constexpr double kStep = 0.1;  // of a driver from row to row [rad or m]
-
-void check(const Run& run, const Row& row) {
-  if (row.status == RowStatus::kNotAssemblable) {
-    return;
-  }
-  bool sound = row.status != RowStatus::kOk || run.row.residual <= run.tolerance * run.plan().size;
-  for (const BodyMotion& body : run.row.bodies) {
-    sound = sound && body.X_WB.p_WB.allFinite() && std::isfinite(body.theta);
-    sound = sound && (row.status != RowStatus::kOk || (std::isfinite(body.omega) && body.v_WB.allFinite()));
-  }
-  if (!sound) {
-    std::abort();
-  }
-}
-
-// The model with drivers that take a few small steps from where they start.
-Result<Model> stepping(const Model& model) {
-  std::vector<DriverProgram> programs = model.profile().programs;
-  for (std::size_t i = 0; i < programs.size(); ++i) {
-    DriverProgram& program = programs[i];
-    const Driver& driver = model.mechanism().drivers[i];
-    const bool turns =
-        model.mechanism().joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-    const double step = from_si(turns ? dimension::kAngle : dimension::kLength, model.units()).apply(kStep);
-    const double start = program.positions.empty() ? program.start : program.positions.front();
-    program.positions.clear();
-    for (int k = 0; k < kRows; ++k) {
-      program.positions.push_back(start + step * k);
-    }
-  }
-  return Model::from(model.mechanism(), model.units(), programs);
-}
-
-}  // namespace
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto model = Model::from_text({reinterpret_cast<const char*>(data), size}, "fuzz");
-  if (!model || model->mechanism().bodies.size() > kMostBodies || model->mechanism().drivers.empty()) {
-    return 0;
-  }
-  RunSettings settings;
-  settings.forces = true;
-  auto analysis = stepping(*model).and_then([&](const Model& steps) { return steps.start(settings); });
-  if (!analysis) {
-    if (to_string(analysis.error()).empty()) {
-      std::abort();
-    }
-    return 0;
-  }
-  Row row;
-  while (analysis->next(row)) {
-    check(analysis->impl().run, row);
-  }
+  higherpair::fuzz::run_short_motion(data, size, {});
   return 0;
 }

@@ -1,0 +1,9 @@
+// The same through a whole turn in long steps: cams of several parts go over their joints and corners,
+// contacts part and close.
+#include "short_motion.hpp"
+#include "target.hpp"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  higherpair::fuzz::run_short_motion(data, size, {8, 0.93, false});
+  return 0;
+}
