@@ -8,6 +8,7 @@
 #include "higherpair/linkage/four_bar.hpp"
 #include "laws.hpp"
 #include "linkages.hpp"
+#include "long_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -217,6 +218,37 @@ void register_plan(const std::string& name, const Run& start, double floor) {
   add("plan_with_forces/" + name, [=](benchmark::State& state) { measure(state, true); });
 }
 
+// Tables as the program makes them, by the clock on the wall: rows a second on one thread and on two, and of
+// the text alone.
+void register_long_runs() {
+  const auto rate = [](double rows) { return benchmark::Counter(rows, benchmark::Counter::kIsRate); };
+  for (const LongRun& one : long_runs()) {
+    for (const int threads : {1, 2}) {
+      benchmark::RegisterBenchmark(fmt::format("table/{}/threads:{}", one.profile, threads).c_str(),
+                                   [=](benchmark::State& state) {
+                                     double rows = 0;
+                                     for (auto _ : state) rows += work_out(one, threads);
+                                     state.counters["rows/s"] = rate(rows);
+                                   })
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    }
+    add("csv_of_ready_rows/" + one.profile, [=](benchmark::State& state) {
+      const ReadyBlock ready = ready_block(one);
+      std::string text;
+      double rows = 0;
+      for (auto _ : state) {
+        text.clear();
+        append_csv_rows(ready.columns, ready.rows, text);
+        benchmark::DoNotOptimize(text.data());
+        rows += static_cast<double>(ready.rows.size());
+      }
+      state.counters["rows/s"] = rate(rows);
+      state.counters["columns"] = static_cast<double>(ready.columns.size());
+    });
+  }
+}
+
 // Returns the exit code.
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
@@ -233,6 +265,9 @@ int run(int argc, char** argv) {
   const LinkageCase<FourBarByHand> four_bar = checked_four_bar();
   const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
   const std::vector<LawCase> laws = checked_laws();
+  for (const LongRun& one : long_runs()) {
+    check_long_run(one);
+  }
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -250,6 +285,7 @@ int run(int argc, char** argv) {
   for (const Case& reference : cases) {
     register_rows(reference, floor);
   }
+  register_long_runs();
   benchmark::AddCustomContext("floor",
                               fmt::format("{:.1f} ns a step: four-bar by hand, sincos and atan2", floor));
   benchmark::RunSpecifiedBenchmarks();
