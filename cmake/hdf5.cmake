@@ -1,4 +1,4 @@
-# Tables of sweeps as HDF5 where its C library is installed; all else builds without it.
+# Tables as HDF5 where its C library is installed; all else builds without it.
 function(higherpair_add_hdf5 target)
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)
@@ -6,14 +6,14 @@ function(higherpair_add_hdf5 target)
   endif()
   if(HDF5_FOUND)
     # In a target of its own: its options would keep other tools from the program's precompiled headers.
-    add_library(${target}-hdf5 OBJECT sweep/hdf5.cpp)
+    add_library(${target}-hdf5 OBJECT hdf5_file.cpp)
     target_link_libraries(${target}-hdf5 PRIVATE higherpair::higherpair PkgConfig::HDF5 fmt::fmt)
     target_include_directories(${target}-hdf5 PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
     higherpair_set_warnings(${target}-hdf5)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}-hdf5>)
     target_link_libraries(${target} PRIVATE ${HDF5_LINK_LIBRARIES})
   else()
-    message(STATUS "No libhdf5-dev: tables of sweeps as CSV only, no HDF5")
-    target_sources(${target} PRIVATE sweep/hdf5_none.cpp)
+    message(STATUS "No libhdf5-dev: tables as CSV and JSON only, no HDF5")
+    target_sources(${target} PRIVATE hdf5_file_none.cpp)
   endif()
 endfunction()

@@ -19,6 +19,7 @@
 #include "higherpair/front/plot.hpp"            // IWYU pragma: export
 #include "higherpair/front/polygon.hpp"         // IWYU pragma: export
 #include "higherpair/front/report.hpp"          // IWYU pragma: export
+#include "higherpair/front/row_blocks.hpp"      // IWYU pragma: export
 #include "higherpair/front/sensitivity.hpp"     // IWYU pragma: export
 #include "higherpair/front/sweep.hpp"           // IWYU pragma: export
 #include "higherpair/front/tolerance.hpp"       // IWYU pragma: export

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -155,13 +156,17 @@ bool Analysis::Impl::next_row(Row& row) {
   if (next == schedule.size() || is_stopped(run)) {
     return false;
   }
+  if (scout && next > 0 && next % kBlockRows == 0) {
+    begin_block();
+  }
   read_drivers();
   move();
   if (is_stopped(run)) {
     return false;
   }
   reactions = dynamics ? &dynamics->solve(run) : nullptr;
-  RowSource source{run, drivers, schedule.time(next), reactions, false};
+  history.note(run);
+  RowSource source{run, drivers, schedule.time(next), reactions, false, &history};
   source.opens = source.reactions != nullptr && run.row.status == RowStatus::kOk && source.reactions->opens();
   columns.fill(source, row.values);
   row.number = next;
@@ -171,6 +176,38 @@ bool Analysis::Impl::next_row(Row& row) {
     report_openings();
   }
   return true;
+}
+
+void Analysis::Impl::begin_block() {
+  const RunPlace here{run, history};
+  const RunPlace& ahead = scout->go_to(schedule, next - 1);
+  begin_at(next, go_on_alike(here, ahead) ? ahead : here);
+}
+
+std::unique_ptr<Analysis::Impl> Analysis::Impl::make_worker() const {
+  auto worker = std::make_unique<Impl>(*this);
+  worker->start.reset();
+  worker->scout.reset();
+  worker->reactions = nullptr;
+  return worker;
+}
+
+void Analysis::Impl::begin_at(std::int64_t row, const RunPlace& from) {
+  run = from.run;
+  history = from.history;
+  next = row;
+  if (dynamics) {
+    dynamics.emplace(run);
+  }
+}
+
+void Analysis::Impl::add_block(std::vector<Event> found, bool all_good, std::int64_t end) {
+  events.insert(events.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+  good = good && all_good;
+  next = end;
+  if (next == schedule.size() && start) {
+    report_openings();
+  }
 }
 
 Analysis::Analysis(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -258,21 +295,25 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
     dynamics.emplace(*run);
     start = *run;
   }
-  return Analysis(std::make_unique<Analysis::Impl>(Analysis::Impl{data_,
-                                                                  units,
-                                                                  *std::move(schedule),
-                                                                  *std::move(run),
-                                                                  *std::move(columns),
-                                                                  std::move(dynamics),
-                                                                  std::move(start),
-                                                                  0,
-                                                                  {},
-                                                                  {},
-                                                                  {},
-                                                                  true,
-                                                                  std::move(notes),
-                                                                  {},
-                                                                  nullptr}));
+  auto impl = std::make_unique<Analysis::Impl>(Analysis::Impl{data_,
+                                                              units,
+                                                              *std::move(schedule),
+                                                              *std::move(run),
+                                                              *std::move(columns),
+                                                              std::move(dynamics),
+                                                              std::move(start),
+                                                              0,
+                                                              {},
+                                                              {},
+                                                              {},
+                                                              true,
+                                                              std::move(notes),
+                                                              {},
+                                                              nullptr});
+  if (impl->schedule.size() > kBlockRows) {
+    impl->scout.emplace(impl->run);
+  }
+  return Analysis(std::move(impl));
 }
 
 }  // namespace higherpair

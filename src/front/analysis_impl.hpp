@@ -4,6 +4,7 @@
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/contact_report.hpp"
 #include "model_data.hpp"
+#include "row_scout.hpp"
 
 #include <memory>
 #include <optional>
@@ -25,6 +26,11 @@ namespace higherpair {
 [[nodiscard]] Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings,
                                            const Units& units);
 
+/// A run goes on at the beginning of every block of so many rows as a scout has come there (RowScout), unless
+/// that stands otherwise: rows do not hang on those of the blocks before, and blocks worked out on several
+/// threads are the same to the last bit.
+inline constexpr std::int64_t kBlockRows = 4096;
+
 /// The row loop: from the schedule of the drivers to the row of a table, with what happens on the path.
 struct Analysis::Impl {
   std::shared_ptr<const Model::Data> model;
@@ -43,9 +49,20 @@ struct Analysis::Impl {
   ContactForceReport contacts;           ///< of a run with forces, after its last row
   const Reactions* reactions = nullptr;  ///< in the row, of a run with forces
 
+  RowHistory history = {};             ///< up to the row
+  std::optional<RowScout> scout = {};  ///< of a run of several blocks that gives its rows in order
+
   [[nodiscard]] bool next_row(Row& row);
 
+  /// A copy that works out blocks: the events and all that is known after the last row are not its concern.
+  [[nodiscard]] std::unique_ptr<Impl> make_worker() const;
+  /// The next row is the first of a block; `from` is how it is at the row before.
+  void begin_at(std::int64_t row, const RunPlace& from);
+  /// What a worker has found in the block of rows from `next` up to `end`.
+  void add_block(std::vector<Event> found, bool all_good, std::int64_t end);
+
 private:
+  void begin_block();
   void read_drivers();
   void add_event(const RunEvent& what, double share);
   void move();

@@ -1,6 +1,8 @@
 #include "column_set.hpp"
 
+#include "higherpair/front/row_blocks.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "number_texts.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -147,6 +149,31 @@ void append_csv_cells(std::span<const Column> columns, std::span<const double> v
     } else if (!std::isnan(values[i])) {
       append_number(values[i], out);
     }
+  }
+}
+
+void append_csv_rows(const std::vector<Column>& columns, const RowBlock& block, std::string& out) {
+  NumberTexts numbers;
+  std::size_t longest = 1;  // of a line
+  for (const Column& column : columns) {
+    std::size_t cell = NumberTexts::kLongest;
+    for (const std::string_view word : column.words) cell = std::max(cell, word.size());
+    longest += cell + 1;
+  }
+  std::string line(longest + NumberTexts::kLongest, '\0');
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const std::span<const double> values = block.row(i);
+    char* end = line.data();
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (!columns[k].words.empty()) {
+        const std::string_view word = word_of(columns[k], values[k]);
+        end = std::copy(word.begin(), word.end(), end);
+      } else if (!std::isnan(values[k])) {
+        end = numbers.put(values[k], end);
+      }
+      *end++ = k + 1 < columns.size() ? ',' : '\n';
+    }
+    out.append(line.data(), end);
   }
 }
 

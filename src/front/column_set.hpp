@@ -7,6 +7,7 @@
 #include "higherpair/front/motion.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile.hpp"
+#include "row_history.hpp"
 
 #include <functional>
 #include <span>
@@ -24,6 +25,7 @@ struct RowSource {
   double time = 0;                          ///< in the profile's unit
   const Reactions* reactions = nullptr;     ///< where there are columns of forces
   bool opens = false;                       ///< a contact pulls in a row that is `ok` otherwise
+  const RowHistory* history = nullptr;      ///< with this row; none: arcs of contacts are left undefined
 
   [[nodiscard]] RowStatus status() const { return opens ? RowStatus::kContactOpen : run.row.status; }
 };

@@ -174,25 +174,15 @@ void put_linkage(const ContactDetails& details, double* out) {
   }
 }
 
-// Arcs count from the first row, and are undefined on and after a row that breaks the path.
-class Arcs {
-public:
-  void put(const ContactDetails& details, bool hold, double* out) {
-    if (broken_ || !hold) {
-      return;
-    }
-    if (!start_) {
-      start_ = {details.side1.arc, details.side2.arc};
-    }
-    out[0] = details.side1.arc - (*start_)[0];
-    out[1] = details.side2.arc - (*start_)[1];
+void put_ways(const RowSource& source, std::size_t contact, const ContactDetails& details, double* out) {
+  if (source.history == nullptr) {
+    return;
   }
-  void interrupt() { broken_ = true; }
-
-private:
-  std::optional<std::array<double, 2>> start_;
-  bool broken_ = false;
-};
+  if (const auto ways = source.history->ways(source.run, contact, {details.side1.arc, details.side2.arc})) {
+    out[0] = (*ways)[0];
+    out[1] = (*ways)[1];
+  }
+}
 
 void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) {
   const Contact& contact = mechanism.contacts[index];
@@ -218,30 +208,22 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
   columns.push_back({name + ".arc2", dimension::kLength});
   columns.push_back({name + ".pressure", dimension::kAngle});
   columns.push_back({name + ".transmission", dimension::kAngle});
-  set.add(
-      columns,
-      [index, sides = Sides(mechanism, contact), arcs = Arcs()](const RowSource& source,
-                                                                double* out) mutable {
-        const MotionRow& row = source.run.row;
-        if (row.status == RowStatus::kNotAssemblable) {
-          arcs.interrupt();
-          return;
-        }
-        if (!row.contacts[index].touches) {
-          return;
-        }
-        const ContactDetails details = sides.details(source.run, index);
-        put_linkage(details, out);
-        const Contact& own = source.run.mechanism().contacts[index];
-        if (row.has_rates[static_cast<std::size_t>(own.first.body)] &&
-            row.has_rates[static_cast<std::size_t>(own.second.body)]) {
-          out[11] = row.contacts[index].rates.sliding;
-        }
-        arcs.put(details, row.arcs_hold[index] && !own.by_boundary, out + 12);
-        put(details.pressure, out + 14);
-        put(details.transmission, out + 15);
-      },
-      true);
+  set.add(columns, [index, sides = Sides(mechanism, contact)](const RowSource& source, double* out) {
+    const MotionRow& row = source.run.row;
+    if (!row.contacts[index].touches) {
+      return;
+    }
+    const ContactDetails details = sides.details(source.run, index);
+    put_linkage(details, out);
+    const Contact& own = source.run.mechanism().contacts[index];
+    if (row.has_rates[static_cast<std::size_t>(own.first.body)] &&
+        row.has_rates[static_cast<std::size_t>(own.second.body)]) {
+      out[11] = row.contacts[index].rates.sliding;
+    }
+    put_ways(source, index, details, out + 12);
+    put(details.pressure, out + 14);
+    put(details.transmission, out + 15);
+  });
 }
 
 }  // namespace

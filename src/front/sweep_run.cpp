@@ -1,8 +1,7 @@
+#include "arena.hpp"
 #include "higherpair/front/sweep.hpp"
 
-#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 
 namespace higherpair {
 
@@ -11,9 +10,7 @@ constexpr std::size_t kBlocksPerThread = 4;
 
 void run_sweep(const Sweep& sweep, std::int64_t first, int threads,
                const std::function<bool(const SweepBlock&)>& take) {
-  if (threads == 0) {
-    threads = tbb::info::default_concurrency();
-  }
+  threads = thread_count(threads);
   std::int64_t next = first;
   std::atomic<bool> ended = false;
   const auto number = [&](tbb::flow_control& control) {
@@ -31,8 +28,7 @@ void run_sweep(const Sweep& sweep, std::int64_t first, int threads,
       ended = true;
     }
   };
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
+  on_threads(threads, [&] {
     tbb::parallel_pipeline(
         kBlocksPerThread * static_cast<std::size_t>(threads),
         tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &

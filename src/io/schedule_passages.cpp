@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 namespace higherpair {
 namespace {
@@ -115,6 +116,22 @@ std::vector<DriverSchedule::TurningPoint> DriverSchedule::turning_points(std::in
          (t - before) / (after - before)});
   }
   return points;
+}
+
+bool DriverSchedule::is_one_way(std::int64_t from, std::int64_t to) const {
+  if (drivers_.size() != 1) {
+    return false;
+  }
+  const OneDriver& driver = drivers_.front();
+  if (timed_) {
+    return reversals(driver, time(from), time(to)).empty();
+  }
+  if (driver.positions.empty()) {
+    return true;
+  }
+  const auto first = driver.positions.begin() + from;
+  const auto end = driver.positions.begin() + to + 1;
+  return std::is_sorted(first, end) || std::is_sorted(first, end, std::greater<>());
 }
 
 std::vector<DriverSchedule::LawJump> DriverSchedule::law_jumps(std::int64_t row) const {

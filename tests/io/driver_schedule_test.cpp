@@ -276,5 +276,25 @@ TEST(StepSchedule, SeveralDriversShareTheirTime) {
                   "same time"));
 }
 
+TEST(OneWay, IsHowASingleDriverGoesBetweenRows) {
+  EXPECT_TRUE(analyze(crank_profile(), 100).is_one_way(0, 99));
+  const DriverSchedule back = step(crank_profile("velocity = 30\nacceleration = -10\nduration = 6\n"), 13);
+  EXPECT_TRUE(back.is_one_way(0, 6));  // turns back at 3 s, in row 6
+  EXPECT_TRUE(back.is_one_way(6, 12));
+  EXPECT_FALSE(back.is_one_way(5, 7));
+  EXPECT_FALSE(back.is_one_way(0, 12));
+  const DriverSchedule listed = analyze(crank_profile("positions = [1, 3, 3, 7, 2, -1, 0]\n"));
+  EXPECT_TRUE(listed.is_one_way(0, 3));
+  EXPECT_TRUE(listed.is_one_way(3, 5));
+  EXPECT_FALSE(listed.is_one_way(2, 4));
+  EXPECT_FALSE(listed.is_one_way(4, 6));
+}
+
+TEST(OneWay, IsNotAskedOfSeveralDrivers) {
+  const std::string drivers =
+      "[drivers.a]\njoint = \"one\"\nend = 20\n[drivers.b]\njoint = \"two\"\nend = 30\n";
+  EXPECT_FALSE(analyze(kTwoDrivers + drivers, 5).is_one_way(0, 4));
+}
+
 }  // namespace
 }  // namespace higherpair

@@ -11,6 +11,7 @@
 #include "higherpair/linkage/four_bar.hpp"
 #include "laws.hpp"
 #include "linkages.hpp"
+#include "long_runs.hpp"
 #include "variants.hpp"
 
 #include <algorithm>
@@ -326,6 +327,37 @@ void register_variants(const std::vector<VariantCase>& cases) {
   }
 }
 
+// Tables as the program makes them, by the clock on the wall: rows a second on one thread and on two, and of
+// the text alone.
+void register_long_runs() {
+  const auto rate = [](double rows) { return benchmark::Counter(rows, benchmark::Counter::kIsRate); };
+  for (const LongRun& one : long_runs()) {
+    for (const int threads : {1, 2}) {
+      benchmark::RegisterBenchmark(fmt::format("table/{}/threads:{}", one.profile, threads).c_str(),
+                                   [=](benchmark::State& state) {
+                                     double rows = 0;
+                                     for (auto _ : state) rows += work_out(one, threads);
+                                     state.counters["rows/s"] = rate(rows);
+                                   })
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    }
+    add("csv_of_ready_rows/" + one.profile, [=](benchmark::State& state) {
+      const ReadyBlock ready = ready_block(one);
+      std::string text;
+      double rows = 0;
+      for (auto _ : state) {
+        text.clear();
+        append_csv_rows(ready.columns, ready.rows, text);
+        benchmark::DoNotOptimize(text.data());
+        rows += static_cast<double>(ready.rows.size());
+      }
+      state.counters["rows/s"] = rate(rows);
+      state.counters["columns"] = static_cast<double>(ready.columns.size());
+    });
+  }
+}
+
 // Returns the exit code.
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
@@ -348,6 +380,9 @@ int run(int argc, char** argv) {
   const JointCase joint = checked_joint();
   const LargeFiles large;
   require_right(large);
+  for (const LongRun& one : long_runs()) {
+    check_long_run(one);
+  }
   fmt::print(stderr, "bench: all answers agree\n");
   if (only_check) {
     return 0;
@@ -369,6 +404,7 @@ int run(int argc, char** argv) {
   }
   register_boundaries(spline_cam, joint, floor);
   register_files(large);
+  register_long_runs();
   benchmark::AddCustomContext("floor",
                               fmt::format("{:.1f} ns a step: four-bar by hand, sincos and atan2", floor));
   benchmark::RunSpecifiedBenchmarks();

@@ -26,6 +26,11 @@ std::string target_of(std::string path) {
   return "";
 }
 
+bool is_direct(const std::string& path) {
+  std::error_code code;
+  return path == "-" || (fs::exists(path, code) && !fs::is_regular_file(path, code));
+}
+
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (path == "-") {
     file_ = stdout;
@@ -64,6 +69,12 @@ void OutputFile::fail(const std::string& what) {
   reader_gone_ = reader_gone_ || errno == EPIPE;
   if (error_.empty()) {
     error_ = what + ": " + std::strerror(errno);
+  }
+}
+
+void OutputFile::fail_because(const std::string& reason) {
+  if (error_.empty()) {
+    error_ = fmt::format("cannot write {}: {}", path_, reason);
   }
 }
 

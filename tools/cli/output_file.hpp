@@ -12,6 +12,9 @@ namespace higherpair::cli {
 /// The file that a chain of links names, whether it exists or not; empty where the links form a loop.
 [[nodiscard]] std::string target_of(std::string path);
 
+/// Whether an output is written directly: standard output ("-"), a device or a pipe.
+[[nodiscard]] bool is_direct(const std::string& path);
+
 /// Where a table goes: standard output ("-"), a device or pipe (written directly), or a regular file, which
 /// is written beside its place and renamed by commit(): what is not committed leaves no trace. Several
 /// outputs of one command are finished first and committed when all are good.
@@ -29,6 +32,10 @@ public:
   [[nodiscard]] bool reader_gone() const { return reader_gone_; }
 
   void write(std::string_view text);
+  /// Of a regular file, where it is written: for whoever writes it himself, and says with fail_because what
+  /// went wrong.
+  [[nodiscard]] const std::string& place() const { return temporary_; }
+  void fail_because(const std::string& reason);
   /// Nothing is written after this.
   void finish();
   /// Puts the finished file into its place.

@@ -1,5 +1,6 @@
 #include "output_options.hpp"
 
+#include "hdf5_file.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
@@ -44,15 +45,33 @@ void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector
   }
 }
 
+namespace {
+
+void check_hdf5(const std::string& path) {
+  if (!has_hdf5()) {
+    throw CLI::ValidationError("--hdf5", "this higherpair was built without HDF5; choose --csv or --json");
+  }
+  if (is_direct(path)) {
+    throw CLI::ValidationError("--hdf5", path + ": HDF5 needs a regular file");
+  }
+}
+
+}  // namespace
+
 void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
-                        const std::optional<std::string>* picture, const std::optional<std::string>* events) {
+                        const std::optional<std::string>* picture, const std::optional<std::string>* events,
+                        const std::optional<std::string>* hdf5) {
   command.add_option("--csv", csv.path, "write " + csv.what + " as CSV to this file (-: standard output)");
   command.add_option("--json", json.path,
                      "write " + json.what + " as JSON to this file (-: standard output)");
-  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path, picture, events] {
+  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path, picture, events, hdf5] {
     std::vector<NamedFile> outputs;
     if (csv_path) outputs.push_back({"--csv", *csv_path});
     if (json_path) outputs.push_back({"--json", *json_path});
+    if (hdf5 != nullptr && *hdf5) {
+      check_hdf5(**hdf5);
+      outputs.push_back({"--hdf5", **hdf5});
+    }
     if (outputs.empty()) outputs.push_back({"standard output", "-"});
     if (picture != nullptr && *picture) {
       outputs.push_back({"--output", **picture});
@@ -71,6 +90,11 @@ void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
 void add_tolerance_option(CLI::App& command, double& tolerance) {
   command.add_option("--tolerance", tolerance, "largest closure error of an ok row, relative to the size")
       ->check(positive_number());
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "so many at a time; otherwise as many as there are cores")
+      ->check(CLI::Range(1, 4096));
 }
 
 void add_unused_samples(CLI::App& command) {

@@ -18,10 +18,11 @@ struct Output {
 
 /// Adds --csv and --json to a command that reads `profile`. Both into one file, or both to standard output,
 /// are refused, and so is either into the profile.
-/// \param picture, events  other outputs, if the command has them: of --output and --events
+/// \param picture, events, hdf5  other outputs, if the command has them: of --output, --events and --hdf5
 void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
                         const std::optional<std::string>* picture = nullptr,
-                        const std::optional<std::string>* events = nullptr);
+                        const std::optional<std::string>* events = nullptr,
+                        const std::optional<std::string>* hdf5 = nullptr);
 
 /// A file that the command line names, and what names it there.
 struct NamedFile {
@@ -41,6 +42,9 @@ void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
 
 /// Adds --tolerance: when a row is ok.
 void add_tolerance_option(CLI::App& command, double& tolerance);
+
+/// Adds --threads.
+void add_threads_option(CLI::App& command, int& threads);
 
 /// Adds --samples to a command that looks at one position only, as all commands take it.
 void add_unused_samples(CLI::App& command);

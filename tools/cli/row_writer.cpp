@@ -15,61 +15,61 @@ std::string json_text(std::string_view text) {
 
 }  // namespace
 
-RowWriter::RowWriter(const std::string& path, Format format)
-    : format_(format), file_(std::make_unique<OutputFile>(path)) {}
-
-void RowWriter::flush(std::size_t limit) {
-  if (buffer_.size() < limit) {
-    return;
-  }
-  file_->write(buffer_);
-  buffer_.clear();
+RowWriter::RowWriter(const std::string& path, Format format, const std::string& title,
+                     const std::vector<Column>& columns)
+    : format_(format), file_(std::make_unique<OutputFile>(path)), columns_(columns) {
+  begin(title);
 }
 
-void RowWriter::begin(const std::string& title, const std::vector<Column>& columns) {
-  columns_ = columns;
+void RowWriter::begin(const std::string& title) {
+  std::string head;
   if (format_ == Format::kCsv) {
-    append_csv_header(columns, buffer_);
+    append_csv_header(columns_, head);
+    file_->write(head);
     return;
   }
-  buffer_ += "{\"format\": 1, \"title\": " + json_text(title) + ",\n\"columns\": [";
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string unit = columns[i].unit.empty() ? "null" : json_text(columns[i].unit);
-    buffer_ += (i > 0 ? ",\n  " : "\n  ") + ("{\"name\": " + json_text(columns[i].name)) +
-               ", \"unit\": " + unit + "}";
+  head += "{\"format\": 1, \"title\": " + json_text(title) + ",\n\"columns\": [";
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::string unit = columns_[i].unit.empty() ? "null" : json_text(columns_[i].unit);
+    head += (i > 0 ? ",\n  " : "\n  ") + ("{\"name\": " + json_text(columns_[i].name)) +
+            ", \"unit\": " + unit + "}";
   }
-  buffer_ += "],\n\"rows\": [";
+  file_->write(head + "],\n\"rows\": [");
 }
 
-void RowWriter::append_json_row(const Row& row) {
-  buffer_ += row.number == 0 ? "\n  [" : ",\n  [";
+void RowWriter::append_json_row(const RowBlock& block, std::size_t row, std::string& out) const {
+  const auto values = block.row(row);
+  out += block.first == 0 && row == 0 ? "\n  [" : ",\n  [";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    buffer_ += i > 0 ? ", " : "";
-    const double value = row.values[i];
+    out += i > 0 ? ", " : "";
+    const double value = values[i];
     if (std::isnan(value)) {
-      buffer_ += "null";
+      out += "null";
     } else if (!columns_[i].words.empty()) {
-      buffer_ += json_text(word_of(columns_[i], value));
+      out += json_text(word_of(columns_[i], value));
     } else {
       char text[32];
-      buffer_.append(text, std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr);
+      out.append(text, std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr);
     }
   }
-  buffer_ += ']';
+  out += ']';
 }
 
-void RowWriter::row(const Row& row) {
+std::string RowWriter::text_of(const RowBlock& block) const {
+  std::string text;
   if (format_ == Format::kCsv) {
-    append_csv_row(columns_, row, buffer_);
-  } else {
-    append_json_row(row);
+    append_csv_rows(columns_, block, text);
+    return text;
   }
-  flush(1 << 16);
+  for (std::size_t row = 0; row < block.size(); ++row) {
+    append_json_row(block, row, text);
+  }
+  return text;
 }
 
 void RowWriter::end(const std::vector<Event>& events, bool good) {
   if (format_ == Format::kJson) {
-    buffer_ += "],\n\"events\": [";
+    std::string tail = "],\n\"events\": [";
     for (std::size_t i = 0; i < events.size(); ++i) {
       const Event& event = events[i];
       const nlohmann::ordered_json json = {
@@ -78,11 +78,10 @@ void RowWriter::end(const std::vector<Event>& events, bool good) {
           {"time", event.time ? nlohmann::json(*event.time) : nlohmann::json()},
           {"item", event.item.empty() ? nlohmann::json() : nlohmann::json(event.item)},
           {"cause", event.cause}};
-      buffer_ += (i > 0 ? ",\n  " : "\n  ") + json.dump();
+      tail += (i > 0 ? ",\n  " : "\n  ") + json.dump();
     }
-    buffer_ += fmt::format("],\n\"ok\": {}}}\n", good);
+    file_->write(tail + fmt::format("],\n\"ok\": {}}}\n", good));
   }
-  flush(0);
   file_->finish();
 }
 

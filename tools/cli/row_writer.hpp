@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/front/motion.hpp"
+#include "higherpair/front/row_blocks.hpp"
 #include "output_file.hpp"
 
 #include <memory>
@@ -9,27 +9,29 @@
 
 namespace higherpair::cli {
 
-/// Writes a motion table row by row, as CSV or as JSON.
+/// Writes a motion table as CSV or as JSON: the text of a block of rows is made on any thread, and written in
+/// order.
 class RowWriter {
 public:
   enum class Format { kCsv, kJson };
 
-  RowWriter(const std::string& path, Format format);
+  RowWriter(const std::string& path, Format format, const std::string& title,
+            const std::vector<Column>& columns);
 
-  void begin(const std::string& title, const std::vector<Column>& columns);
-  void row(const Row& row);
+  /// Any number at once.
+  [[nodiscard]] std::string text_of(const RowBlock& block) const;
+  void write(const std::string& rows) { file_->write(rows); }
   /// Nothing is written after this.
   void end(const std::vector<Event>& events, bool good);
 
   [[nodiscard]] OutputFile& file() const { return *file_; }
 
 private:
-  void flush(std::size_t limit);
-  void append_json_row(const Row& row);
+  void begin(const std::string& title);
+  void append_json_row(const RowBlock& block, std::size_t row, std::string& out) const;
 
   Format format_;
   std::unique_ptr<OutputFile> file_;
-  std::string buffer_;
   std::vector<Column> columns_;
 };
 

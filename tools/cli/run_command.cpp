@@ -2,6 +2,7 @@
 
 #include "higherpair/io/notes.hpp"
 #include "progress.hpp"
+#include "row_hdf5.hpp"
 #include "row_writer.hpp"
 #include "summary.hpp"
 
@@ -19,25 +20,6 @@ std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 void on_interrupt(int) {
   interrupted = true;
-}
-
-std::vector<RowWriter> open_outputs(const RunOptions& options) {
-  std::vector<RowWriter> writers;
-  if (options.csv) {
-    writers.emplace_back(*options.csv, RowWriter::Format::kCsv);
-  }
-  if (options.json) {
-    writers.emplace_back(*options.json, RowWriter::Format::kJson);
-  }
-  if (writers.empty() && !options.summary) {
-    writers.emplace_back("-", RowWriter::Format::kCsv);
-  }
-  return writers;
-}
-
-bool failed(const std::vector<RowWriter>& writers) {
-  return std::any_of(writers.begin(), writers.end(),
-                     [](const RowWriter& writer) { return report_failure(writer.file()); });
 }
 
 std::string quoted(const std::string& text) {
@@ -66,37 +48,114 @@ std::string events_csv(const std::vector<Event>& events, const Model& model) {
   return text;
 }
 
-// All tables into their places, or none.
-bool finish(std::vector<RowWriter>& writers, OutputFile* events, const Analysis& analysis) {
-  std::vector<OutputFile*> files;
-  if (events != nullptr) files.push_back(events);
-  for (RowWriter& writer : writers) {
-    writer.end(analysis.events(), analysis.good());
-    files.push_back(&writer.file());
+// Of what reverses: " = -45.88 deg".
+std::string value_text(const Event& event, const Model& model) {
+  if (!event.value || !event.joint) {
+    return "";
   }
-  return commit_all(files);
+  const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
+  const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+  return fmt::format(" = {:.10g} {}", *event.value, unit_text(of, model.units()));
 }
+
+std::vector<std::string> event_lines(const std::vector<Event>& events, const Model& model) {
+  const std::string unit = driver_unit(model);
+  std::vector<std::string> lines;
+  for (const Event& event : events) {
+    const std::string item = event.item.empty() ? "" : ": " + event.item;
+    const std::string time = event.time ? fmt::format(", time = {:.15g}", *event.time) : "";
+    lines.push_back(fmt::format("{} at driver = {:.15g} {}{}{}{}: {}", name_of(event.type), event.driver,
+                                unit, time, item, value_text(event, model), event.cause));
+  }
+  return lines;
+}
+
+// All that is written of a run while it goes on.
+class Outputs {
+public:
+  Outputs(const RunOptions& options, const Model& model, const Analysis& analysis) {
+    const std::string& title = model.mechanism().title;
+    const auto add = [&](const std::string& path, RowWriter::Format format) {
+      writers_.emplace_back(path, format, title, analysis.columns());
+    };
+    if (options.csv) add(*options.csv, RowWriter::Format::kCsv);
+    if (options.json) add(*options.json, RowWriter::Format::kJson);
+    if (options.hdf5) {
+      const RowTitle head = {title, options.profile, driver_unit(model),
+                             std::string(unit_text(dimension::kTime, model.units()))};
+      hdf5_.emplace(*options.hdf5, head, analysis.columns());
+    }
+    if (writers_.empty() && !hdf5_ && !options.summary) add("-", RowWriter::Format::kCsv);
+    if (options.summary) summary_.emplace(analysis);
+  }
+
+  /// Any number at once.
+  [[nodiscard]] BlockTexts texts_of(const RowBlock& block) const {
+    BlockTexts texts;
+    for (const RowWriter& writer : writers_) texts.push_back(writer.text_of(block));
+    return texts;
+  }
+
+  [[nodiscard]] bool good() const {
+    return std::all_of(writers_.begin(), writers_.end(), [](const auto& one) { return one.file().good(); }) &&
+           (!hdf5_ || hdf5_->file().good());
+  }
+
+  /// In order; false where one has failed.
+  [[nodiscard]] bool write(const RowBlock& block, const BlockTexts& texts) {
+    for (std::size_t i = 0; i < writers_.size(); ++i) writers_[i].write(texts[i]);
+    if (hdf5_) hdf5_->write(block);
+    if (summary_) summary_->add(block);
+    return good();
+  }
+
+  /// All tables into their places, or none.
+  [[nodiscard]] bool finish(OutputFile* events, const Analysis& analysis, const Model& model) {
+    std::vector<OutputFile*> files;
+    if (events != nullptr) files.push_back(events);
+    for (RowWriter& writer : writers_) {
+      writer.end(analysis.events(), analysis.good());
+      files.push_back(&writer.file());
+    }
+    if (hdf5_) {
+      hdf5_->end(analysis.events(), event_lines(analysis.events(), model), analysis.good());
+      files.push_back(&hdf5_->file());
+    }
+    return commit_all(files);
+  }
+
+  void print_failure() const {
+    const bool said = std::any_of(writers_.begin(), writers_.end(),
+                                  [](const auto& one) { return report_failure(one.file()); });
+    if (!said && hdf5_) (void)report_failure(hdf5_->file());
+  }
+
+  [[nodiscard]] const std::optional<Summary>& summary() const { return summary_; }
+
+private:
+  std::vector<RowWriter> writers_;
+  std::optional<RowHdf5> hdf5_;
+  std::optional<Summary> summary_;
+};
 
 // Writes all rows; returns the exit code.
 int write_rows(const RunOptions& options, const Model& model, Analysis& analysis) {
-  std::vector<RowWriter> writers = open_outputs(options);
-  for (RowWriter& writer : writers) {
-    writer.begin(model.mechanism().title, analysis.columns());
-  }
-  Summary summary(analysis);
+  Outputs outputs(options, model, analysis);
   Progress progress(!options.quiet);
-  Row row;
-  while (analysis.next(row)) {
-    if (row.number % 256 == 0 && failed(writers)) {
-      return kExitMachine;
-    }
-    for (RowWriter& writer : writers) {
-      writer.row(row);
-    }
-    if (options.summary) {
-      summary.add(row);
-    }
-    progress.at(row.number, analysis.size());
+  bool written = outputs.good();
+  if (!written) {
+    outputs.print_failure();
+    return kExitMachine;
+  }
+  run_blocks(
+      analysis, options.threads, [&](const RowBlock& block) { return outputs.texts_of(block); },
+      [&](const RowBlock& block, const BlockTexts& texts) {
+        progress.at(block.first, analysis.size());
+        return written = outputs.write(block, texts);
+      });
+  if (!written) {
+    outputs.print_failure();
+    return kExitMachine;
   }
   if (analysis.stopped()) {
     return kExitInterrupted;
@@ -107,11 +166,11 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
     events->write(events_csv(analysis.events(), model));
     events->finish();
   }
-  if (!finish(writers, events ? &*events : nullptr, analysis)) {
+  if (!outputs.finish(events ? &*events : nullptr, analysis, model)) {
     return interrupted ? kExitInterrupted : kExitMachine;
   }
-  if (options.summary) {
-    summary.print(model.mechanism().title);
+  if (outputs.summary()) {
+    outputs.summary()->print(model.mechanism().title);
   }
   if (!options.quiet) {
     print_events(analysis.events(), model);
@@ -145,23 +204,9 @@ void listen_to_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-// Of what reverses: " = -45.88 deg".
-std::string value_text(const Event& event, const Model& model) {
-  if (!event.value || !event.joint) {
-    return "";
-  }
-  const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
-  const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
-  return fmt::format(" = {:.10g} {}", *event.value, unit_text(of, model.units()));
-}
-
 void print_events(const std::vector<Event>& events, const Model& model) {
-  const std::string unit = driver_unit(model);
-  for (const Event& event : events) {
-    const std::string item = event.item.empty() ? "" : ": " + event.item;
-    const std::string time = event.time ? fmt::format(", time = {:.15g}", *event.time) : "";
-    fmt::print(stderr, "{} at driver = {:.15g} {}{}{}{}: {}\n", name_of(event.type), event.driver, unit, time,
-               item, value_text(event, model), event.cause);
+  for (const std::string& line : event_lines(events, model)) {
+    fmt::print(stderr, "{}\n", line);
   }
 }
 

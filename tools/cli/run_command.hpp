@@ -23,10 +23,12 @@ struct RunOptions {
   bool forces = false;  ///< forces instead of analyze
   std::optional<std::string> csv;
   std::optional<std::string> json;
+  std::optional<std::string> hdf5;
   std::optional<std::string> events;  ///< file of the events, as CSV
   std::vector<std::string> overrides;
   std::optional<std::int64_t> samples;
   double tolerance = 1e-9;
+  int threads = 0;  ///< 0: as many as there are cores
   bool quiet = false;
   bool summary = false;
   std::vector<std::string> columns;  ///< names or globs; empty: all

@@ -72,14 +72,18 @@ Summary::Summary(const Analysis& analysis) : analysis_(analysis), ranges_(analys
   }
 }
 
-void Summary::add(const Row& row) {
-  const double at = place_ < row.values.size() ? row.values[place_] : static_cast<double>(row.number);
-  for (std::size_t i = 0; i < row.values.size(); ++i) {
-    const double value = row.values[i];  // NaN, which is undefined, changes nothing
-    if (value < ranges_[i].low.value) ranges_[i].low = {value, at};
-    if (value > ranges_[i].high.value) ranges_[i].high = {value, at};
+void Summary::add(const RowBlock& block) {
+  for (std::size_t row = 0; row < block.size(); ++row) {
+    const auto values = block.row(row);
+    const std::int64_t number = block.first + static_cast<std::int64_t>(row);
+    const double at = place_ < values.size() ? values[place_] : static_cast<double>(number);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double value = values[i];  // NaN, which is undefined, changes nothing
+      if (value < ranges_[i].low.value) ranges_[i].low = {value, at};
+      if (value > ranges_[i].high.value) ranges_[i].high = {value, at};
+    }
+    ++statuses_[name_of(block.statuses[row])];
   }
-  ++statuses_[name_of(row.status)];
 }
 
 double Summary::rounded(std::size_t column, double value) const {

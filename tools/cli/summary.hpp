@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/front/motion.hpp"
+#include "higherpair/front/row_blocks.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -17,7 +17,7 @@ class Summary {
 public:
   explicit Summary(const Analysis& analysis);
 
-  void add(const Row& row);
+  void add(const RowBlock& block);
 
   /// Prints them on standard output, at most 80 characters to a line.
   void print(const std::string& title) const;

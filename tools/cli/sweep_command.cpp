@@ -1,5 +1,6 @@
 #include "sweep_command.hpp"
 
+#include "hdf5_file.hpp"
 #include "higherpair/higherpair.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -132,10 +133,11 @@ std::string kept_text(const Journal& journal, const SweepSummary& summary, const
 }
 
 // All blocks that are not there yet; returns the exit code where it does not come to the end.
-std::optional<int> run_blocks(const SweepOptions& options, const Sweep& sweep, Journal& journal,
-                              SweepSummary& summary) {
+std::optional<int> run_blocks(const SweepOptions& options, const OpenedSweep& opened, const SweepRunner& run,
+                              Journal& journal, SweepSummary& summary) {
+  const Sweep& sweep = opened.sweep;
   SweepProgress progress(summary.variants(), sweep.size(), !options.quiet);
-  run_sweep(sweep, journal.blocks(), options.threads, [&](const SweepBlock& block) {
+  run(opened, journal.blocks(), [&](const SweepBlock& block) {
     if (!journal.append(block)) {
       return false;
     }
@@ -169,7 +171,7 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
     });
     return all;
   };
-  const auto failure = write_table(options.output, sweep, {title, options.profile}, each);
+  const auto failure = write_table(options.output, sweep, {title, options.profile}, options.threads, each);
   if (failure || !all) {
     const bool interrupted = !all && journal.error().empty();
     const std::string why = interrupted ? "interrupted" : all ? *failure : journal.error();
@@ -198,56 +200,72 @@ bool refuse_inputs(const SweepOptions& options, const Model& model) {
 
 }  // namespace
 
+void add_sweep_options(CLI::App& command, SweepOptions& options) {
+  command.add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command.add_option("-o,--output", options.output, "table of the results: .csv or .h5 (-: standard output)");
+  add_set_option(command, options.overrides);
+  command.add_option("--samples", options.samples, "number of rows of each variant");
+  add_tolerance_option(command, options.tolerance);
+  add_threads_option(command, options.threads);
+  command.add_flag("--resume", options.resume, "go on where an interrupted run of the same sweep has ended");
+  command.add_option("--part", options.part, "the Kth of N equal parts of the variants alone")
+      ->check(part_option());
+  command.add_flag("--quiet", options.quiet, "no summary, notes and progress");
+  command.final_callback([&options] { check_output(options); });
+}
+
 CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options) {
   CLI::App* command = app.add_subcommand(
       "sweep", "many variants of the mechanism, as [sweep] of the profile says, on all cores");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("-o,--output", options.output,
-                      "table of the results: .csv or .h5 (-: standard output)");
-  add_set_option(*command, options.overrides);
-  command->add_option("--samples", options.samples, "number of rows of each variant");
-  add_tolerance_option(*command, options.tolerance);
-  command->add_option("--threads", options.threads, "so many at a time; otherwise as many as there are cores")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag("--resume", options.resume, "go on where an interrupted run of the same sweep has ended");
-  command->add_option("--part", options.part, "the Kth of N equal parts of the variants alone")
-      ->check(part_option());
-  command->add_flag("--quiet", options.quiet, "no summary, notes and progress");
-  command->final_callback([&options] { check_output(options); });
+  add_sweep_options(*command, options);
   return command;
 }
 
-int sweep_command(const SweepOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const std::atomic<bool>& stop) {
+  auto model = open_model(options.profile, options.overrides, quiet);
   if (!model) {
-    return report_error(model.error());
+    return tl::unexpected(std::move(model.error()));
   }
-  if (refuse_inputs(options, *model)) {
+  const Part part = part_of(options.part).value_or(Part());
+  auto sweep = Sweep::of(*model, {options.tolerance, options.samples, part.number, part.of, &stop});
+  if (!sweep) {
+    return tl::unexpected(std::move(sweep.error()));
+  }
+  SweepIdentity identity = identity_of(options, *model);
+  return OpenedSweep{*std::move(model), *std::move(sweep), std::move(identity)};
+}
+
+int sweep_command(const SweepOptions& options) {
+  return sweep_command(options, [&](const OpenedSweep& opened, std::int64_t first, const auto& take) {
+    run_sweep(opened.sweep, first, options.threads, take);
+  });
+}
+
+int sweep_command(const SweepOptions& options, const SweepRunner& run) {
+  listen_to_signals();
+  const auto opened = open_sweep(options, options.quiet, interruption());
+  if (!opened) {
+    return report_error(opened.error());
+  }
+  const Sweep& sweep = opened->sweep;
+  if (refuse_inputs(options, opened->model)) {
     return kExitInput;
   }
-  listen_to_signals();
-  const Part part = part_of(options.part).value_or(Part());
-  const auto sweep =
-      Sweep::of(*model, {options.tolerance, options.samples, part.number, part.of, &interruption()});
-  if (!sweep) {
-    return report_error(sweep.error());
-  }
-  SweepSummary summary(*sweep);
+  SweepSummary summary(sweep);
   Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".blocks");
-  if (!journal.open(identity_of(options, *model), sweep->columns().size(), options.resume,
-                    [&](const SweepBlock& block) {
-                      summary.add(block);
-                      return true;
-                    })) {
+  if (!journal.open(opened->identity, sweep.columns().size(), options.resume, [&](const SweepBlock& block) {
+        summary.add(block);
+        return true;
+      })) {
     return report_journal(journal);
   }
   if (!options.quiet) {
-    print_forecast(sweep->forecast());
+    print_forecast(sweep.forecast());
   }
-  if (const auto code = run_blocks(options, *sweep, journal, summary)) {
+  if (const auto code = run_blocks(options, *opened, run, journal, summary)) {
     return *code;
   }
-  return finish(options, *model, *sweep, journal, summary);
+  return finish(options, opened->model, sweep, journal, summary);
 }
 
 }  // namespace higherpair::cli

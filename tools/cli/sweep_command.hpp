@@ -1,6 +1,10 @@
 #pragma once
 
+#include "higherpair/front/sweep.hpp"
+#include "sweep/journal.hpp"
+
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +30,27 @@ struct SweepOptions {
 /// Adds `sweep` to the program.
 [[nodiscard]] CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options);
 
-/// Runs it; returns the exit code.
+/// What it takes, added to a command or to a program.
+void add_sweep_options(CLI::App& command, SweepOptions& options);
+
+/// A sweep that is ready to be run.
+struct OpenedSweep {
+  Model model;
+  Sweep sweep;
+  SweepIdentity identity;
+};
+
+/// Reads the profile; its notes are printed unless `quiet`. \param stop  ends the work on blocks
+[[nodiscard]] Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet,
+                                             const std::atomic<bool>& stop);
+
+/// Works out the blocks of a sweep from `first` on, and gives them to `take` as run_sweep does.
+using SweepRunner = std::function<void(const OpenedSweep& sweep, std::int64_t first,
+                                       const std::function<bool(const SweepBlock&)>& take)>;
+
+/// Runs it; returns the exit code. \param run  who works out the blocks; without it the threads of this
+/// program
 [[nodiscard]] int sweep_command(const SweepOptions& options);
+[[nodiscard]] int sweep_command(const SweepOptions& options, const SweepRunner& run);
 
 }  // namespace higherpair::cli

@@ -119,6 +119,7 @@ public:
 
   /// What the library itself makes of it.
   [[nodiscard]] const Impl& impl() const { return *impl_; }
+  [[nodiscard]] Impl& impl() { return *impl_; }
 
 private:
   std::unique_ptr<Impl> impl_;

@@ -1,6 +1,6 @@
 #include "sweep/journal.hpp"
 
-#include "sweep/checksum.hpp"
+#include "sweep/block_bytes.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -17,73 +17,6 @@ namespace {
 
 // The bytes are those of the machine: a journal is gone on with where it was begun.
 constexpr std::string_view kMagic = "higherpair sweep 1\n";
-constexpr std::uint32_t kBlockMark = 0x4b4c4248;  // "HBLK"
-
-struct BlockHead {
-  std::uint32_t mark = kBlockMark;
-  std::uint32_t width = 0;
-  std::int64_t number = 0;
-  std::int64_t variants = 0;
-  std::int64_t good = 0;
-  std::int64_t rows = 0;
-  std::int64_t cause_bytes = 0;
-};
-
-struct CauseHead {
-  std::int64_t row = 0;
-  std::int64_t length = 0;
-};
-
-template <class T>
-void put(const T& value, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-std::string causes_of(const SweepBlock& block) {
-  std::string bytes;
-  for (std::size_t row = 0; row < block.causes.size(); ++row) {
-    if (!block.causes[row].empty()) {
-      put(CauseHead{static_cast<std::int64_t>(row), static_cast<std::int64_t>(block.causes[row].size())},
-          bytes);
-      bytes += block.causes[row];
-    }
-  }
-  return bytes;
-}
-
-std::string bytes_of(const SweepBlock& block, std::size_t width) {
-  const std::string causes = causes_of(block);
-  std::string bytes;
-  put(BlockHead{kBlockMark, static_cast<std::uint32_t>(width), block.number, block.variants, block.good,
-                static_cast<std::int64_t>(block.causes.size()), static_cast<std::int64_t>(causes.size())},
-      bytes);
-  bytes.append(reinterpret_cast<const char*>(block.values.data()), block.values.size() * sizeof(double));
-  bytes += causes;
-  put(checksum(bytes), bytes);
-  return bytes;
-}
-
-// Of bytes whose checksum is right.
-SweepBlock block_of(const BlockHead& head, std::string_view payload) {
-  SweepBlock block;
-  block.number = head.number;
-  block.variants = head.variants;
-  block.good = head.good;
-  block.values.resize(static_cast<std::size_t>(head.rows) * head.width);
-  block.causes.resize(static_cast<std::size_t>(head.rows));
-  std::memcpy(block.values.data(), payload.data(), block.values.size() * sizeof(double));
-  payload.remove_prefix(block.values.size() * sizeof(double));
-  while (payload.size() >= sizeof(CauseHead)) {
-    CauseHead cause;
-    std::memcpy(&cause, payload.data(), sizeof cause);
-    payload.remove_prefix(sizeof cause);
-    block.causes.at(static_cast<std::size_t>(cause.row)) =
-        payload.substr(0, static_cast<std::size_t>(cause.length));
-    payload.remove_prefix(static_cast<std::size_t>(cause.length));
-  }
-  return block;
-}
-
 bool read_at(int file, std::int64_t place, char* to, std::size_t count) {
   while (count > 0) {
     const ssize_t got = ::pread(file, to, count, place);
@@ -102,11 +35,7 @@ std::int64_t size_of(int file) {
 }
 
 std::string header_of(const SweepIdentity& identity) {
-  std::string header(kMagic);
-  for (const auto& [name, value] : identity) {
-    header += fmt::format("{} {}\n", name, value);
-  }
-  return header + "\n";
+  return fmt::format("{}{}\n", kMagic, identity_text(identity));
 }
 
 SweepIdentity identity_of(std::string_view header) {
@@ -144,6 +73,14 @@ std::string read_header(int file) {
 }
 
 }  // namespace
+
+std::string identity_text(const SweepIdentity& identity) {
+  std::string text;
+  for (const auto& [name, value] : identity) {
+    text += fmt::format("{} {}\n", name, value);
+  }
+  return text;
+}
 
 Journal::~Journal() {
   if (file_ >= 0) {
@@ -229,7 +166,7 @@ bool Journal::write(const std::string& bytes) {
 }
 
 bool Journal::append(const SweepBlock& block) {
-  if (!write(bytes_of(block, width_))) {
+  if (!write(block_bytes(block, width_))) {
     return false;
   }
   ++blocks_;
@@ -241,28 +178,22 @@ std::int64_t Journal::read_blocks(const Take& take) {
   const std::int64_t size = size_of(file_);
   std::int64_t count = 0;
   length_ = start_;
-  std::string bytes;
-  while (size - length_ >= static_cast<std::int64_t>(sizeof(BlockHead) + sizeof(std::uint64_t))) {
-    BlockHead head;
-    const std::int64_t rest = size - length_ - static_cast<std::int64_t>(sizeof head + sizeof(std::uint64_t));
-    if (!read_at(file_, length_, reinterpret_cast<char*>(&head), sizeof head) || head.mark != kBlockMark ||
-        head.width != width_ || head.number != count || head.rows < 0 || head.cause_bytes < 0 ||
-        head.cause_bytes > rest ||
-        head.rows > (rest - head.cause_bytes) / static_cast<std::int64_t>(width_ * sizeof(double))) {
+  std::string bytes(kBlockHeadSize, '\0');
+  while (size - length_ >= static_cast<std::int64_t>(kBlockHeadSize)) {
+    bytes.resize(kBlockHeadSize);
+    if (!read_at(file_, length_, bytes.data(), kBlockHeadSize)) {
       break;
     }
-    const auto payload = static_cast<std::size_t>(head.rows) * width_ * sizeof(double) +
-                         static_cast<std::size_t>(head.cause_bytes);
-    bytes.resize(sizeof head + payload + sizeof(std::uint64_t));
-    std::uint64_t sum = 0;
+    const auto whole = block_size(bytes, width_, static_cast<std::size_t>(size - length_));
+    if (!whole) {
+      break;
+    }
+    bytes.resize(*whole);
     if (!read_at(file_, length_, bytes.data(), bytes.size())) {
       break;
     }
-    std::memcpy(&sum, bytes.data() + sizeof head + payload, sizeof sum);
-    if (sum != checksum(std::string_view(bytes).substr(0, sizeof head + payload))) {
-      break;
-    }
-    if (!take(block_of(head, std::string_view(bytes).substr(sizeof head, payload)))) {
+    const auto block = block_of(bytes, width_);
+    if (!block || block->number != count || !take(*block)) {
       break;
     }
     length_ += static_cast<std::int64_t>(bytes.size());

@@ -13,6 +13,9 @@ namespace higherpair::cli {
 /// texts without line ends.
 using SweepIdentity = std::map<std::string, std::string>;
 
+/// All of it as lines of text.
+[[nodiscard]] std::string identity_text(const SweepIdentity& identity);
+
 /// The blocks of a sweep in the order of their numbers, on disk: appended one by one, each with its checksum.
 /// Whatever kills the program, the file holds every block that was appended and at most one torn one, which
 /// is cut off when the file is opened again.

@@ -1,8 +1,13 @@
 #include "sweep/table_file.hpp"
 
+#include "hdf5_file.hpp"
 #include "output_file.hpp"
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <future>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -29,15 +34,25 @@ void remove_torn_tables(const std::string& target) {
   for (const fs::path& path : torn) fs::remove(path, code);
 }
 
-std::optional<std::string> write_csv(const std::string& path, const Sweep& sweep, const EachBlock& each) {
+// Digits take longer than anything else here: several blocks at once, written in their order.
+std::optional<std::string> write_csv(const std::string& path, const Sweep& sweep, std::size_t threads,
+                                     const EachBlock& each) {
   OutputFile file(path);
   file.write(sweep_csv_header(sweep));
-  std::string text;
+  std::deque<std::future<std::string>> texts;
+  const auto write_first = [&] {
+    file.write(texts.front().get());
+    texts.pop_front();
+  };
   const bool all = each([&](const SweepBlock& block) {
-    text.clear();
-    append_sweep_csv(sweep, block, text);
-    file.write(text);
+    if (texts.size() == threads) write_first();
+    texts.push_back(std::async(std::launch::async, [&sweep, block] {
+      std::string text;
+      append_sweep_csv(sweep, block, text);
+      return text;
+    }));
   });
+  while (!texts.empty()) write_first();
   file.finish();
   if (all) file.commit();
   if (file.good()) {
@@ -50,7 +65,13 @@ std::optional<std::string> write_h5(const std::string& path, const Sweep& sweep,
                                     const EachBlock& each) {
   const std::string target = target_of(path);
   const std::string temporary = fmt::format("{}.part{}", target, getpid());
-  std::string failure = write_hdf5(temporary, sweep, title, each);
+  Hdf5File file(temporary);
+  file.set_attribute("title", title.title);
+  file.set_attribute("profile", title.profile);
+  const std::size_t table = file.add_table("", {sweep.columns(), {"variant"}, {"cause"}});
+  const bool all = each([&](const SweepBlock& block) { file.append(table, block.values, {block.causes}); });
+  file.close();
+  std::string failure = all ? file.error() : "not all blocks can be read";
   std::error_code code;
   if (failure.empty()) {
     fs::rename(temporary, target, code);
@@ -66,17 +87,14 @@ bool is_hdf5(const std::string& path) {
   return path.ends_with(".h5") || path.ends_with(".hdf5");
 }
 
-bool is_direct(const std::string& path) {
-  std::error_code code;
-  return path == "-" || (fs::exists(path, code) && !fs::is_regular_file(path, code));
-}
-
 std::optional<std::string> write_table(const std::string& path, const Sweep& sweep, const SweepTitle& title,
-                                       const EachBlock& each) {
+                                       int threads, const EachBlock& each) {
   if (!is_direct(path)) {
     remove_torn_tables(target_of(path));
   }
-  return is_hdf5(path) ? write_h5(path, sweep, title, each) : write_csv(path, sweep, each);
+  const auto at_once =
+      threads > 0 ? static_cast<unsigned>(threads) : std::max(std::thread::hardware_concurrency(), 1U);
+  return is_hdf5(path) ? write_h5(path, sweep, title, each) : write_csv(path, sweep, at_once, each);
 }
 
 }  // namespace higherpair::cli

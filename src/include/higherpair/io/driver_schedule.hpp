@@ -102,6 +102,10 @@ public:
   /// Of a single driver in time, in their order; none where it does not turn back strictly between the rows.
   [[nodiscard]] std::vector<TurningPoint> turning_points(std::int64_t row) const;
 
+  /// Whether a single driver goes from one row to a later one without turning back, whatever the rows between
+  /// them; false of several drivers.
+  [[nodiscard]] bool is_one_way(std::int64_t from, std::int64_t to) const;
+
   /// Where velocity or acceleration of a law jumps.
   struct LawJump {
     std::size_t driver = 0;

@@ -1,5 +1,5 @@
-// The table of a sweep as HDF5. The only place where its library is seen.
-#include "sweep/table_file.hpp"
+// The only place where the library of HDF5 is seen.
+#include "hdf5_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,8 +84,7 @@ hid_t make_words(const Column& column) {
   return type;
 }
 
-// One column: a list that grows by what its buffer holds. No times are kept, so that equal sweeps give equal
-// bytes.
+// One column: a list that grows. No times are kept, so that equal tables give equal bytes.
 class Dataset {
 public:
   Dataset(hid_t file, const std::string& name, hid_t type) {
@@ -119,10 +118,9 @@ private:
 // A column with what of it is not written yet.
 class ColumnFile {
 public:
-  ColumnFile(hid_t file, const Column& column)
+  ColumnFile(hid_t file, const Column& column, bool is_whole)
       : is_words_(!column.words.empty()),
-        type_(is_words_ ? make_words(column)
-                        : H5Tcopy(column.name == "variant" ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE),
+        type_(is_words_ ? make_words(column) : H5Tcopy(is_whole ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE),
               H5Tclose, "a type"),
         data_(file, column.name, type_) {
     if (!is_words_) set_attribute(data_.id(), "unit", column.unit);
@@ -153,57 +151,112 @@ private:
   std::vector<double> values_;
 };
 
-// The texts of a block at a time.
-void append_causes(Dataset& data, const SweepBlock& block) {
-  const Handle type(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
-  std::vector<const char*> texts;
-  texts.reserve(block.causes.size());
-  for (const std::string& cause : block.causes) texts.push_back(cause.c_str());
-  if (!texts.empty()) data.append(type, texts.data(), texts.size());
-}
-
-void write_columns(hid_t file, const Sweep& sweep, const EachBlock& each) {
-  std::vector<std::unique_ptr<ColumnFile>> columns;
-  for (const Column& column : sweep.columns()) {
-    columns.push_back(std::make_unique<ColumnFile>(file, column));
-  }
-  const Handle text(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
-  Dataset causes(file, "cause", text);
-  const bool read = each([&](const SweepBlock& block) {
-    for (std::size_t i = 0; i < block.values.size(); ++i) {
-      columns[i % columns.size()]->add(block.values[i]);
+class Table {
+public:
+  Table(hid_t place, const Hdf5Columns& columns) {
+    for (const Column& column : columns.columns) {
+      const auto& whole = columns.integers;
+      const bool is_whole = std::find(whole.begin(), whole.end(), column.name) != whole.end();
+      columns_.push_back(std::make_unique<ColumnFile>(place, column, is_whole));
     }
-    append_causes(causes, block);
-  });
-  for (const auto& column : columns) column->flush();
-  if (!read) throw Failure("the blocks, which cannot be read");
-}
+    const Handle text(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
+    for (const std::string& name : columns.texts) {
+      texts_.push_back(std::make_unique<Dataset>(place, name, text));
+    }
+  }
 
-void write_file(const std::string& path, const Sweep& sweep, const SweepTitle& title, const EachBlock& each) {
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "the file");
-  set_attribute(file, "title", title.title);
-  set_attribute(file, "profile", title.profile);
-  write_columns(file, sweep, each);
-  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "the file");
-  file.close("the file");
-}
+  void append(std::span<const double> values, const std::vector<std::span<const std::string>>& texts) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      columns_[i % columns_.size()]->add(values[i]);
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      append_texts(*texts_[i], texts[i]);
+    }
+  }
+
+  void flush() {
+    for (const auto& column : columns_) column->flush();
+  }
+
+private:
+  static void append_texts(Dataset& data, std::span<const std::string> texts) {
+    const Handle type(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
+    std::vector<const char*> begins;
+    begins.reserve(texts.size());
+    for (const std::string& text : texts) begins.push_back(text.c_str());
+    if (!begins.empty()) data.append(type, begins.data(), begins.size());
+  }
+
+  std::vector<std::unique_ptr<ColumnFile>> columns_;
+  std::vector<std::unique_ptr<Dataset>> texts_;
+};
 
 }  // namespace
 
-bool has_hdf5() {
-  return true;
+struct Hdf5File::Impl {
+  explicit Impl(const std::string& path)
+      : file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "the file") {}
+
+  Handle file;
+  std::vector<Table> tables;
+};
+
+// Whatever is thrown by it ends here.
+template <class Work>
+void Hdf5File::attempt(const Work& work) {
+  if (!error_.empty()) {
+    return;
+  }
+  try {
+    work();
+  } catch (const Failure& failure) {
+    error_ = fmt::format("HDF5 failed at {}; is the disk full?", failure.what());
+  }
 }
 
-std::string write_hdf5(const std::string& path, const Sweep& sweep, const SweepTitle& title,
-                       const EachBlock& each) {
+Hdf5File::Hdf5File(const std::string& path) {
   H5dont_atexit();  // once it has failed to write, its clearing up at exit would crash
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // it would print its errors
-  try {
-    write_file(path, sweep, title, each);
-  } catch (const Failure& failure) {
-    return fmt::format("HDF5 failed at {}; is the disk full?", failure.what());
-  }
-  return "";
+  attempt([&] { impl_ = std::make_unique<Impl>(path); });
+}
+
+Hdf5File::~Hdf5File() = default;
+Hdf5File::Hdf5File(Hdf5File&&) noexcept = default;
+Hdf5File& Hdf5File::operator=(Hdf5File&&) noexcept = default;
+
+void Hdf5File::set_attribute(const std::string& name, const std::string& text) {
+  attempt([&] { cli::set_attribute(impl_->file, name.c_str(), text); });
+}
+
+std::size_t Hdf5File::add_table(const std::string& group, const Hdf5Columns& columns) {
+  attempt([&] {
+    if (group.empty()) {
+      impl_->tables.emplace_back(impl_->file, columns);
+      return;
+    }
+    const Handle place(H5Gcreate2(impl_->file, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Gclose, "a group");
+    impl_->tables.emplace_back(place, columns);
+  });
+  return error_.empty() ? impl_->tables.size() - 1 : 0;
+}
+
+void Hdf5File::append(std::size_t table, std::span<const double> values,
+                      const std::vector<std::span<const std::string>>& texts) {
+  attempt([&] { impl_->tables[table].append(values, texts); });
+}
+
+void Hdf5File::close() {
+  attempt([&] {
+    for (Table& table : impl_->tables) table.flush();
+    impl_->tables.clear();
+    check(H5Fflush(impl_->file, H5F_SCOPE_GLOBAL), "the file");
+    impl_->file.close("the file");
+  });
+}
+
+bool has_hdf5() {
+  return true;
 }
 
 }  // namespace higherpair::cli

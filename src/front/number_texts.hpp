@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace higherpair {
+
+/// Numbers as text: the fewest digits that give back the same double. Half of the numbers in the row of a
+/// table stand elsewhere in it, or in the row before: the text of those met last is kept.
+class NumberTexts {
+public:
+  /// So many characters a number takes at most.
+  static constexpr std::size_t kLongest = 24;
+
+  NumberTexts() : known_(std::size_t{1} << kKnownBits) {}
+
+  /// Writes a number and returns the end of it. \param out  has room for kLongest characters, all of which
+  /// may be changed
+  [[nodiscard]] char* put(double value, char* out) {
+    const auto bits = std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value);
+    Text& known = known_[bits * 0x9E3779B97F4A7C15U >> (64 - kKnownBits)];
+    if (known.bits != bits) {
+      known.bits = bits;
+      char* const begin = known.text.data();
+      known.length = static_cast<std::uint32_t>(
+          std::to_chars(begin, begin + kLongest, std::bit_cast<double>(bits)).ptr - begin);
+    }
+    std::memcpy(out, known.text.data(), kLongest);
+    return out + known.length;
+  }
+
+private:
+  static constexpr int kKnownBits = 9;
+
+  struct Text {
+    std::uint64_t bits = 0;
+    std::uint32_t length = 1;
+    std::array<char, kLongest> text = {'0'};
+  };
+
+  std::vector<Text> known_;
+};
+
+}  // namespace higherpair

@@ -1,0 +1,63 @@
+#include "row_scout.hpp"
+
+#include "higherpair/analysis/standing.hpp"
+
+#include <numeric>
+
+namespace higherpair {
+
+bool go_on_alike(const RunPlace& a, const RunPlace& b) {
+  return go_on_alike(a.run, b.run) && a.history.is_like(b.history, a.run.plan().size);
+}
+
+const RunPlace& RowScout::go_to(const DriverSchedule& schedule, std::int64_t row) {
+  if (row_ < 0) {
+    step(schedule, 0);
+    place_.history.note(place_.run);
+  }
+  leap(schedule, row);
+  return place_;
+}
+
+// By halves, until there is nothing between its ends that rows would have to see.
+void RowScout::leap(const DriverSchedule& schedule, std::int64_t to) {
+  if (row_ >= to || is_stopped(place_.run)) {
+    return;
+  }
+  if (row_ + 1 == to) {
+    step(schedule, to);
+    place_.history.note(place_.run);
+  } else if (!schedule.is_one_way(row_, to) || !leap_at_once(schedule, to)) {
+    leap(schedule, std::midpoint(row_, to));
+    leap(schedule, to);
+  }
+}
+
+// False, and nothing is done, where rows between may have a history.
+bool RowScout::leap_at_once(const DriverSchedule& schedule, std::int64_t to) {
+  Run before = place_.run;
+  const std::int64_t row = row_;
+  step(schedule, to);
+  if (!place_.history.may_change_by(place_.run)) {
+    return true;
+  }
+  place_.run = std::move(before);
+  row_ = row;
+  return false;
+}
+
+// The drivers turn back at most between this row and the one before.
+void RowScout::step(const DriverSchedule& schedule, std::int64_t to) {
+  for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(to)) {
+    move_to(place_.run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+  }
+  motions_.clear();
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const DriverValues si = schedule.state(to, i).si;
+    motions_.push_back({si.position, si.velocity, si.acceleration});
+  }
+  move_to(place_.run, motions_);
+  row_ = to;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,83 @@
+// Runs that have come to the same row over few rows and over many go on alike; those that have something else
+// behind or before them do not.
+#include "higherpair/analysis/standing.hpp"
+
+#include "higherpair/analysis/branch_run.hpp"
+#include "higherpair/io/profile_reader.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+Mechanism shipped(const std::string& name) {
+  return read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml")
+      .value()
+      .mechanism;
+}
+
+// From `from` to `to` in so many equal rows, through the last of them.
+Run moved(Run run, double from, double to, int rows) {
+  for (int k = 1; k <= rows; ++k) {
+    move_to(run, {{k == rows ? to : from + (to - from) * k / rows, 1, 0}});
+  }
+  return run;
+}
+
+constexpr double kDegree = kPi / 180;
+
+class GoingOn : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(GoingOn, IsTheSameOverFewRowsAndOverMany) {
+  const auto start = start_run(shipped(GetParam()), {0}).value();
+  double from = 0;
+  auto few = start;
+  auto many = start;
+  for (const double to : {31.7, 90.0, 180.0, 200.3, 360.0, 361.7, 777.7, 100.1}) {
+    few = moved(few, from * kDegree, to * kDegree, 1);
+    many = moved(many, from * kDegree, to * kDegree, 157);
+    EXPECT_TRUE(go_on_alike(few, many)) << to;
+    from = to;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, GoingOn,
+                         ::testing::Values("four_bar", "watt_sixbar", "ellipse_cam_roller", "spline_cam",
+                                           "scotch_yoke", "knife_edge", "planetary_gear"));
+
+TEST(StandingElsewhere, IsNotTheSame) {
+  const Mechanism mechanism = shipped("four_bar");
+  const auto start = start_run(mechanism, {0}).value();
+  const auto run = moved(start, 0, 1, 3);
+  EXPECT_FALSE(go_on_alike(run, moved(start, 0, 1 + 1e-13, 3)));             // another row
+  EXPECT_FALSE(go_on_alike(run, moved(start, 0, 1 + 2 * kPi, 3)));           // a turn on
+  const auto other = start_on_branch(run.model, {0}, 1 - branch_of(start));  // crossed
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(go_on_alike(run, moved(*other, 0, 1, 3)));
+}
+
+TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
+  const auto start = start_run(shipped("four_bar"), {0}).value();
+  const auto run = moved(start, 0, 1, 3);
+  auto other = run;
+  other.at.outputs.front().sense = -other.at.outputs.front().sense;
+  EXPECT_FALSE(go_on_alike(run, other));
+}
+
+// Past its limit a mechanism stands wherever it was lost; back from it, it does so no more.
+TEST(StandingBeyondALimit, IsTheSameWhereverItWasLost) {
+  const double from = 0;
+  const double beyond = 150 * kDegree;
+  const auto start = start_run(shipped("lock_up"), {from}).value();
+  const auto few = moved(start, from, beyond, 1);
+  const auto many = moved(start, from, beyond, 400);
+  ASSERT_FALSE(few.at.held);
+  EXPECT_EQ(few.at.held, many.at.held);
+  EXPECT_TRUE(go_on_alike(few, many));
+  EXPECT_FALSE(go_on_alike(few, moved(many, beyond, from + 0.01, 1)));
+}
+
+}  // namespace
+}  // namespace higherpair

@@ -1,0 +1,149 @@
+// analyze, step and forces over many rows: the same files on any number of threads, and as HDF5.
+#include "cli/program_testing.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace higherpair::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class LongRun : public ProgramTest {
+protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    copy_profiles(
+        {"four_bar", "watt_sixbar_forces", "ellipse_cam_roller", "double_rocker", "start_stop_crank"});
+  }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return read_file(folder_ / name); }
+
+  /// What h5dump prints of a file; empty where there is no h5dump, or no HDF5 in the program.
+  [[nodiscard]] std::string dumped(const std::string& arguments) const {
+    const std::string to = (folder_ / "dump").string();
+    const std::string command =
+        fmt::format("cd '{}' && h5dump {} >'{}' 2>/dev/null", folder_.string(), arguments, to);
+    return std::system(command.c_str()) == 0 ? read_file(to) : "";
+  }
+};
+
+TEST_F(LongRun, WritesTheSameFilesOnAnyNumberOfThreads) {
+  for (const std::string command : {"analyze four_bar.toml", "forces watt_sixbar_forces.toml",
+                                    "analyze double_rocker.toml", "step start_stop_crank.toml"}) {
+    const auto run = [&](int threads) {
+      return run_program(
+          fmt::format("{} --samples 12500 --threads {} --csv {}.csv --json {}.json --events {}.events",
+                      command, threads, threads, threads, threads));
+    };
+    const Outcome one = run(1);
+    EXPECT_THAT(one.code, ::testing::AnyOf(0, 4)) << one.err;
+    const std::string csv = file("1.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 12501);
+    for (const int threads : {2, 5}) {
+      const Outcome many = run(threads);
+      EXPECT_EQ(many.code, one.code);
+      EXPECT_EQ(many.err, one.err);
+      for (const std::string kind : {".csv", ".json", ".events"}) {
+        EXPECT_TRUE(file(std::to_string(threads) + kind) == file("1" + kind)) << command << kind;
+      }
+    }
+  }
+}
+
+TEST_F(LongRun, SummarisesTheSameOnAnyNumberOfThreads) {
+  const std::string one = run_program("analyze four_bar.toml --samples 9000 --threads 1 --summary").out;
+  EXPECT_THAT(one, HasSubstr("rows: 9000 ok"));
+  EXPECT_EQ(run_program("analyze four_bar.toml --samples 9000 --threads 3 --summary").out, one);
+}
+
+TEST_F(LongRun, WritesHdf5WithUnitsAndEvents) {
+  const Outcome outcome =
+      run_program("analyze ellipse_cam_roller.toml --samples 9000 --threads 2 --hdf5 two.h5");
+  if (outcome.err.find("built without HDF5") != std::string::npos) {
+    GTEST_SKIP() << "built without HDF5";
+  }
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(run_program("analyze ellipse_cam_roller.toml --samples 9000 --threads 1 --hdf5 one.h5").code, 0);
+  EXPECT_THAT(file("one.h5"), StartsWith("\x89HDF\r\n"));
+  EXPECT_TRUE(file("one.h5") == file("two.h5"));
+  const std::string head = dumped("-A one.h5");
+  if (head.empty()) {
+    GTEST_SKIP() << "there is no h5dump (hdf5-tools)";
+  }
+  EXPECT_THAT(head, HasSubstr("DATASET \"follower.angle\""));
+  EXPECT_THAT(head, HasSubstr("SIMPLE { ( 9000 )"));
+  EXPECT_THAT(dumped("-a follower.alpha/unit one.h5"), HasSubstr("\"deg/s^2\""));
+  EXPECT_THAT(dumped("-a events/driver/unit one.h5"), HasSubstr("\"deg\""));
+  EXPECT_THAT(dumped("-a ok one.h5"), HasSubstr("\"yes\""));
+  EXPECT_THAT(dumped("-a events one.h5"), HasSubstr("stroke_end at driver = "));
+  EXPECT_THAT(dumped("-d events/type one.h5"), HasSubstr("\"stroke_end\""));
+  EXPECT_THAT(dumped("-d status -s 8999 -c 1 one.h5"), HasSubstr("(8999): ok"));
+}
+
+TEST_F(LongRun, WritesHdf5BesideOtherFilesOrNone) {
+  if (run_program("analyze four_bar.toml --hdf5 t.h5 --quiet").code == 2) {
+    GTEST_SKIP() << "built without HDF5";
+  }
+  EXPECT_TRUE(fs::remove(folder_ / "t.h5"));
+  EXPECT_EQ(run_program("analyze four_bar.toml --hdf5 t.h5 --csv none/t.csv").code, 1);
+  EXPECT_EQ(run_program("analyze four_bar.toml --hdf5 none/t.h5 --csv t.csv").code, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "t.h5"));
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+  const int full = std::system(fmt::format("cd '{}' && trap '' XFSZ; ulimit -f 100; {} analyze four_bar.toml "
+                                           "--samples 90000 --hdf5 t.h5 2>err",
+                                           folder_.string(), HIGHERPAIR_PROGRAM)
+                                   .c_str());
+  EXPECT_EQ(WEXITSTATUS(full), 1);
+  EXPECT_THAT(file("err"), HasSubstr("cannot write t.h5: HDF5 failed at"));
+  EXPECT_FALSE(fs::exists(folder_ / "t.h5"));
+}
+
+TEST_F(LongRun, RefusesHdf5WhereItCannotBe) {
+  const auto refusal = [&](const std::string& options) {
+    const Outcome outcome = run_program("analyze four_bar.toml " + options);
+    EXPECT_EQ(outcome.code, 2) << options;
+    return outcome.err;
+  };
+  if (refusal("--hdf5 -").find("built without HDF5") != std::string::npos) {
+    GTEST_SKIP() << "built without HDF5";
+  }
+  EXPECT_THAT(refusal("--hdf5 -"), HasSubstr("HDF5 needs a regular file"));
+  EXPECT_THAT(refusal("--hdf5 /dev/null"), HasSubstr("HDF5 needs a regular file"));
+  EXPECT_THAT(refusal("--hdf5 t --csv t"), HasSubstr("give each a file of its own"));
+  EXPECT_THAT(refusal("--hdf5 four_bar.toml"), HasSubstr("give the output a name of its own"));
+  EXPECT_THAT(refusal("--threads 0"), HasSubstr("--threads"));
+}
+
+TEST_F(LongRun, SaysThatADiskIsFull) {
+  const int full =
+      std::system(fmt::format("cd '{}' && trap '' XFSZ; ulimit -f 1000; {} analyze four_bar.toml "
+                              "--samples 90000 --csv t.csv 2>err",
+                              folder_.string(), HIGHERPAIR_PROGRAM)
+                      .c_str());
+  EXPECT_EQ(WEXITSTATUS(full), 1);
+  EXPECT_THAT(file("err"), HasSubstr("cannot write t.csv: File too large"));
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+}
+
+// With 10 million rows it would take minutes.
+TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
+  const int status = std::system(
+      fmt::format("cd '{}' && timeout --preserve-status -s INT 0.5 {} analyze four_bar.toml --samples "
+                  "100000000 --csv t.csv 2>err",
+                  folder_.string(), HIGHERPAIR_PROGRAM)
+          .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(file("err"), IsEmpty());
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+}
+
+}  // namespace
+}  // namespace higherpair::testing

@@ -1,0 +1,127 @@
+// higherpair-sweep-mpi on 2 to 8 ranks: the table of an ordinary sweep, whatever happens on the way.
+#include "cli/program_testing.hpp"
+
+#include <fstream>
+#include <random>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#ifdef HIGHERPAIR_MPI_PROGRAM
+
+namespace higherpair::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// More ranks than cores, in containers too.
+constexpr const char* kRun = "mpirun --allow-run-as-root --oversubscribe --bind-to none";
+
+class MpiSweep : public ProgramTest {
+protected:
+  void SetUp() override {
+    if (std::system("command -v mpirun >/dev/null 2>&1") != 0) {
+      GTEST_SKIP() << "there is no mpirun (openmpi-bin)";
+    }
+    ProgramTest::SetUp();
+    std::ofstream(folder_ / "four_bar.toml") << read_file(shipped_profile("four_bar.toml")) << R"(
+[sweep]
+method = "sobol"
+count  = 24000
+[sweep.variables]
+rocker  = { path = "bodies.rocker.points.B.0", min = 3.9, max = 4.1 }
+coupler = { path = "bodies.coupler.points.B.0", normal = [3.5, 0.01] }
+[sweep.results]
+fast = { column = "rocker.omega", of = "max", where = true }
+)";
+    ASSERT_EQ(run_program("sweep four_bar.toml --samples 181 --quiet -o whole.csv").code, 0);
+  }
+
+  [[nodiscard]] Outcome run_script(const std::string& script) const {
+    std::ofstream(folder_ / "script.sh") << script;
+    const int status =
+        std::system(fmt::format("cd '{}' && sh script.sh >out 2>err", folder_.string()).c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file("out"), file("err")};
+  }
+
+  [[nodiscard]] static std::string command(int ranks, const std::string& arguments) {
+    return fmt::format("{} -n {} {} four_bar.toml --samples 181 --quiet {}", kRun, ranks,
+                       HIGHERPAIR_MPI_PROGRAM, arguments);
+  }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return read_file(folder_ / name); }
+};
+
+TEST_F(MpiSweep, WritesTheTableOfOneMachine) {
+  for (const int ranks : {1, 2, 3, 8}) {
+    const Outcome outcome = run_script(command(ranks, "-o ranks.csv"));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(file("ranks.csv") == file("whole.csv")) << ranks << " ranks";
+    EXPECT_FALSE(fs::exists(folder_ / "ranks.csv.blocks"));
+  }
+  const Outcome threads = run_script(command(2, "--threads 2 -o -"));
+  EXPECT_TRUE(threads.out == file("whole.csv")) << threads.err;
+}
+
+// The whole job at random moments, as batch systems do; each time it goes on where it was, also alone.
+TEST_F(MpiSweep, GoesOnAfterItIsKilled) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> seconds(0.2, 0.9);
+  int killed = 0;
+  for (int i = 0; i < 10; ++i) {
+    const Outcome outcome =
+        run_script(fmt::format("{} & job=$!\n"
+                               "sleep {:.2f}; kill -KILL $job $(pgrep -P $job) 2>&1\n"
+                               "wait $job\n",
+                               command(3, "-o killed.csv --resume"), seconds(random)));
+    killed += outcome.code == 137 ? 1 : 0;
+    if (outcome.code == 0) break;  // a fast machine has come to the end
+  }
+  EXPECT_GT(killed, 0);
+  const Outcome last = run_program("sweep four_bar.toml --samples 181 --quiet -o killed.csv --resume");
+  EXPECT_EQ(last.code, 0) << last.err;
+  EXPECT_TRUE(file("killed.csv") == file("whole.csv"));
+}
+
+// One rank stands still: the table is finished without it.
+TEST_F(MpiSweep, DoesNotWaitForASlowRank) {
+  const Outcome outcome = run_script(command(3, "-o slow.csv") +
+                                     " & job=$!\n"
+                                     "while [ ! -s slow.csv.blocks ]; do sleep 0.02; done\n"
+                                     "last=$(pgrep -P $job | tail -1); kill -STOP $last\n"
+                                     "for i in $(seq 200); do [ -s slow.csv ] && break; sleep 0.05; done\n"
+                                     "[ -s slow.csv ] && echo there\n"
+                                     "kill -CONT $last; wait $job\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("there"));
+  EXPECT_TRUE(file("slow.csv") == file("whole.csv"));
+}
+
+TEST_F(MpiSweep, SaysWhatIsWrongOnce) {
+  const Outcome none = run_script(command(3, "-o none/w.csv"));
+  EXPECT_EQ(none.code, 2);
+  EXPECT_EQ(none.err.find("there is no folder none"), none.err.rfind("there is no folder none"));
+  const Outcome wrong = run_script(command(3, "-o w.csv --set sweep.results.fast.column=rocker.omeha"));
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean `rocker.omega`"));
+  EXPECT_EQ(wrong.err.find("did you mean"), wrong.err.rfind("did you mean"));
+}
+
+TEST_F(MpiSweep, HeedsASignalAndGoesOn) {
+  const Outcome outcome = run_script(command(3, "-o out.csv") +
+                                     " & job=$!\n"
+                                     "while [ ! -s out.csv.blocks ]; do sleep 0.02; done\n"
+                                     "kill -TERM $(pgrep -P $job | head -1); wait $job\n");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted; "));
+  EXPECT_THAT(outcome.err, HasSubstr("--resume goes on from there"));
+  EXPECT_EQ(run_script(command(2, "-o out.csv --resume")).code, 0);
+  EXPECT_TRUE(file("out.csv") == file("whole.csv"));
+}
+
+}  // namespace
+}  // namespace higherpair::testing
+
+#endif

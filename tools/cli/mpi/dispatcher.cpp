@@ -1,0 +1,149 @@
+#include "mpi/dispatcher.hpp"
+
+#include "sweep/block_bytes.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+constexpr std::int64_t kNone = -1;
+// Blocks for each thread of all ranks: one that it works on, one that waits for it, and as many results that
+// wait for a late one.
+constexpr std::int64_t kBlocksPerThread = 4;
+// Up to so many ranks rank 0 works on blocks as well.
+constexpr int kMostToWorkBeside = 32;
+
+}  // namespace
+
+Dispatcher::Dispatcher(const Sweep& sweep, std::string identity, int threads, const std::atomic<bool>& stop)
+    : sweep_(sweep),
+      identity_(std::move(identity)),
+      threads_(threads),
+      stop_(stop),
+      window_(kBlocksPerThread * threads * rank_count()),
+      agreed_(static_cast<std::size_t>(rank_count()), false),
+      own_(sweep, rank_count() <= kMostToWorkBeside ? threads : 0),
+      own_wanted_(rank_count() <= kMostToWorkBeside ? static_cast<std::size_t>(threads) + 1 : 0) {}
+
+void Dispatcher::run(std::int64_t first, const Take& take) {
+  take_ = &take;
+  next_ = taken_ = first;
+  while (!ended_ && taken_ < sweep_.blocks()) {
+    bool idle = true;
+    while (const auto message = receive()) {
+      serve(*message);
+      idle = false;
+    }
+    if (work_here()) idle = false;
+    if (stop_) ended_ = true;
+    if (idle) {
+      rest();
+    } else {
+      hand_out();
+    }
+  }
+}
+
+void Dispatcher::serve(const Received& message) {
+  const auto rank = static_cast<std::size_t>(message.rank);
+  switch (message.what) {
+    case Message::kHello:
+      agreed_[rank] = message.bytes == identity_;
+      if (!agreed_[rank]) {
+        fmt::print(stderr,
+                   "higherpair: rank {} does not take part: it has another profile, or another version of "
+                   "this program\n",
+                   message.rank);
+      }
+      break;
+    case Message::kAsk:
+      if (agreed_[rank]) askers_.push_back({message.rank, message.number()});
+      break;
+    case Message::kResult:
+      if (auto block = block_of(message.bytes, sweep_.columns().size())) {
+        accept(*std::move(block));
+      }
+      break;
+    case Message::kBye:
+    case Message::kWork:
+    case Message::kEnd:
+      break;
+  }
+}
+
+// Of two that are the same the second is not needed.
+void Dispatcher::accept(SweepBlock block) {
+  const std::int64_t number = block.number;
+  issued_.erase(number);
+  if (ended_ || !block.complete || number < taken_ || number >= next_) {
+    return;
+  }
+  ready_.try_emplace(number, std::move(block));
+  for (auto first = ready_.begin(); !ended_ && first != ready_.end() && first->first == taken_;
+       first = ready_.begin()) {
+    ended_ = !(*take_)(first->second);
+    ready_.erase(first);
+    ++taken_;
+  }
+}
+
+// Whether a block has been finished or begun.
+bool Dispatcher::work_here() {
+  bool worked = false;
+  while (auto block = own_.collect()) {
+    accept(*std::move(block));
+    worked = true;
+  }
+  while (own_.under_way() < own_wanted_) {
+    const std::int64_t block = choose(0);
+    if (block == kNone) break;
+    own_.give(block);
+    worked = true;
+  }
+  return worked;
+}
+
+void Dispatcher::hand_out() {
+  for (Asker& asker : askers_) {
+    while (asker.blocks > 0) {
+      const std::int64_t block = choose(asker.rank);
+      if (block == kNone) break;
+      send(asker.rank, Message::kWork, block);
+      --asker.blocks;
+    }
+  }
+  std::erase_if(askers_, [](const Asker& asker) { return asker.blocks == 0; });
+}
+
+std::int64_t Dispatcher::choose(int rank) {
+  if (next_ < sweep_.blocks() && next_ < taken_ + window_) {
+    issued_[next_] = {rank, false};
+    return next_++;
+  }
+  for (auto& [number, issue] : issued_) {
+    if (issue.rank != rank && !issue.again) {
+      issue.again = true;
+      return number;
+    }
+  }
+  return kNone;
+}
+
+void dismiss_workers() {
+  for (int rank = 1; rank < rank_count(); ++rank) {
+    send(rank, Message::kEnd);
+  }
+  for (int gone = 1; gone < rank_count();) {
+    const auto message = receive();
+    if (!message) {
+      rest();
+    } else if (message->what == Message::kBye) {
+      ++gone;
+    }
+  }
+}
+
+}  // namespace higherpair::cli
