@@ -83,14 +83,16 @@ void note_varied(const Table& document, Reading& reading) {
     if (const auto* path = std::get_if<std::string>(&value.content))
       reading.varied.emplace(*path, std::nullopt);
   };
-  const Table* variables = table_at(table_at(&document, "sweep"), "variables");
-  for (std::size_t i = 0; variables != nullptr && i < variables->size(); ++i) {
-    const auto* variable = std::get_if<Table>(&(*variables)[i].value.content);
-    const Value* path = variable == nullptr ? nullptr : find(*variable, "path");
-    if (path == nullptr) continue;
-    note(*path);
-    if (const auto* items = std::get_if<Array>(&path->content))
-      std::for_each(items->begin(), items->end(), note);
+  for (const char* task : {"sweep", "design"}) {
+    const Table* variables = table_at(table_at(&document, task), "variables");
+    for (std::size_t i = 0; variables != nullptr && i < variables->size(); ++i) {
+      const auto* variable = std::get_if<Table>(&(*variables)[i].value.content);
+      const Value* path = variable == nullptr ? nullptr : find(*variable, "path");
+      if (path == nullptr) continue;
+      note(*path);
+      if (const auto* items = std::get_if<Array>(&path->content))
+        std::for_each(items->begin(), items->end(), note);
+    }
   }
 }
 
