@@ -10,6 +10,8 @@
 #include "higherpair/front/drawing.hpp"         // IWYU pragma: export
 #include "higherpair/front/error.hpp"           // IWYU pragma: export
 #include "higherpair/front/export.hpp"          // IWYU pragma: export
+#include "higherpair/front/fit.hpp"             // IWYU pragma: export
+#include "higherpair/front/fit_curve.hpp"       // IWYU pragma: export
 #include "higherpair/front/map.hpp"             // IWYU pragma: export
 #include "higherpair/front/measure.hpp"         // IWYU pragma: export
 #include "higherpair/front/mobility.hpp"        // IWYU pragma: export

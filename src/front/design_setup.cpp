@@ -4,12 +4,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace higherpair {
 namespace {
+
+// What a fit can do without.
+Diagnostics missing_in(const DesignTask& task) {
+  Diagnostics mistakes;
+  if (task.objectives.empty()) {
+    mistakes.push_back(
+        {task.place, "design.objectives is missing: expected what is to be small, [[design.objectives]]"});
+  }
+  for (const DesignTask::Variable& variable : task.variables) {
+    for (const auto& [bound, key, what] : {std::tuple(variable.range.low, "min", "smallest"),
+                                           std::tuple(variable.range.high, "max", "largest")}) {
+      if (std::isfinite(bound)) continue;
+      mistakes.push_back(
+          {variable.place,
+           fmt::format("design.variables.{}.{} is missing: expected the {} value, in the unit in which the "
+                       "number stands",
+                       variable.name, key, what)});
+    }
+  }
+  return mistakes;
+}
 
 bool has_row_at(const DriverSchedule& schedule, double position) {
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
@@ -80,6 +102,9 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   if (task == nullptr) {
     return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
                                       "no [design]: it says which numbers may be chosen and for what"));
+  }
+  if (Diagnostics mistakes = missing_in(*task); !mistakes.empty()) {
+    return refuse(std::move(mistakes));
   }
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));

@@ -1,7 +1,7 @@
 #include "point_table.hpp"
 
+#include "csv_fields.hpp"
 #include "names.hpp"
-#include "numeric/decimal.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -17,51 +17,13 @@ constexpr std::size_t kMostMistakes = 5;
 
 using Fields = std::vector<std::string_view>;
 
-std::string_view bare(std::string_view field) {
-  field = trimmed(field);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-    field = trimmed(field.substr(1, field.size() - 2));
-  }
-  return field;
-}
-
-// The separator of a file is that of its first line; ' ' for any number of spaces.
-char separator_of(std::string_view line) {
-  for (const char separator : {';', '\t', ','}) {
-    if (line.find(separator) != std::string_view::npos) return separator;
-  }
-  return ' ';
-}
-
-Fields fields_of(std::string_view line, char separator) {
-  Fields fields;
-  while (true) {
-    if (separator == ' ') {
-      line = trimmed(line);
-      if (line.empty()) return fields;
-    }
-    const std::size_t end = separator == ' ' ? line.find_first_of(" \t") : line.find(separator);
-    fields.push_back(bare(line.substr(0, end)));
-    if (end == std::string_view::npos) return fields;
-    line.remove_prefix(end + 1);
-  }
-}
-
-std::optional<double> number_in(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = read_decimal(field.data(), field.data() + field.size(), value);
-  const bool whole = error == std::errc() && end == field.data() + field.size() && !field.empty();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 class Reader {
 public:
   Reader(const PointColumns& columns, const Units& units) : columns_(columns), units_(units) {}
 
   void line(std::string_view text, int number) {
+    if (mistakes_.size() >= kMostMistakes) return;
     text = trimmed(text);
-    if (text.empty() || text.front() == '#' || mistakes_.size() >= kMostMistakes) return;
     const bool first = separator_ == 0;
     if (first) separator_ = separator_of(text);
     const Fields fields = fields_of(text, separator_);
@@ -185,15 +147,8 @@ int decimals_of(std::string_view number) {
 tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view text,
                                                                const PointColumns& columns,
                                                                const Units& units) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Reader reader(columns, units);
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    reader.line(line, number);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
   return reader.finish();
 }
 

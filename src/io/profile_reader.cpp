@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/boundaries.hpp"
 #include "names.hpp"
 #include "profile_notes.hpp"
+#include "read_design.hpp"
 #include "reading.hpp"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ Profile read_root(TableReader& root, const Table& document) {
   read_tolerances(root, document, profile);
   read_design(root, document, laws, profile);
   laws.finish();
+  (void)io_detail::read_fit(root, mechanism);  // for its mistakes
   (void)root.take("extra");
   root.finish();
   return profile;

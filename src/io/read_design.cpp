@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -29,7 +30,7 @@ public:
         report(reading_, *variables, "expected at least one variable, NAME = { path = …, min = …, max = … }");
       }
     }
-    read_list(table.need("objectives", "what is to be small, [[design.objectives]]"), [&](TableReader& item) {
+    read_list(table.take("objectives"), [&](TableReader& item) {
       if (auto objective = read_objective(item, profile_, laws_))
         task_.objectives.push_back(*std::move(objective));
     });

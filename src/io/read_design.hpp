@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/io/design_task.hpp"
+#include "higherpair/io/fit_task.hpp"
 #include "laws.hpp"
 #include "reading.hpp"
 
@@ -26,5 +27,8 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 [[nodiscard]] std::optional<double> as_plain_number(Reading& reading, const Item& item);
 /// The same at a key that may be absent.
 [[nodiscard]] std::optional<double> optional_plain_number(TableReader& table, const std::string& key);
+
+/// [fit], where there is one.
+std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism);
 
 }  // namespace higherpair::io_detail

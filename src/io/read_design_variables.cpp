@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -38,10 +39,11 @@ public:
         read_path(path, variable, start);
       }
     }
-    const auto min = table.need("min", "the smallest value, in the unit in which the number stands");
-    const auto max = table.need("max", "the largest value, in the unit in which the number stands");
-    const auto low = min ? as_plain_number(reading_, *min) : std::nullopt;
-    const auto high = max ? as_plain_number(reading_, *max) : std::nullopt;
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const auto min = table.take("min");
+    const auto max = table.take("max");
+    const auto low = min ? as_plain_number(reading_, *min) : std::optional(-kNone);
+    const auto high = max ? as_plain_number(reading_, *max) : std::optional(kNone);
     const auto step = table.take("step");
     variable.range.step = step ? as_plain_number(reading_, *step).value_or(0) : 0;
     if (step && !(variable.range.step > 0)) {
@@ -53,7 +55,7 @@ public:
       variable.range.low = *low;
       variable.range.high = *high;
       variable.range.start = *start;
-      check_range(*min, *max, step, variable);
+      check_range(min, max, step, variable);
     }
     variables_.push_back(std::move(variable));
   }
@@ -111,6 +113,10 @@ private:
     start = start ? start : *number / factor;
     variable.paths.push_back(*path);
     variable.factors.push_back(factor);
+    if (const auto known = reading_.varied.find(*path);
+        variable.paths.size() == 1 && known != reading_.varied.end() && known->second) {
+      variable.unit = unit_text(*known->second, reading_.units);
+    }
   }
 
   [[nodiscard]] std::string no_number(const std::string& path, const Value* value) const {
@@ -136,25 +142,25 @@ private:
     return "there is no number at this path" + (meant.empty() ? std::string() : "; " + meant);
   }
 
-  void check_range(const Item& min, const Item& max, const std::optional<Item>& step,
-                   const DesignTask::Variable& variable) {
+  void check_range(const std::optional<Item>& min, const std::optional<Item>& max,
+                   const std::optional<Item>& step, const DesignTask::Variable& variable) {
     const DesignVariable& range = variable.range;
     if (!(range.low < range.high)) {
-      report(reading_, min,
+      report(reading_, *min,
              fmt::format("must be less than max = {}; {}", range.high,
                          range.low > range.high ? "the two are the wrong way round"
                                                 : "a fixed number is no variable"));
       return;
     }
     if (range.start < range.low || range.start > range.high) {
-      report(reading_, range.start < range.low ? min : max,
+      report(reading_, range.start < range.low ? *min : *max,
              fmt::format(
                  "the profile has {} = {}, which is outside; the search begins there: change the number or "
                  "the bounds",
                  variable.paths.front(), range.start));
     }
-    if (range.log && !(range.low > 0)) {
-      report(reading_, min, "must be > 0 with `log`: logarithms have no 0");
+    if (range.log && !(range.low > 0) && min) {
+      report(reading_, *min, "must be > 0 with `log`: logarithms have no 0");
     }
     if (step && range.step > 0 &&
         std::floor(range.high / range.step + 1e-9) < std::ceil(range.low / range.step - 1e-9)) {

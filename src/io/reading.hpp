@@ -107,7 +107,7 @@ void read_drawing(TableReader& root, Profile& profile);
 /// What `check` holds the mechanism to.
 void read_limits(TableReader& root, Profile& profile);
 
-/// The paths that [sweep] and [tolerances] vary, to be known before all else is read.
+/// The paths that [sweep], [tolerances] and [design] vary, to be known before all else is read.
 void note_varied(const Table& document, Reading& reading);
 
 /// What [sweep] asks for; its variables name numbers of the whole document. To be read last.

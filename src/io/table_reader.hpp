@@ -26,7 +26,7 @@ struct Reading {
   std::vector<Mistake> mistakes;
   std::vector<Mistake> notes;      ///< what is probably a slip, found while reading
   std::vector<std::string> files;  ///< paths of those that were read besides the profile
-  /// Of the numbers that a sweep varies, by their paths, the dimension as which they were read; none: not as
+  /// Of the numbers that a task varies, by their paths, the dimension as which they were read; none: not as
   /// quantities.
   std::map<std::string, std::optional<Dimension>> varied;
   bool lists_quantities = false;  ///< whether all quantities are listed as they are read

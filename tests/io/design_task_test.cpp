@@ -143,7 +143,6 @@ TEST_P(DesignGoals, SayWhatIsWrong) {
 INSTANTIATE_TEST_SUITE_P(
     All, DesignGoals,
     ::testing::Values(
-        Wrong{"", "objectives"},
         Wrong{"[[design.objectives]]\npath = { point = \"crank.C\", through = [[0, 1], [2, 3]] }",
               "there is no such point"},
         Wrong{"[[design.objectives]]\npath = { point = \"ground.O\", through = [[0, 1], [2, 3]] }",

@@ -3,6 +3,7 @@
 #include "design_command.hpp"
 #include "draw_command.hpp"
 #include "export_command.hpp"
+#include "fit_command.hpp"
 #include "higherpair/analysis/row.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
@@ -137,6 +138,8 @@ int run(int argc, char** argv) {
   const CLI::App* sensitivity_command = higherpair::cli::add_sensitivity_command(app, sensitivity);
   higherpair::cli::DesignCommandOptions design;
   const CLI::App* design_command = higherpair::cli::add_design_command(app, design);
+  higherpair::cli::FitCommandOptions fit;
+  const CLI::App* fit_command = higherpair::cli::add_fit_command(app, fit);
   VerifyOptions verify;
   const CLI::App* verify_command = add_verify_command(app, verify);
   bool known = argc < 2 || argv[1][0] == '-';
@@ -191,6 +194,9 @@ int run(int argc, char** argv) {
   }
   if (design_command->parsed()) {
     return higherpair::cli::design_command(design);
+  }
+  if (fit_command->parsed()) {
+    return higherpair::cli::fit_command(fit);
   }
   if (verify_command->parsed()) {
     return higherpair::cli::verify_command(verify);

@@ -16,12 +16,14 @@ namespace higherpair {
 
 /// What [design] of a profile asks for.
 struct DesignTask {
-  /// A number of the profile that may be chosen, or several that are to be equal or multiples of it.
+  /// A number of the profile that may be chosen, or several that are to be equal or multiples of it. A design
+  /// needs both bounds; one that is not given is ±infinity.
   struct Variable {
     std::string name;
     std::vector<std::string> paths;  ///< as --set names them; at least one
     std::vector<double> factors;     ///< of each path: the number there is so many times the variable
     DesignVariable range;            ///< in the unit in which the number stands in the profile
+    std::string unit = "1";          ///< the same, as tables show it; "1" of a pure number
     Place place;
   };
 
@@ -89,7 +91,7 @@ struct DesignTask {
   };
 
   std::vector<Variable> variables;
-  std::vector<Objective> objectives;
+  std::vector<Objective> objectives;  ///< a design needs one
   std::vector<Constraint> constraints;
   DesignMethod method = DesignMethod::kAuto;
   bool keep_branch = false;  ///< only designs that are assembled as the profile is

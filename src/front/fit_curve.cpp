@@ -1,0 +1,192 @@
+#include "higherpair/front/fit_curve.hpp"
+
+#include "higherpair/geometry/boundary_fit.hpp"
+#include "higherpair/io/suggestion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <boost/math/distributions/students_t.hpp>
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kDegrees = 180 / kPi;
+
+tl::unexpected<Error> refuse(Place place, std::string message) {
+  return tl::unexpected(Error{ErrorKind::kInput, {{std::move(place), std::move(message)}}});
+}
+
+// The column of that name, or the only one whose name ends in it.
+Result<const MeasuredColumn*> coordinate(const MeasuredTable& table, const std::string& name) {
+  const MeasuredColumn* found = nullptr;
+  int count = 0;
+  std::vector<std::string> names;
+  for (const MeasuredColumn& column : table.columns) {
+    names.push_back(column.name);
+    if (column.name == name) return &column;
+    if (!column.name.ends_with("." + name)) continue;
+    found = &column;
+    ++count;
+  }
+  if (count == 1) return found;
+  return refuse({table.source, 0, 0},
+                fmt::format("needs a column `{}`{}", name,
+                            count > 1 ? ": several names end in it" : "; " + suggestion(name, names)));
+}
+
+BoundaryFitResult fitted(const std::vector<Vector2d>& points, FittedCurve curve) {
+  switch (curve) {
+    case FittedCurve::kLine:
+      return fit_line(points);
+    case FittedCurve::kCircle:
+      return fit_circle(points);
+    case FittedCurve::kEllipse:
+      return fit_conic(points, ConicForm::kEllipse);
+    case FittedCurve::kParabola:
+      return fit_conic(points, ConicForm::kParabola);
+    case FittedCurve::kHyperbola:
+      return fit_conic(points, ConicForm::kHyperbola);
+    case FittedCurve::kConic:
+      break;
+  }
+  return fit_conic(points);
+}
+
+std::size_t least_count(FittedCurve curve) {
+  switch (curve) {
+    case FittedCurve::kLine:
+      return 2;
+    case FittedCurve::kCircle:
+      return 3;
+    case FittedCurve::kParabola:
+      return 4;
+    default:
+      return 5;
+  }
+}
+
+struct Form {
+  std::string type;
+  std::vector<std::string> names;
+  std::vector<bool> angles;
+};
+
+Form form_of(const BoundaryFit& fit) {
+  switch (fit.curve.kind) {
+    case CurveKind::kLine:
+      return {"line", {"point x", "point y", "normal"}, {false, false, true}};
+    case CurveKind::kParabola:
+      return {"parabola", {"vertex x", "vertex y", "focal_length", "rotation"}, {false, false, false, true}};
+    case CurveKind::kHyperbola:
+      return {"hyperbola",
+              {"center x", "center y", "semi_axis a", "semi_axis b", "rotation"},
+              {false, false, false, false, true}};
+    default:
+      if (fit.parameters.size() == 3)
+        return {"circle", {"center x", "center y", "radius"}, {false, false, false}};
+      return {"ellipse",
+              {"center x", "center y", "semi_axis a", "semi_axis b", "rotation"},
+              {false, false, false, false, true}};
+  }
+}
+
+// As read_curves() takes it.
+std::string curve_text(const CurveFitReport& report) {
+  const auto value = [&](std::size_t i) { return report.numbers[i].value; };
+  if (report.type == "line") {
+    return fmt::format("{{ type = \"line\", point = [{}, {}], normal = {} }}", value(0), value(1), value(2));
+  }
+  if (report.type == "circle") {
+    return fmt::format("{{ type = \"circle\", center = [{}, {}], radius = {} }}", value(0), value(1),
+                       value(2));
+  }
+  if (report.type == "parabola") {
+    return fmt::format("{{ type = \"parabola\", vertex = [{}, {}], focal_length = {}, rotation = {} }}",
+                       value(0), value(1), value(2), value(3));
+  }
+  return fmt::format("{{ type = \"{}\", center = [{}, {}], semi_axes = [{}, {}], rotation = {} }}",
+                     report.type, value(0), value(1), value(2), value(3), value(4));
+}
+
+}  // namespace
+
+const std::vector<std::string>& fitted_curve_names() {
+  static const std::vector<std::string> names = {"line",     "circle",    "ellipse",
+                                                 "parabola", "hyperbola", "conic"};
+  return names;
+}
+
+Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve, double confidence) {
+  const auto x = coordinate(points, "x"), y = coordinate(points, "y");
+  if (!x || !y) {
+    return tl::unexpected(x ? y.error() : x.error());
+  }
+  for (const MeasuredColumn* column : {*x, *y}) {
+    if (column->mistake) return refuse(column->mistake->place, column->mistake->message);
+    const auto unit = find_unit(column->unit);
+    if (!column->unit.empty() && !(unit && dimension_of(*unit) == dimension::kLength)) {
+      return refuse(column->place,
+                    fmt::format("{}[{}]: expected a unit of length, such as mm", column->name, column->unit));
+    }
+  }
+  if ((*x)->unit != (*y)->unit) {
+    return refuse((*y)->place, fmt::format("x is in {} and y in {}: both have to be in one unit",
+                                           (*x)->unit.empty() ? "no unit" : (*x)->unit,
+                                           (*y)->unit.empty() ? "no unit" : (*y)->unit));
+  }
+  CurveFitReport report;
+  report.unit = (*x)->unit.empty() ? "mm" : (*x)->unit;
+  report.confidence = confidence;
+  std::vector<Vector2d> places;
+  for (std::size_t k = 0; k < points.lines.size(); ++k) {
+    if (std::isnan((*x)->values[k]) || std::isnan((*y)->values[k])) continue;
+    places.emplace_back((*x)->values[k], (*y)->values[k]);
+    report.points.push_back({points.lines[k], places.back().x(), places.back().y(), 0});
+  }
+  const std::string& wanted = fitted_curve_names()[static_cast<std::size_t>(curve)];
+  const auto fit = fitted(places, curve);
+  if (!fit) {
+    const std::string more =
+        fit.error() == BoundaryFitError::kTooFew ? fmt::format(": at least {} are needed", least_count(curve))
+        : fit.error() == BoundaryFitError::kOtherForm ? ": try --curve conic, or measure more of the curve"
+                                                      : "";
+    return refuse({points.source, 0, 0}, fmt::format("no {} can be fitted: the {} points {}{}", wanted,
+                                                     places.size(), describe(fit.error()), more));
+  }
+  const Form form = form_of(*fit);
+  report.type = form.type;
+  const auto freedoms = static_cast<double>(places.size()) -
+                        (form.type == "line" ? 2.0 : static_cast<double>(form.names.size()));
+  const double quantile = freedoms > 0 ? boost::math::quantile(boost::math::complement(
+                                             boost::math::students_t(freedoms), (1 - confidence) / 2))
+                                       : std::nan("");
+  for (std::size_t i = 0; i < form.names.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double scale = form.angles[i] ? kDegrees : 1;
+    const double error = scale * std::sqrt(fit->covariance(k, k));
+    report.numbers.push_back({form.names[i], form.angles[i] ? "deg" : report.unit, scale * fit->parameters[i],
+                              error, quantile * error});
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    report.points[i].distance = fit->distances[i];
+    if (i == 0 || std::abs(fit->distances[i]) > std::abs(report.largest)) {
+      report.largest = fit->distances[i];
+      report.largest_line = report.points[i].line;
+    }
+  }
+  report.rms = fit->rms;
+  report.noise = fit->noise;
+  report.text = fmt::format(
+      "# {} fitted to {} points of {}: rms distance {:.3g} {}; lengths in {}, angles in deg{}\ncurves.fitted "
+      "= {}\n",
+      report.type, places.size(), points.source, report.rms, report.unit, report.unit,
+      report.type == "line" ? "; the normal points away from the body: add 180 if that is on the other side"
+                            : "",
+      curve_text(report));
+  return report;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "higherpair/front/fit.hpp"
+#include "higherpair/io/design_task.hpp"
+#include "model_data.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// A measured column that counts.
+struct FitColumn {
+  std::string name;
+  std::string unit;
+  std::vector<double> values;  ///< of each row, in that unit; NaN: missing
+  std::optional<double> deviation;
+  double weight = 1;
+  bool offset = false;
+  bool unit_given = false;  ///< in the header
+  Place place;
+};
+
+/// A point's path in a frame of its own: places of its columns in FitData::columns.
+struct FitFrame {
+  FitTask::Frame task;
+  std::size_t x = 0, y = 0;
+};
+
+/// What was measured, brought to the names and units of a model's tables.
+struct FitData {
+  Model model;
+  std::shared_ptr<const DesignTask> variables;
+  FitTask task;          ///< with the settings' changes
+  RunSettings settings;  ///< of a run that has the columns
+  std::vector<int> lines;
+  std::vector<std::vector<double>> where;  ///< of each driver, or of time alone: its value in each row
+  std::vector<std::string> where_names;
+  std::vector<bool> where_unit_given;
+  std::vector<Place> where_places;
+  std::vector<bool> where_offset;
+  std::vector<FitColumn> columns;
+  std::vector<FitFrame> frames;
+  std::vector<std::string> notes;
+
+  [[nodiscard]] std::size_t rows() const { return lines.size(); }
+  [[nodiscard]] bool in_time() const { return settings.in_time; }
+  [[nodiscard]] int values() const;
+  /// In a unit of `where`.
+  [[nodiscard]] std::string where_unit() const;
+};
+
+[[nodiscard]] Result<FitData> fit_data(const Model& model, const MeasuredTable& measured,
+                                       const FitSettings& settings);
+
+}  // namespace higherpair

@@ -1,0 +1,348 @@
+#include "fit_motion.hpp"
+
+#include "analysis_impl.hpp"
+#include "fit_columns.hpp"
+#include "higherpair/analysis/branch_run.hpp"
+#include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/mechanism/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kStep = 1e-3;        // of a variable's scale, for differences of the fourth order
+constexpr double kOffsetStep = 1e-3;  // of a driver's position [rad], and of what moves it by as much
+constexpr double kAgree = 1e-5;       // of the largest: derivatives by two ways that agree
+
+// The variables alone, each with finite bounds about its start.
+DesignTask ranges_of(const DesignTask& task) {
+  DesignTask ranges;
+  for (DesignTask::Variable variable : task.variables) {
+    DesignVariable& range = variable.range;
+    const double span = range.start != 0 ? 0.25 * std::abs(range.start) : 1;
+    if (!std::isfinite(range.low)) range.low = std::min(range.start, range.high) - span;
+    if (!std::isfinite(range.high)) range.high = std::max(range.start, range.low) + span;
+    ranges.variables.push_back(std::move(variable));
+  }
+  return ranges;
+}
+
+// The same model where no number is refused for being out of its bounds: differences at a bound go beyond it.
+Model without_bounds(const Model& model) {
+  std::vector<Setting> settings;
+  for (const DesignTask::Variable& variable : model.profile().design->variables) {
+    const std::string path = "design.variables." + variable.name;
+    if (std::isfinite(variable.range.low)) {
+      settings.emplace_back(path + ".min", variable.range.log ? 1e-300 : -1e300);
+    }
+    if (std::isfinite(variable.range.high)) settings.emplace_back(path + ".max", 1e300);
+  }
+  const auto changed = settings.empty() ? Result<Model>(model) : model.with(settings);
+  return changed ? *changed : model;
+}
+
+std::vector<double> scales_of(const DesignTask& ranges) {
+  std::vector<double> scales;
+  for (const DesignTask::Variable& variable : ranges.variables) {
+    const DesignVariable& range = variable.range;
+    scales.push_back(range.start != 0 ? std::abs(range.start) : (range.high - range.low) / 2);
+  }
+  return scales;
+}
+
+}  // namespace
+
+// A mechanism that stands at its first position, and where its drivers are to be in each row.
+struct FitMotion::Candidate {
+  std::shared_ptr<const Model::Data> data;
+  Run run;
+  ColumnSet columns;
+  std::optional<InverseDynamics> dynamics;
+  std::vector<std::vector<DriverState>> rows;
+  std::vector<double> times;       // in the profile's unit
+  std::vector<std::size_t> slots;  // of FitData::columns
+};
+
+namespace {
+
+// The drivers in every row of the table, less offsets.
+std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& data, const Profile& profile,
+                                                                 std::span<const double> offsets) {
+  const std::size_t count = data.rows();
+  std::vector<std::vector<DriverState>> rows(count, std::vector<DriverState>(profile.programs.size()));
+  Profile other = profile;
+  if (data.in_time()) {
+    double last = 0;
+    for (const double time : data.where[0]) last = std::max(last, time - offsets[0]);
+    for (DriverProgram& program : other.programs) program.duration = last;
+    const auto schedule = DriverSchedule::step(other, 2);
+    if (!schedule) return std::nullopt;
+    const Scaling to_seconds = to_si(dimension::kTime, profile.units);
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t i = 0; i < rows[k].size(); ++i) {
+        rows[k][i].si = schedule->at_time(to_seconds.apply(data.where[0][k] - offsets[0]), i);
+      }
+    }
+    return rows;
+  }
+  for (std::size_t i = 0; i < other.programs.size(); ++i) {
+    other.programs[i].positions.clear();
+    for (const double position : data.where[i]) other.programs[i].positions.push_back(position - offsets[i]);
+  }
+  const auto schedule = DriverSchedule::analyze(other);
+  if (!schedule) return std::nullopt;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < rows[k].size(); ++i) {
+      rows[k][i] = schedule->state(static_cast<std::int64_t>(k), i);
+    }
+  }
+  return rows;
+}
+
+std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers) {
+  std::vector<DriverMotion> motions;
+  for (const DriverState& driver : drivers) {
+    motions.push_back({driver.si.position, driver.si.velocity, driver.si.acceleration});
+  }
+  return motions;
+}
+
+std::vector<double> first_positions(const Model::Data& data) {
+  // Where the profile's own first row is; of a run in time the same.
+  const auto schedule = first_schedule(data);
+  return schedule ? schedule->first_positions() : std::vector<double>();
+}
+
+}  // namespace
+
+FitMotion::FitMotion(const FitData& data, int branch)
+    : data_(data),
+      ranges_(ranges_of(*data.variables)),
+      numbers_(without_bounds(data.model), ranges_),
+      branch_(branch),
+      scales_(scales_of(ranges_)) {}
+
+std::optional<FitMotion::Candidate> FitMotion::start(std::span<const double> variables,
+                                                     std::span<const double> offsets) const {
+  auto data = numbers_.data_of(variables);
+  if (!data || !data->plan) return std::nullopt;
+  auto rows = driver_rows(data_, data->profile, offsets);
+  const std::vector<double> first = first_positions(*data);
+  if (!rows || first.empty()) return std::nullopt;
+  auto run = start_on_branch(run_model(*data), first, branch_);
+  if (!run) return std::nullopt;
+  auto columns = columns_of(*data, data_.settings, data->profile.units);
+  if (!columns) return std::nullopt;
+  Candidate candidate{
+      std::move(data), *std::move(run), *std::move(columns), std::nullopt, *std::move(rows), {}, {}};
+  if (data_.settings.forces) candidate.dynamics.emplace(candidate.run);
+  for (std::size_t k = 0; k < data_.rows(); ++k) {
+    candidate.times.push_back(data_.in_time() ? data_.where[0][k] - offsets[0] : 0);
+  }
+  for (const FitColumn& column : data_.columns) {
+    const auto& all = candidate.columns.columns();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Column& own) { return own.name == column.name; });
+    candidate.slots.push_back(static_cast<std::size_t>(found - all.begin()));
+  }
+  return candidate;
+}
+
+// Calls f(row, motions, values).
+template <class F>
+void FitMotion::for_each_row(Candidate& candidate, F f) const {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < candidate.rows.size(); ++k) {
+    const std::vector<DriverMotion> motions = motions_of(candidate.rows[k]);
+    move_to(candidate.run, motions);
+    const Reactions* reactions = candidate.dynamics ? &candidate.dynamics->solve(candidate.run) : nullptr;
+    candidate.columns.fill({candidate.run, candidate.rows[k], candidate.times[k], reactions, false}, values);
+    f(k, motions, values);
+  }
+}
+
+std::optional<FitTable> FitMotion::table(std::span<const double> variables,
+                                         std::span<const double> offsets) const {
+  auto candidate = start(variables, offsets);
+  if (!candidate) return std::nullopt;
+  FitTable table(static_cast<Eigen::Index>(data_.rows()), static_cast<Eigen::Index>(data_.columns.size()));
+  for_each_row(*candidate, [&](std::size_t k, const auto&, const std::vector<double>& values) {
+    for (std::size_t c = 0; c < candidate->slots.size(); ++c) {
+      table(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c)) = values[candidate->slots[c]];
+    }
+  });
+  return table;
+}
+
+std::optional<std::vector<FitTable>> FitMotion::derivatives(std::span<const double> variables,
+                                                            std::span<const double> offsets) const {
+  if (exact_) {
+    if (auto exact = exact_derivatives(variables, offsets)) return exact;
+  }
+  return differences(variables, offsets);
+}
+
+void FitMotion::choose_derivatives(std::span<const double> variables, std::span<const double> offsets) {
+  const auto exact = exact_derivatives(variables, offsets);
+  const auto near = exact ? differences(variables, offsets) : std::nullopt;
+  exact_ = exact.has_value() && near.has_value();
+  for (std::size_t p = 0; exact_ && p < exact->size(); ++p) {
+    for (Eigen::Index c = 0; c < (*exact)[p].cols(); ++c) {
+      double largest = 0, off = 0;
+      for (Eigen::Index k = 0; k < (*exact)[p].rows(); ++k) {
+        const double one = (*exact)[p](k, c), other = (*near)[p](k, c);
+        if (std::isnan(one) && std::isnan(other)) continue;
+        largest = std::max(largest, std::abs(other));
+        if (!(std::abs(one - other) <= off)) off = std::abs(one - other);
+      }
+      exact_ = exact_ && off <= kAgree * largest + 1e-12;
+    }
+  }
+}
+
+// Where numbers of the mechanism are not all linear functions of the variables, by differences of these
+// numbers; none where what drivers do hangs on the variable.
+std::optional<Mechanism> FitMotion::mechanism_by(std::size_t variable,
+                                                 std::span<const double> variables) const {
+  if (numbers_.is_linear()) return numbers_.derivative(variable);
+  std::vector<double> x(variables.begin(), variables.end());
+  bool same_drivers = true;
+  const auto at = [&](double step) -> std::optional<Mechanism> {
+    x[variable] = variables[variable] + step;
+    const auto model = numbers_.model_of(x);
+    if (!model) return std::nullopt;
+    const auto& programs = model->profile().programs;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const DriverProgram& own = data_.model.profile().programs[i];
+      same_drivers = same_drivers && programs[i].velocity == own.velocity && !own.law &&
+                     programs[i].acceleration == own.acceleration && programs[i].start == own.start;
+    }
+    return model->mechanism();
+  };
+  auto derivative = mechanism_derivative(at, kStep * scales_[variable]);
+  return same_drivers ? derivative : std::nullopt;
+}
+
+std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<const double> variables,
+                                                                  std::span<const double> offsets) const {
+  auto candidate = start(variables, offsets);
+  if (!candidate) return std::nullopt;
+  // What each parameter changes: the mechanism, or where a driver is.
+  struct Free {
+    Sensitivity by;
+    std::optional<std::size_t> offset;
+  };
+  std::vector<Free> parameters;
+  const std::vector<double> at_rest(candidate->run.mechanism().drivers.size(), 0.0);
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const auto derivative = mechanism_by(i, variables);
+    auto by = derivative ? Sensitivity::at_start(candidate->run, *derivative, at_rest) : std::nullopt;
+    if (!by) return std::nullopt;
+    parameters.push_back({*std::move(by), std::nullopt});
+  }
+  Mechanism none = candidate->run.mechanism();
+  for_each_number(none, [](double& number) { number = 0; });
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (!data_.where_offset[i]) continue;
+    auto by = Sensitivity::at_start(candidate->run, none, at_rest);
+    if (!by) return std::nullopt;
+    parameters.push_back({*std::move(by), i});
+  }
+  const FitColumns closed(candidate->run.mechanism(), data_);
+  const double per_second = to_si(dimension::kTime, data_.model.units()).apply(1);
+  std::vector<FitTable> tables(
+      parameters.size(), FitTable::Constant(static_cast<Eigen::Index>(data_.rows()),
+                                            static_cast<Eigen::Index>(data_.columns.size()), kUndefined));
+  bool made = true;
+  for_each_row(*candidate, [&](std::size_t k, const auto& motions, const std::vector<double>& values) {
+    const bool there = std::any_of(candidate->slots.begin(), candidate->slots.end(),
+                                   [&](std::size_t slot) { return !std::isnan(values[slot]); });
+    for (std::size_t p = 0; made && there && p < parameters.size(); ++p) {
+      std::vector<DriverMotion> by(motions.size(), DriverMotion{0, 0, 0});
+      if (const auto offset = parameters[p].offset; offset && data_.in_time()) {
+        for (std::size_t i = 0; i < by.size(); ++i) {
+          const DriverState& state = candidate->rows[k][i];
+          by[i] = {-per_second * state.si.velocity, -per_second * state.si.acceleration,
+                   -per_second * state.higher_si[0]};
+        }
+      } else if (offset) {
+        const bool turns = driver_turns(data_.model.mechanism(), *offset);
+        by[*offset].position =
+            -to_si(turns ? dimension::kAngle : dimension::kLength, data_.model.units()).apply(1);
+      }
+      const auto of_row = parameters[p].by.of_row(candidate->run, motions, by);
+      made = made && of_row.has_value();
+      if (!made) return;
+      const auto fill_others = [&](const Run& displaced) {
+        std::optional<InverseDynamics> dynamics;
+        if (data_.settings.forces) dynamics.emplace(displaced);
+        std::vector<double> all, chosen;
+        candidate->columns.fill({displaced, candidate->rows[k], candidate->times[k],
+                                 dynamics ? &dynamics->solve(displaced) : nullptr, false},
+                                all);
+        for (const std::size_t c : closed.others()) chosen.push_back(all[candidate->slots[c]]);
+        return chosen;
+      };
+      auto row = tables[p].row(static_cast<Eigen::Index>(k));
+      closed.derivatives(candidate->run, parameters[p].by.derivative(), *of_row, row);
+      if (closed.others().empty()) continue;
+      const std::vector<double> others =
+          derivative_along(candidate->run, parameters[p].by, *of_row,
+                           [&](const Run& displaced, double /*step*/) { return fill_others(displaced); });
+      for (std::size_t i = 0; i < others.size(); ++i) {
+        row(static_cast<Eigen::Index>(closed.others()[i])) = others[i];
+      }
+    }
+  });
+  return made ? std::optional(std::move(tables)) : std::nullopt;
+}
+
+std::optional<std::vector<FitTable>> FitMotion::differences(std::span<const double> variables,
+                                                            std::span<const double> offsets) const {
+  std::vector<FitTable> tables;
+  const auto by = [&](std::span<const double> start_x, double h, auto table_at) {
+    std::optional<FitTable> sum;
+    for (const auto& [steps, weight] : {std::pair(1.0, 8.0), {-1.0, -8.0}, {2.0, -1.0}, {-2.0, 1.0}}) {
+      const auto there = table_at(start_x, steps * h);
+      if (!there) return false;
+      const FitTable part = weight / (12 * h) * *there;
+      sum = sum ? FitTable(*sum + part) : part;
+    }
+    tables.push_back(*std::move(sum));
+    return true;
+  };
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const bool made = by(variables, kStep * scales_[i], [&](std::span<const double> from, double step) {
+      std::vector<double> x(from.begin(), from.end());
+      x[i] += step;
+      return table(x, offsets);
+    });
+    if (!made) return std::nullopt;
+  }
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (!data_.where_offset[i]) continue;
+    double h = kOffsetStep;
+    if (data_.in_time()) {
+      const auto [first, last] = std::minmax_element(data_.where[0].begin(), data_.where[0].end());
+      h *= *last > *first ? *last - *first : 1;
+    } else if (driver_turns(data_.model.mechanism(), i)) {
+      h = from_si(dimension::kAngle, data_.model.units()).apply(h);
+    } else {
+      h *= from_si(dimension::kLength, data_.model.units()).apply(data_.model.data().plan->size);
+    }
+    const bool made = by(offsets, h, [&](std::span<const double> from, double step) {
+      std::vector<double> moved(from.begin(), from.end());
+      moved[i] += step;
+      return table(variables, moved);
+    });
+    if (!made) return std::nullopt;
+  }
+  return tables;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,238 @@
+#include "fit_statistics.hpp"
+
+#include "numeric/singular_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kRank = 1e-8;   // of the largest singular value: columns scaled to length 1
+constexpr double kPart = 1e-5;   // of a direction: an unknown with a smaller part has none
+constexpr double kAlike = 1e-4;  // changes that are alike
+constexpr double kUndefined = FitReport::kUndefined;
+
+Eigen::Index place(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+
+// A basis of the directions in which as many unknowns as possible have no part: reduced row echelon form.
+Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    Eigen::Index row = 0, column = 0;
+    rows.bottomRows(rows.rows() - k).cwiseAbs().maxCoeff(&row, &column);
+    rows.row(k).swap(rows.row(k + row));
+    rows.row(k) /= rows(k, column);
+    for (Eigen::Index other = 0; other < rows.rows(); ++other) {
+      if (other != k) rows.row(other) -= rows(other, column) * rows.row(k);
+    }
+  }
+  return rows;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+  if (names.size() == 1) return names.front();
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+// \param z  changes of the unknowns that leave everything as it is; only those with a part
+std::string direction_text(const std::vector<double>& z, const std::vector<double>& x,
+                           const std::vector<std::string>& names) {
+  if (z.size() == 1) return fmt::format("these columns do not say what {} is", names[0]);
+  const auto alike = [](double a, double b) {
+    return std::abs(a - b) <= kAlike * std::max(std::abs(a), std::abs(b));
+  };
+  const bool all_sized = std::all_of(x.begin(), x.end(), [](double value) { return value != 0; });
+  bool one_share = all_sized;
+  for (std::size_t i = 0; all_sized && i < z.size(); ++i) {
+    one_share = one_share && alike(z[i] / x[i], z[0] / x[0]);
+  }
+  std::string only;
+  if (one_share) {
+    only = z.size() == 2 ? "only their ratio" : "only their ratios";
+  } else if (z.size() == 2) {
+    if (all_sized && alike(z[0] / x[0], -z[1] / x[1])) only = "only their product";
+    if (alike(z[0], z[1])) only = "only their difference";
+    if (alike(z[0], -z[1])) only = "only their sum";
+  }
+  if (!only.empty()) {
+    return fmt::format("{} cannot be told apart by these columns: {}", list_of(names), only);
+  }
+  std::vector<std::string> shares;
+  for (const double change : z) shares.push_back(fmt::format("{:.4g}", change / z[0]));
+  return fmt::format(
+      "{} cannot be told apart by these columns: changes in the proportion {} leave them as they are",
+      list_of(names), fmt::join(shares, " : "));
+}
+
+// Inverse of JᵀJ over the unknowns in `free`, without directions that are not determined.
+Eigen::MatrixXd covariance_shape(const Eigen::MatrixXd& J) {
+  const Eigen::VectorXd lengths = J.colwise().norm().cwiseMax(1e-300);
+  const SingularValues svd = singular_values(triangular_factor(J * lengths.cwiseInverse().asDiagonal()));
+  Eigen::MatrixXd root = Eigen::MatrixXd::Zero(J.cols(), J.cols());
+  for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
+    if (svd.values(k) > kRank * svd.values(0)) root.col(k) = svd.V.col(k) / svd.values(k);
+  }
+  root = lengths.cwiseInverse().asDiagonal() * root;
+  return root * root.transpose();
+}
+
+// The variance of a unit of noise, and of a loss other than squares how much less its minimum is worth.
+// Huber, Robust Statistics, 1981, section 7.6.
+double variance_factor(const FitProblem& problem, const FitSolution& solution, int freedoms) {
+  const FitLoss loss = problem.data().task.loss;
+  double square = 0, slopes = 0, slopes_square = 0, count = 0;
+  for (std::size_t i = 0; i < problem.values().size(); ++i) {
+    const std::size_t column = problem.values()[i].column;
+    if (solution.constant[column]) continue;
+    const double u = solution.residuals(place(i)) / solution.noise[column];
+    const double root = std::sqrt(problem.data().columns[column].weight);
+    square += std::pow(root * weight_of(loss, u) * u, 2);
+    slopes += slope_of(loss, u);
+    slopes_square += std::pow(slope_of(loss, u), 2);
+    count += 1;
+  }
+  const double variance = square / freedoms;
+  if (loss == FitLoss::kSquares) return variance;
+  const double mean = slopes / count;
+  const double spread = slopes_square / count - mean * mean;
+  const double correction = 1 + static_cast<double>(problem.size()) / count * spread / (mean * mean);
+  return correction * correction * variance / (mean * mean);
+}
+
+}  // namespace
+
+std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::VectorXd& x,
+                                         const std::vector<std::string>& names,
+                                         std::vector<bool>& determined) {
+  const Eigen::VectorXd lengths = J.colwise().norm();
+  const double longest = lengths.maxCoeff();
+  std::vector<std::string> sentences;
+  Eigen::MatrixXd scaled = J;
+  for (Eigen::Index i = 0; i < J.cols(); ++i) {
+    if (lengths(i) > 0) scaled.col(i) /= lengths(i);
+  }
+  const SingularValues svd = singular_values(triangular_factor(scaled));
+  Eigen::Index rank = 0;
+  while (rank < svd.values.size() && svd.values(rank) > kRank * svd.values(0)) ++rank;
+  const Eigen::Index idle = J.cols() - rank;
+  if (idle == 0 || !(longest > 0)) return sentences;
+  const Eigen::MatrixXd basis = sparse_basis(svd.V.rightCols(idle).transpose());
+  for (Eigen::Index k = 0; k < idle; ++k) {
+    std::vector<double> z, values;
+    std::vector<std::string> own;
+    for (Eigen::Index i = 0; i < J.cols(); ++i) {
+      if (std::abs(basis(k, i)) < kPart) continue;
+      z.push_back(lengths(i) > 0 ? basis(k, i) / lengths(i) : 1);
+      values.push_back(x(i));
+      own.push_back(names[static_cast<std::size_t>(i)]);
+      determined[static_cast<std::size_t>(i)] = false;
+    }
+    sentences.push_back(direction_text(z, values, own));
+  }
+  return sentences;
+}
+
+FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solution) {
+  const auto n = static_cast<std::size_t>(problem.size());
+  FitStatistics statistics;
+  statistics.errors = Eigen::VectorXd::Constant(problem.size(), kUndefined);
+  statistics.correlation = Eigen::MatrixXd::Constant(problem.size(), problem.size(), kUndefined);
+  statistics.at_bound.assign(n, false);
+  statistics.determined.assign(n, true);
+  const auto jacobian = problem.jacobian(solution.x);
+  if (!jacobian) return statistics;
+  const Eigen::VectorXd scales = scales_of(problem, solution);
+  const Eigen::VectorXd slope = jacobian->transpose() * scales.cwiseAbs2().cwiseProduct(solution.residuals);
+  std::vector<Eigen::Index> free;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Index k = place(i);
+    statistics.at_bound[i] = (solution.x(k) <= problem.low()(k) && slope(k) >= 0) ||
+                             (solution.x(k) >= problem.high()(k) && slope(k) <= 0);
+    if (statistics.at_bound[i]) continue;
+    free.push_back(k);
+    names.push_back(problem.unknowns()[i].name);
+  }
+  int count = 0;
+  for (std::size_t i = 0; i < problem.values().size(); ++i) {
+    count += solution.constant[problem.values()[i].column] ? 0 : 1;
+  }
+  statistics.freedoms = count - static_cast<int>(free.size());
+  if (free.empty()) return statistics;
+  // Derivatives of what the loss leaves: of robust ones the curvature is in the factor of the variance.
+  Eigen::VectorXd plain = scales;
+  for (std::size_t i = 0; i < problem.values().size(); ++i) {
+    const std::size_t column = problem.values()[i].column;
+    plain(place(i)) = solution.constant[column]
+                          ? 0
+                          : std::sqrt(problem.data().columns[column].weight) / solution.noise[column];
+  }
+  Eigen::MatrixXd J(jacobian->rows(), place(free.size()));
+  Eigen::VectorXd x(J.cols());
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    J.col(place(k)) = plain.cwiseProduct(jacobian->col(free[k]));
+    x(place(k)) = solution.x(free[k]);
+  }
+  std::vector<bool> determined(free.size(), true);
+  statistics.undetermined = idle_directions(J, x, names, determined);
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    statistics.determined[static_cast<std::size_t>(free[k])] = determined[k];
+  }
+  if (statistics.freedoms < 1) return statistics;
+  const double variance = variance_factor(problem, solution, statistics.freedoms);
+  const Eigen::MatrixXd covariance = variance * covariance_shape(J);
+  const double confidence = problem.data().task.confidence;
+  statistics.quantile = boost::math::quantile(
+      boost::math::complement(boost::math::students_t(statistics.freedoms), (1 - confidence) / 2));
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    for (std::size_t l = 0; determined[k] && l < free.size(); ++l) {
+      if (!determined[l]) continue;
+      const double product = covariance(place(k), place(k)) * covariance(place(l), place(l));
+      statistics.correlation(free[k], free[l]) = k == l ? 1
+                                                 : product > 0
+                                                     ? covariance(place(k), place(l)) / std::sqrt(product)
+                                                     : kUndefined;
+    }
+    if (determined[k]) statistics.errors(free[k]) = std::sqrt(covariance(place(k), place(k)));
+  }
+  const std::vector<FitColumn>& columns = problem.data().columns;
+  bool all_given = problem.data().task.loss == FitLoss::kSquares;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    all_given = all_given && (solution.constant[c] || (columns[c].deviation && columns[c].weight == 1));
+  }
+  if (all_given) {
+    statistics.noise_ratio = std::sqrt(variance);
+    statistics.chance = boost::math::cdf(boost::math::complement(
+        boost::math::chi_squared(statistics.freedoms), variance * statistics.freedoms));
+  }
+  return statistics;
+}
+
+Succession succession_of(const std::vector<double>& residuals) {
+  constexpr std::size_t kLeast = 12;
+  Succession succession;
+  const std::size_t n = residuals.size();
+  if (n < kLeast) return succession;
+  double mean = 0;
+  for (const double r : residuals) mean += r / static_cast<double>(n);
+  double square = 0, product = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    square += std::pow(residuals[i] - mean, 2);
+    if (i > 0) product += (residuals[i] - mean) * (residuals[i - 1] - mean);
+  }
+  if (!(square > 0)) return succession;
+  succession.correlation = product / square;
+  succession.systematic =
+      succession.correlation > 0.3 && succession.correlation * std::sqrt(static_cast<double>(n)) > 4;
+  return succession;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,144 @@
+#include "fit_units.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+// Misfit, as a share of the values' own size, that is no matter of dimensions, and one that may be.
+constexpr double kFar = 0.5, kNear = 0.25;
+constexpr double kBetter = 0.2;  // of the misfit as it is
+
+struct Candidate {
+  std::string unit;
+  double factor = 1;  // from it to the column's unit
+};
+
+// The unit with another base unit in the place of one of its own.
+std::vector<Candidate> other_units(const std::string& unit, const Units& units) {
+  std::vector<Candidate> candidates;
+  const auto add = [&](const std::string& from, Unit other) {
+    const std::string to(name_of(other));
+    const std::size_t at = unit.find(from);
+    const bool whole = at != std::string::npos &&
+                       (at == 0 || !std::isalpha(static_cast<unsigned char>(unit[at - 1]))) &&
+                       (at + from.size() == unit.size() ||
+                        !std::isalpha(static_cast<unsigned char>(unit[at + from.size()])));
+    if (!whole || from == to) return;
+    const std::string text = std::string(unit).replace(at, from.size(), to);
+    if (const auto factor = factor_between(text, unit, units)) candidates.push_back({text, *factor});
+  };
+  for (const Unit angle : {Unit::kRadian, Unit::kDegree, Unit::kRevolution})
+    add(std::string(name_of(units.angle)), angle);
+  for (const Unit length : {Unit::kMetre, Unit::kMillimetre, Unit::kInch, Unit::kCentimetre,
+                            Unit::kMicrometre, Unit::kKilometre, Unit::kFoot}) {
+    add(std::string(name_of(units.length)), length);
+  }
+  for (const Unit time : {Unit::kSecond, Unit::kMillisecond, Unit::kMinute})
+    add(std::string(name_of(units.time)), time);
+  return candidates;
+}
+
+// Root of the mean square of what is left of `measured` · factor beside `fitted`, over that of `fitted`; of a
+// column whose zero is not known without the means.
+double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted, double factor,
+              bool free_zero) {
+  double mean_off = 0, mean = 0, count = 0;
+  const auto each = [&](auto use) {
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      const double own = fitted(static_cast<Eigen::Index>(k));
+      if (std::isfinite(measured[k]) && std::isfinite(own)) use(factor * measured[k] - own, own);
+    }
+  };
+  each([&](double off, double own) {
+    mean_off += off;
+    mean += own;
+    count += 1;
+  });
+  const double from_off = free_zero ? mean_off / count : 0, from = free_zero ? mean / count : 0;
+  double square_off = 0, square = 0;
+  each([&](double off, double own) {
+    square_off += std::pow(off - from_off, 2);
+    square += std::pow(own - from, 2);
+  });
+  return square > 0 ? std::sqrt(square_off / square) : 0;
+}
+
+std::string advice(const std::string& name, const std::string& own, const Candidate& other) {
+  const double times = 1 / other.factor;
+  return fmt::format(
+      "{}: these values are far from the motion of the profile in {}, but near it if they are in {} (a "
+      "factor of "
+      "{:.6g}); write {}[{}] in the header, or {}[{}] if they are right as they are",
+      name, own, other.unit, times > 1 ? times : other.factor, name, other.unit, name, own);
+}
+
+// Of all columns: their misfits' mean, or none where the motion cannot be run.
+std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<double>& variables,
+                                   const FitData& data) {
+  const FitMotion motion(data, problem.motion().branch());
+  const auto table = motion.table(variables, std::vector<double>(data.where.size(), 0.0));
+  if (!table) return std::nullopt;
+  double sum = 0;
+  for (std::size_t c = 0; c < data.columns.size(); ++c) {
+    sum += std::min(2.0, misfit(data.columns[c].values, table->col(static_cast<Eigen::Index>(c)), 1, true));
+  }
+  return sum / static_cast<double>(data.columns.size());
+}
+
+}  // namespace
+
+Diagnostics unit_suspicions(const FitProblem& problem) {
+  const FitData& data = problem.data();
+  Diagnostics suspicions;
+  std::vector<double> variables;
+  for (const DesignTask::Variable& variable : data.variables->variables)
+    variables.push_back(variable.range.start);
+  const auto table = problem.motion().table(variables, std::vector<double>(data.where.size(), 0.0));
+  if (!table) return suspicions;
+  for (std::size_t c = 0; c < data.columns.size(); ++c) {
+    const FitColumn& column = data.columns[c];
+    bool in_frame = false;
+    for (const FitFrame& frame : data.frames) in_frame = in_frame || frame.x == c || frame.y == c;
+    const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
+    const double as_it_is = misfit(column.values, fitted, 1, column.offset);
+    if (column.unit_given || in_frame || !(as_it_is > kFar)) continue;
+    std::optional<Candidate> best;
+    double least = std::min(kNear, kBetter * as_it_is);
+    for (const Candidate& other : other_units(column.unit, data.model.units())) {
+      const double there = misfit(column.values, fitted, other.factor, column.offset);
+      if (there < least) {
+        least = there;
+        best = other;
+      }
+    }
+    if (best) suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
+  }
+  if (!suspicions.empty()) return suspicions;
+  const auto as_it_is = whole_misfit(problem, variables, data);
+  for (std::size_t i = 0; as_it_is && *as_it_is > kFar && i < data.where.size(); ++i) {
+    if (data.where_unit_given[i] || data.where_offset[i]) continue;
+    std::optional<Candidate> best;
+    double least = std::min(kNear, kBetter * *as_it_is);
+    for (const Candidate& other : other_units(data.where_unit(), data.model.units())) {
+      FitData scaled = data;
+      for (double& value : scaled.where[i]) value *= other.factor;
+      const auto there = whole_misfit(problem, variables, scaled);
+      if (there && *there < least) {
+        least = *there;
+        best = other;
+      }
+    }
+    if (best)
+      suspicions.push_back({data.where_places[i], advice(data.where_names[i], data.where_unit(), *best)});
+  }
+  return suspicions;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,372 @@
+// Conics of least distances from points.
+#include "boundary_fit.hpp"
+#include "numeric/least_squares.hpp"
+#include "numeric/singular_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+using boundary_fit::Coefficients;
+using boundary_fit::monomials;
+using boundary_fit::Normalised;
+using boundary_fit::slope;
+
+constexpr double kRounding = 1e-15;   // of a distance in normalised points
+constexpr double kOneLine = 1e-7;     // spread across a line below which a conic through points means nothing
+constexpr double kDifference = 1e-6;  // step of coefficients of size 1
+constexpr double kFarPoint =
+    1e6;  // of the points' size: beyond are no centre and no axes; below 1 over it, too
+
+std::array<double, 6> array_of(const Coefficients& conic) {
+  std::array<double, 6> result{};
+  Eigen::Map<Coefficients>(result.data()) = conic;
+  return result;
+}
+
+CurveKind kind_of(ConicForm form) {
+  return form == ConicForm::kEllipse    ? CurveKind::kEllipse
+         : form == ConicForm::kParabola ? CurveKind::kParabola
+                                        : CurveKind::kHyperbola;
+}
+
+// Distances and their derivatives by what the conic's coefficients hang on.
+struct Family {
+  // The coefficients for parameters, and their derivatives.
+  std::function<Coefficients(const Eigen::VectorXd&)> conic;
+  std::function<Eigen::Matrix<double, 6, Eigen::Dynamic>(const Eigen::VectorXd&)> derivatives;
+};
+
+LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Family& family,
+                                const Eigen::VectorXd& start) {
+  const auto n = static_cast<Eigen::Index>(points.size());
+  LeastSquaresProblem problem;
+  problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) {
+    const Coefficients conic = family.conic(x);
+    if (!conic.allFinite()) return false;
+    r.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Vector2d& p = points[static_cast<std::size_t>(i)];
+      const double distance = (p - nearest_on_conic(array_of(conic), p)).norm();
+      r(i) = std::copysign(distance, monomials(p).dot(conic));
+    }
+    return r.allFinite();
+  };
+  problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) {
+    const Coefficients conic = family.conic(x);
+    const auto by_x = family.derivatives(x);
+    J.resize(n, x.size());
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Vector2d foot = nearest_on_conic(array_of(conic), points[static_cast<std::size_t>(i)]);
+      J.row(i) = monomials(foot).transpose() * by_x / slope(conic, foot).norm();
+    }
+    return J.allFinite();
+  };
+  LeastSquaresOptions options;
+  options.rounding = kRounding;
+  return least_squares(problem, start, options);
+}
+
+// All conics near one: its coefficients and any change that is no common factor.
+Family near(const Coefficients& conic) {
+  const SingularValues svd = singular_values(conic.transpose());
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> basis = svd.V.rightCols(5);
+  return {[=](const Eigen::VectorXd& x) -> Coefficients { return conic + basis * x; },
+          [=](const Eigen::VectorXd&) { return basis; }};
+}
+
+// v² = 4 f u with u along the axis from the vertex, x = {vertex, angle of the axis, 2 f}.
+Coefficients parabola_at(const Eigen::VectorXd& x) {
+  const Vector2d axis = unit_vector(x(2));
+  const Vector2d vertex = x.head<2>();
+  const double c = axis.x(), s = axis.y();
+  const double v0 = cross(axis, vertex), u0 = axis.dot(vertex);
+  Coefficients conic;
+  conic << s * s, c * c, -2 * s * c, 2 * s * v0 - 2 * x(3) * c, -2 * c * v0 - 2 * x(3) * s,
+      v0 * v0 + 2 * x(3) * u0;
+  return conic;
+}
+
+Family parabolas() {
+  return {[](const Eigen::VectorXd& x) { return parabola_at(x); },
+          [](const Eigen::VectorXd& x) {
+            const Vector2d axis = unit_vector(x(2));
+            const Vector2d across = perp(axis), vertex = x.head<2>();
+            const double v0 = across.dot(vertex), u0 = axis.dot(vertex);
+            // F = v² - 2 ℓ u, v = across·(p - vertex), u = axis·(p - vertex), as a polynomial in p.
+            const auto product = [](const Eigen::Vector3d& f, const Eigen::Vector3d& g) {
+              Coefficients m;
+              m << f(0) * g(0), f(1) * g(1), f(0) * g(1) + f(1) * g(0), f(0) * g(2) + f(2) * g(0),
+                  f(1) * g(2) + f(2) * g(1), f(2) * g(2);
+              return m;
+            };
+            const Eigen::Vector3d one(0, 0, 1), u(axis.x(), axis.y(), -u0), v(across.x(), across.y(), -v0);
+            Eigen::Matrix<double, 6, Eigen::Dynamic> by(6, 4);
+            by.col(0) = product(-2 * across.x() * v + 2 * x(3) * axis.x() * one, one);
+            by.col(1) = product(-2 * across.y() * v + 2 * x(3) * axis.y() * one, one);
+            by.col(2) = product(-2 * v, u) - 2 * x(3) * product(v, one);
+            by.col(3) = -2 * product(u, one);
+            return by;
+          }};
+}
+
+// On the branch of a hyperbola on which most points lie.
+std::optional<Curve> curve_near(const Coefficients& conic, const std::vector<Vector2d>& points) {
+  std::optional<Curve> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vector2d& p : {points.front(), points[points.size() / 2], points.back()}) {
+    const auto curve = make_conic(array_of(conic), Side::kInside, nearest_on_conic(array_of(conic), p));
+    if (!curve) continue;
+    if (curve->kind != CurveKind::kHyperbola) return *curve;
+    double far = 0;
+    for (const Vector2d& q : points) {
+      far += curve->axis_B.dot(q - center(*curve)) > 0 ? 0 : 1;
+    }
+    if (far < nearest) {
+      nearest = far;
+      best = *curve;
+    }
+  }
+  return best;
+}
+
+double half_turn(double angle) {
+  const double turned = std::remainder(angle, kPi);
+  return turned <= -kPi / 2 ? turned + kPi : turned;
+}
+
+// BoundaryFit::parameters of a curve.
+Eigen::VectorXd parameters_of(const Curve& curve) {
+  if (curve.kind == CurveKind::kParabola) {
+    return Eigen::Vector4d(curve.vertex_B.x(), curve.vertex_B.y(), curve.semi_latus / 2,
+                           angle_of(curve.axis_B));
+  }
+  const std::array<double, 2> axes = semi_axes(curve);
+  const Vector2d at = center(curve);
+  Eigen::VectorXd parameters(5);
+  if (curve.kind == CurveKind::kHyperbola) {
+    // axis_B points from the vertex to the focus: the way in which the branch opens.
+    parameters << at, axes[0], axes[1], angle_of(curve.axis_B);
+    return parameters;
+  }
+  const bool along = axes[0] >= axes[1];
+  parameters << at, std::max(axes[0], axes[1]), std::min(axes[0], axes[1]),
+      half_turn(angle_of(along ? curve.axis_B : perp(curve.axis_B)));
+  return parameters;
+}
+
+// A circle's axis may be any.
+bool is_form(CurveKind kind, ConicForm form) {
+  return form == ConicForm::kAny || kind == kind_of(form) ||
+         (form == ConicForm::kEllipse && kind == CurveKind::kCircle);
+}
+
+// Of the natural parameters by those of the family, by differences.
+Eigen::MatrixXd natural_derivatives(const Family& family, const Eigen::VectorXd& x,
+                                    const std::vector<Vector2d>& points, const Eigen::VectorXd& natural) {
+  Eigen::MatrixXd by(natural.size(), x.size());
+  const bool has_direction = natural.size() >= 4;
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const auto at = [&](double h) {
+      Eigen::VectorXd moved = x;
+      moved(k) += h;
+      const auto curve = curve_near(family.conic(moved), points);
+      Eigen::VectorXd parameters = Eigen::VectorXd::Constant(natural.size(), std::nan(""));
+      if (curve && parameters_of(*curve).size() == natural.size()) parameters = parameters_of(*curve);
+      const Eigen::Index last = natural.size() - 1;
+      if (has_direction) {
+        parameters(last) = natural(last) + std::remainder(parameters(last) - natural(last), kPi);
+      }
+      return parameters;
+    };
+    by.col(k) = (at(kDifference) - at(-kDifference)) / (2 * kDifference);
+  }
+  return by;
+}
+
+BoundaryFitResult finished(const Normalised& from, const Family& family, const LeastSquaresFit& found,
+                           ConicForm form) {
+  const auto fail = [](BoundaryFitError error) { return tl::unexpected(error); };
+  const Coefficients conic = family.conic(found.x);
+  const auto curve = form == ConicForm::kParabola
+                         ? std::optional(make_parabola(found.x.head<2>(), found.x(3) / 2, found.x(2)).value())
+                         : curve_near(conic, from.points);
+  if (!curve) return fail(BoundaryFitError::kDegenerate);
+  if (!is_form(curve->kind, form)) return fail(BoundaryFitError::kOtherForm);
+  const Eigen::VectorXd natural = parameters_of(*curve);
+  const Eigen::Index axes = curve->kind == CurveKind::kParabola ? 1 : 2;
+  if (!natural.allFinite() || natural.cwiseAbs().maxCoeff() > kFarPoint ||
+      natural.segment(2, axes).minCoeff() < 1 / kFarPoint) {
+    return fail(BoundaryFitError::kDegenerate);
+  }
+  BoundaryFit fit;
+  fit.parameters.assign(natural.begin(), natural.end());
+  const Eigen::MatrixXd square = boundary_fit::inverse_of_square(found.J);
+  Eigen::MatrixXd by = Eigen::MatrixXd::Zero(4, 4);
+  if (form == ConicForm::kParabola) {  // {vertex, angle, 2 f} to {vertex, f, angle}
+    by(0, 0) = by(1, 1) = by(3, 2) = 1;
+    by(2, 3) = 0.5;
+  } else {
+    by = natural_derivatives(family, found.x, from.points, natural);
+  }
+  fit.covariance = by * square * by.transpose();
+  const bool inside_is_negative = monomials(natural.head<2>()).dot(conic) < 0 ||
+                                  form == ConicForm::kParabola || curve->kind == CurveKind::kParabola;
+  std::vector<double> distances(found.r.begin(), found.r.end());
+  // Outside is where the centre of an ellipse is not, and where that of a hyperbola is.
+  const bool turn =
+      (curve->kind == CurveKind::kHyperbola) == inside_is_negative && curve->kind != CurveKind::kParabola;
+  if (turn) {
+    for (double& distance : distances) distance = -distance;
+  }
+  std::vector<bool> lengths(fit.parameters.size(), true);
+  lengths.back() = false;
+  to_own_frame(from, distances, static_cast<std::size_t>(found.x.size()), lengths, fit);
+  const Vector2d at(fit.parameters[0], fit.parameters[1]);
+  const double rotation = fit.parameters.back();
+  const auto own = curve->kind == CurveKind::kParabola ? make_parabola(at, fit.parameters[2], rotation)
+                   : curve->kind == CurveKind::kHyperbola
+                       ? make_hyperbola(at, {fit.parameters[2], fit.parameters[3]}, rotation)
+                       : make_ellipse(at, {fit.parameters[2], fit.parameters[3]}, rotation);
+  if (!own) return fail(BoundaryFitError::kDegenerate);
+  fit.curve = *own;
+  return fit;
+}
+
+// Foot points p' = (I + 2 t Q)⁻¹ (p - t g) in the axes of Q, with F(p') = 0. Where I + 2 t Q is positive
+// definite F falls with t, and its zero is the nearest foot; the ends of that interval have one only where
+// p is on an axis, beyond the centre of curvature.
+class Foot {
+public:
+  Foot(const std::array<double, 6>& c, const Vector2d& p) {
+    const double mean = (c[0] + c[1]) / 2, difference = (c[0] - c[1]) / 2, mixed = c[2] / 2;
+    const double root = std::hypot(difference, mixed);
+    const double major = mean + std::copysign(root, mean);
+    const double minor = major != 0 ? (c[0] * c[1] - mixed * mixed) / major : 0;
+    lambda_ = {std::min(minor, major), std::max(minor, major)};
+    axes_.col(1) = unit_vector(std::atan2(mixed, difference) / 2);
+    axes_.col(0) = perp(Vector2d(axes_.col(1)));
+    u_ = axes_.transpose() * p;
+    g_ = axes_.transpose() * Vector2d(c[3], c[4]);
+    constant_ = c[5];
+  }
+
+  [[nodiscard]] Vector2d find() const {
+    const auto [low, high] = interval();
+    const double at = zero_between(low, high);
+    Vector2d foot = foot_at(at);
+    if (!foot.allFinite() || std::abs(value(foot)) > 1e-6 * size(foot)) on_axis(low, high, foot);
+    return axes_ * foot;
+  }
+
+private:
+  [[nodiscard]] std::pair<double, double> interval() const {
+    constexpr double kFar = 1e18;
+    const double most = std::max(std::abs(lambda_(0)), std::abs(lambda_(1)));
+    const double far = kFar / std::max(most, 1e-300);
+    return {lambda_(1) > 0 ? -0.5 / lambda_(1) : -far, lambda_(0) < 0 ? -0.5 / lambda_(0) : far};
+  }
+
+  [[nodiscard]] Vector2d foot_at(double t) const {
+    return (u_ - t * g_).cwiseQuotient(Vector2d(1 + 2 * t * lambda_(0), 1 + 2 * t * lambda_(1)));
+  }
+  [[nodiscard]] double value(const Vector2d& p) const {
+    return p.dot(lambda_.cwiseProduct(p)) + g_.dot(p) + constant_;
+  }
+  [[nodiscard]] double size(const Vector2d& p) const {
+    return p.cwiseAbs2().dot(lambda_.cwiseAbs()) + g_.cwiseAbs().dot(p.cwiseAbs()) + std::abs(constant_);
+  }
+
+  // Newton's steps, halved where they leave the bracket.
+  [[nodiscard]] double zero_between(double low, double high) const {
+    double t = 0;
+    for (int step = 0; step < 200; ++step) {
+      const Vector2d foot = foot_at(t);
+      const double F = value(foot);
+      if (F == 0) return t;
+      (F > 0 ? low : high) = t;
+      const Vector2d gradient = 2 * lambda_.cwiseProduct(foot) + g_;
+      const double fall =
+          gradient.cwiseAbs2().dot(Vector2d(1 / (1 + 2 * t * lambda_(0)), 1 / (1 + 2 * t * lambda_(1))));
+      double next = t + F / fall;
+      if (!(next > low && next < high)) next = low + (high - low) / 2;
+      if (next == t || next == low || next == high) return next;
+      if (std::abs(next - t) <= 1e-16 * std::abs(next)) return next;
+      t = next;
+    }
+    return t;
+  }
+
+  // One coordinate is free at an end of the interval.
+  void on_axis(double low, double high, Vector2d& foot) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Index free : {Eigen::Index{1}, Eigen::Index{0}}) {
+      const double t = free == 1 ? low : high;
+      if (lambda_(free) == 0) continue;
+      const Eigen::Index other = 1 - free;
+      Vector2d candidate;
+      candidate(other) = (u_(other) - t * g_(other)) / (1 + 2 * t * lambda_(other));
+      const double rest =
+          lambda_(other) * candidate(other) * candidate(other) + g_(other) * candidate(other) + constant_;
+      const double half = -g_(free) / (2 * lambda_(free));
+      const double square = half * half - rest / lambda_(free);
+      if (!(square >= 0)) continue;
+      candidate(free) = half + std::sqrt(square);
+      const double distance = (candidate - u_).norm();
+      if (distance < nearest) {
+        nearest = distance;
+        foot = candidate;
+      }
+    }
+  }
+
+  Eigen::Matrix2d axes_;
+  Vector2d lambda_;  // ascending
+  Vector2d u_, g_;
+  double constant_ = 0;
+};
+
+}  // namespace
+
+Vector2d nearest_on_conic(const std::array<double, 6>& coefficients, const Vector2d& p) {
+  return Foot(coefficients, p).find();
+}
+
+BoundaryFitResult fit_conic(std::span<const Vector2d> points, ConicForm form) {
+  const auto from = boundary_fit::normalised(points, form == ConicForm::kParabola ? 4 : 5);
+  if (!from) {
+    return tl::unexpected(from.error());
+  }
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
+  for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = from->points[i];
+  const Eigen::VectorXd spread = singular_values(triangular_factor(rows)).values;
+  if (spread(1) <= kOneLine * spread(0)) {
+    return tl::unexpected(BoundaryFitError::kOneLine);
+  }
+  if (form == ConicForm::kParabola) {
+    const Family family = parabolas();
+    const LeastSquaresFit found =
+        least_distances(from->points, family, boundary_fit::algebraic_parabola(from->points));
+    if (found.end != LeastSquaresEnd::kConverged || !(found.x(3) > 0)) {
+      return tl::unexpected(BoundaryFitError::kNotConverged);
+    }
+    return finished(*from, family, found, form);
+  }
+  const auto ellipse =
+      form == ConicForm::kEllipse ? boundary_fit::direct_ellipse(from->points) : std::nullopt;
+  const Family family = near(ellipse ? *ellipse : boundary_fit::taubin_conic(from->points));
+  const LeastSquaresFit found = least_distances(from->points, family, Eigen::VectorXd::Zero(5));
+  if (found.end != LeastSquaresEnd::kConverged) {
+    return tl::unexpected(found.end == LeastSquaresEnd::kUndefined ? BoundaryFitError::kDegenerate
+                                                                   : BoundaryFitError::kNotConverged);
+  }
+  return finished(*from, family, found, form);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,111 @@
+// Where fits of conics start: curves of a least algebraic distance.
+#include "boundary_fit.hpp"
+#include "numeric/least_norm.hpp"
+#include "numeric/least_squares.hpp"
+#include "numeric/singular_values.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace higherpair::boundary_fit {
+namespace {
+
+constexpr int kAxes = 90;  // directions in which the axis of a parabola is tried
+
+Eigen::MatrixXd monomial_rows(const std::vector<Vector2d>& points) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    rows.row(static_cast<Eigen::Index>(i)) = monomials(points[i]).transpose();
+  }
+  return rows;
+}
+
+}  // namespace
+
+Coefficients monomials(const Vector2d& p) {
+  Coefficients m;
+  m << p.x() * p.x(), p.y() * p.y(), p.x() * p.y(), p.x(), p.y(), 1;
+  return m;
+}
+
+Vector2d slope(const Coefficients& conic, const Vector2d& p) {
+  return {2 * conic(0) * p.x() + conic(2) * p.y() + conic(3),
+          2 * conic(1) * p.y() + conic(2) * p.x() + conic(4)};
+}
+
+// Least Σ F² over Σ |∇F|²: F = 0 takes the means of the monomials, what is left is a smallest singular vector
+// in the metric of the slopes.
+Coefficients taubin_conic(const std::vector<Vector2d>& points) {
+  Eigen::MatrixXd rows = monomial_rows(points).leftCols(5);
+  const Eigen::RowVectorXd mean = rows.colwise().mean();
+  rows.rowwise() -= mean;
+  Eigen::MatrixXd slopes(2 * rows.rows(), 5);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector2d& p = points[i];
+    const auto k = 2 * static_cast<Eigen::Index>(i);
+    slopes.row(k) << 2 * p.x(), 0, p.y(), 1, 0;
+    slopes.row(k + 1) << 0, 2 * p.y(), p.x(), 0, 1;
+  }
+  const Eigen::MatrixXd metric = LeastNormSolver(triangular_factor(slopes), 1e-14).pseudoinverse();
+  const SingularValues svd = singular_values(triangular_factor(rows) * metric);
+  const Eigen::VectorXd least = metric * svd.V.col(4);
+  Coefficients conic;
+  conic << least, -mean.dot(least);
+  return conic.normalized();
+}
+
+// Least Σ F² with a form 4 A B - C² > 0 of given size: with F² left by the squares alone, R, as a metric that
+// form has one positive eigenvalue, and its vector is the ellipse.
+std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points) {
+  constexpr double kLeast = 1e-15;  // points on an ellipse leave nothing
+  const Eigen::MatrixXd rows = monomial_rows(points);
+  const Eigen::MatrixXd squares = rows.leftCols(3);
+  const LeastNormSolver linear(rows.rightCols(3), 1e-13);
+  const Eigen::MatrixXd by_squares = -linear.pseudoinverse() * squares;
+  const SingularValues left = singular_values(triangular_factor(squares + rows.rightCols(3) * by_squares));
+  const Eigen::MatrixXd metric =
+      left.V * left.values.cwiseMax(kLeast * left.values(0)).cwiseInverse().asDiagonal();
+  Eigen::MatrixXd form(3, 3);
+  form << 0, 2, 0, 2, 0, 0, 0, 0, -1;
+  const SingularValues signs = singular_values(metric.transpose() * form * metric);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (!(signs.U.col(k).dot(signs.V.col(k)) > 0)) continue;
+    const Eigen::VectorXd a = metric * signs.V.col(k);
+    Coefficients conic;
+    conic << a, by_squares * a;
+    return conic.normalized();
+  }
+  return std::nullopt;
+}
+
+// With each direction of the axis by linear least squares, u = a v² + b v + c.
+Eigen::Vector4d algebraic_parabola(const std::vector<Vector2d>& points) {
+  Eigen::Vector4d best(0, 0, 0, 1);
+  double least = std::numeric_limits<double>::infinity();
+  const auto n = static_cast<Eigen::Index>(points.size());
+  for (int k = 0; k < kAxes; ++k) {
+    const Vector2d axis = unit_vector(kPi * k / kAxes);
+    Eigen::MatrixXd rows(n, 3);
+    Eigen::VectorXd u(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Vector2d& p = points[static_cast<std::size_t>(i)];
+      const double v = cross(axis, p);
+      rows.row(i) << v * v, v, 1;
+      u(i) = axis.dot(p);
+    }
+    const Eigen::VectorXd by = LeastNormSolver(rows, 1e-12).solve(u);
+    double sum = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double steepness = 2 * by(0) * rows(i, 1) + by(1);
+      sum += std::pow(rows.row(i).dot(by) - u(i), 2) / (1 + steepness * steepness);
+    }
+    if (!(sum < least) || by(0) == 0) continue;
+    least = sum;
+    const double v = -by(1) / (2 * by(0));
+    const Vector2d vertex = (by(2) + by(1) * v / 2) * axis + v * perp(axis);
+    best << vertex, angle_of(by(0) > 0 ? axis : Vector2d(-axis)), 1 / (2 * std::abs(by(0)));
+  }
+  return best;
+}
+
+}  // namespace higherpair::boundary_fit

@@ -1,0 +1,184 @@
+#include "higherpair/io/measured_table.hpp"
+
+#include "csv_fields.hpp"
+#include "encoding.hpp"
+#include "names.hpp"
+#include "text_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+using io_detail::trimmed;
+using io_detail::visible;
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostMistakes = 5;
+
+bool is_missing(std::string_view field) {
+  std::string lower;
+  for (const char c : field) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower.empty() || lower == "nan" || lower == "na" || lower == "null";
+}
+
+class Reader {
+public:
+  Reader(const std::string& source, const std::vector<std::string>& names) : names_(names) {
+    table_.source = source;
+  }
+
+  void line(std::string_view text, int number) {
+    if (mistakes_.size() >= kMostMistakes) return;
+    if (separator_ == 0) {
+      separator_ = io_detail::separator_of(trimmed(text));
+      if (has_no_header(text)) {
+        for (const std::string& name : names_) table_.columns.push_back({name, "", {}, 0, {}, {}});
+        row(text, number);
+      } else {
+        header(text, number);
+      }
+    } else {
+      row(text, number);
+    }
+  }
+
+  tl::expected<MeasuredTable, Diagnostics> finish() {
+    if (mistakes_.empty() && table_.lines.empty()) {
+      mistakes_.push_back(about(table_.source, "has no rows below a line that names the columns"));
+    }
+    if (!mistakes_.empty()) {
+      return tl::unexpected(std::move(mistakes_));
+    }
+    return std::move(table_);
+  }
+
+private:
+  [[nodiscard]] Place place(std::string_view line, std::string_view field, int number) const {
+    const std::string_view before = line.substr(0, static_cast<std::size_t>(field.data() - line.data()));
+    return {table_.source, number, io_detail::mark_at(before, before.size()).column};
+  }
+
+  [[nodiscard]] bool has_no_header(std::string_view line) const {
+    const std::vector<std::string_view> fields = io_detail::fields_of(line, separator_);
+    return fields.size() == names_.size() &&
+           std::all_of(fields.begin(), fields.end(),
+                       [](std::string_view field) { return io_detail::number_in(field).has_value(); });
+  }
+
+  void fail(const Place& place, std::string message) { mistakes_.push_back({place, std::move(message)}); }
+
+  void header(std::string_view line, int number) {
+    for (const std::string_view field : io_detail::fields_of(line, separator_)) {
+      const std::size_t open = field.find('[');
+      MeasuredColumn column;
+      column.name = trimmed(field.substr(0, open));
+      column.place = place(line, field, number);
+      if (io_detail::number_in(field)) {
+        fail(column.place,
+             fmt::format("`{}`: the first line has to name the columns, such as driver,slider.x[mm]",
+                         visible(field)));
+        return;
+      }
+      if (open != std::string_view::npos) {
+        if (!field.ends_with(']')) {
+          fail(column.place, fmt::format("`{}`: the unit has no closing bracket", visible(field)));
+          continue;
+        }
+        column.unit = trimmed(field.substr(open + 1, field.size() - open - 2));
+      }
+      for (const MeasuredColumn& other : table_.columns) {
+        if (other.name == column.name) {
+          fail(column.place, fmt::format("`{}`: two columns have this name", visible(column.name)));
+        }
+      }
+      table_.columns.push_back(std::move(column));
+    }
+  }
+
+  void row(std::string_view line, int number) {
+    const std::vector<std::string_view> fields = io_detail::fields_of(line, separator_);
+    if (fields.size() != table_.columns.size()) {
+      const bool commas = separator_ == ',' && fields.size() == 2 * table_.columns.size();
+      fail({table_.source, number, 1},
+           fmt::format("expected {} fields, found {}{}", table_.columns.size(), fields.size(),
+                       commas ? ": decimals are written with a point, not a comma" : ""));
+      return;
+    }
+    table_.lines.push_back(number);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      MeasuredColumn& column = table_.columns[i];
+      const auto value = io_detail::number_in(fields[i]);
+      column.values.push_back(value.value_or(kMissing));
+      column.present += value ? 1 : 0;
+      if (value || is_missing(fields[i]) || column.mistake) continue;
+      const bool comma = fields[i].find(',') != std::string_view::npos;
+      column.mistake = {place(line, fields[i], number),
+                        fmt::format("`{}` is no number{}", visible(fields[i].substr(0, 40)),
+                                    comma ? ": decimals are written with a point, not a comma" : "")};
+    }
+  }
+
+  const std::vector<std::string>& names_;
+  MeasuredTable table_;
+  Diagnostics mistakes_;
+  char separator_ = 0;
+};
+
+// What a unit's text is the unit of; columns of forces have torques, columns of jerk and higher derivatives
+// higher powers of time.
+std::optional<Dimension> dimension_with(const std::string& unit, const Units& units) {
+  for (int length = 0; length <= 1; ++length) {
+    for (int angle = 0; angle <= 1; ++angle) {
+      for (int force = 0; force <= 1; ++force) {
+        for (int time = 0; time <= 6; ++time) {
+          const Dimension dimension = {.length = length, .time = -time, .angle = angle, .force = force};
+          if (unit_text(dimension, units) == unit) return dimension;
+        }
+      }
+    }
+  }
+  return unit == unit_text(dimension::kTime, units) ? std::optional(dimension::kTime) : std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<MeasuredTable, Diagnostics> read_measured_text(std::string_view text, const std::string& source,
+                                                            const std::vector<std::string>& names) {
+  if (const auto mistake = io_detail::encoding_mistake(text)) {
+    return tl::unexpected(
+        Diagnostics{{{source, mistake->mark.line, mistake->mark.column}, mistake->message}});
+  }
+  Reader reader(source, names);
+  io_detail::for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
+  return reader.finish();
+}
+
+tl::expected<MeasuredTable, Diagnostics> read_measured_file(const std::string& path,
+                                                            const std::vector<std::string>& names) {
+  const auto text = io_detail::read_text_file(path, "table");
+  if (!text) {
+    return tl::unexpected(Diagnostics{about(path, text.error())});
+  }
+  return read_measured_text(*text, path, names);
+}
+
+tl::expected<double, std::string> factor_between(const std::string& header, const std::string& unit,
+                                                 const Units& units) {
+  const auto dimension = dimension_with(unit, units);
+  if (!dimension) {
+    return header == unit ? tl::expected<double, std::string>(1.0)
+                          : tl::unexpected(fmt::format("expected the unit of the column, {}", unit));
+  }
+  return parse_quantity("1 " + header, *dimension, units).map([](const Quantity& one) {
+    return one.profile;
+  });
+}
+
+}  // namespace higherpair

@@ -1,0 +1,198 @@
+#include "document_content.hpp"
+#include "higherpair/io/fit_task.hpp"
+#include "higherpair/io/suggestion.hpp"
+#include "read_design.hpp"
+#include "reading.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace io_detail {
+namespace {
+
+class FitReader {
+public:
+  FitReader(Reading& reading, const Mechanism& mechanism) : reading_(reading), mechanism_(mechanism) {}
+
+  FitTask read(TableReader& table) {
+    task_.place = place_of(reading_, table.mark());
+    read_list(table, "columns", [&](TableReader& item) { read_column(item); });
+    read_list(table, "frames", [&](TableReader& item) { read_frame(item); });
+    if (const auto use = table.take("use")) read_use(*use);
+    if (const auto loss = table.take("loss")) {
+      if (const auto choice = as_choice(reading_, *loss, fit_loss_names())) {
+        task_.loss = static_cast<FitLoss>(*choice);
+      }
+    }
+    if (const auto confidence = table.take("confidence")) {
+      const auto share = as_plain_number(reading_, *confidence);
+      if (share && !(*share > 0 && *share < 1)) {
+        report(reading_, *confidence, "expected a share between 0 and 1, such as 0.95");
+      }
+      task_.confidence = share.value_or(task_.confidence);
+    }
+    if (const auto starts = count(table, "starts", 1)) task_.starts = static_cast<int>(*starts);
+    if (const auto seed = count(table, "seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
+    table.refuse("variables", "the numbers to be found are the variables of [design], [design.variables]");
+    table.finish();
+    return std::move(task_);
+  }
+
+private:
+  template <class F>
+  void read_list(TableReader& table, const std::string& key, F read_one) {
+    const auto item = table.take(key);
+    if (!item) return;
+    const auto* items = std::get_if<Array>(&item->value->content);
+    if (items == nullptr || items->empty()) {
+      report(reading_, *item, fmt::format("expected a list of tables, [[{}]]", item->path));
+      return;
+    }
+    for (std::size_t i = 0; i < items->size(); ++i) {
+      const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
+      if (const Table* content = as_table(reading_, one, "a table")) {
+        TableReader reader(reading_, *content, one.value->mark, one.path);
+        read_one(reader);
+        reader.finish();
+      }
+    }
+  }
+
+  std::optional<double> positive(TableReader& table, const std::string& key) {
+    const auto item = table.take(key);
+    const auto number = item ? as_plain_number(reading_, *item) : std::nullopt;
+    if (number && !(*number > 0)) {
+      report(reading_, *item, "must be > 0");
+      return std::nullopt;
+    }
+    return number;
+  }
+
+  std::optional<std::int64_t> count(TableReader& table, const std::string& key, std::int64_t least) {
+    const auto item = table.take(key);
+    const auto value = item ? as_integer(reading_, *item) : std::nullopt;
+    if (value && (*value < least || *value > 1'000'000'000)) {
+      report(reading_, *item, fmt::format("expected a number from {} to 1000000000", least));
+      return std::nullopt;
+    }
+    return value;
+  }
+
+  void read_column(TableReader& table) {
+    FitTask::Column column;
+    column.place = place_of(reading_, table.mark());
+    column.path = table.path();
+    if (const auto name = table.need("column", "the name of a measured column, or a glob")) {
+      column.column = as_text(reading_, *name).value_or("");
+    }
+    column.deviation = positive(table, "deviation");
+    column.weight = positive(table, "weight").value_or(1);
+    column.offset = table.flag("offset", false);
+    task_.columns.push_back(std::move(column));
+  }
+
+  void read_frame(TableReader& table) {
+    FitTask::Frame frame;
+    frame.place = place_of(reading_, table.mark());
+    frame.path = table.path();
+    if (const auto point = table.need("point", "the point whose path was measured, \"coupler.E\"")) {
+      frame.point = as_text(reading_, *point).value_or("");
+      if (!frame.point.empty()) check_point(*point, frame.point);
+    }
+    static const std::vector<std::string> kFree = {"position", "turn", "scale"};
+    const auto free =
+        table.need("free", "what is not known of its frame, [\"position\", \"turn\", \"scale\"]");
+    const auto* items = free ? std::get_if<Array>(&free->value->content) : nullptr;
+    if (free && (items == nullptr || items->empty())) {
+      report(reading_, *free, "expected a list of \"position\", \"turn\" and \"scale\", or some of them");
+    }
+    for (std::size_t i = 0; items != nullptr && i < items->size(); ++i) {
+      const auto choice = as_choice(reading_, {&(*items)[i], fmt::format("{}.{}", free->path, i)}, kFree);
+      if (!choice) continue;
+      bool* const flags[] = {&frame.position, &frame.turn, &frame.scale};
+      *flags[*choice] = true;
+    }
+    task_.frames.push_back(std::move(frame));
+  }
+
+  void check_point(const Item& item, const std::string& name) {
+    std::vector<std::string> names;
+    for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
+      for (const NamedPoint& point : mechanism_.bodies[b].points) {
+        names.push_back(mechanism_.bodies[b].name + "." + point.name);
+      }
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      report(reading_, item, "there is no such point of a moving body; " + suggestion(name, names));
+    }
+    for (const FitTask::Frame& other : task_.frames) {
+      if (other.point == name) report(reading_, item, "this point has a frame already");
+    }
+  }
+
+  void read_use(const Item& item) {
+    const auto* items = std::get_if<Array>(&item.value->content);
+    if (items == nullptr || items->empty()) {
+      report(reading_, item, "expected a list of names or globs of columns, [\"slider.*\"]");
+      return;
+    }
+    for (std::size_t i = 0; i < items->size(); ++i) {
+      if (const auto name = as_text(reading_, {&(*items)[i], fmt::format("{}.{}", item.path, i)})) {
+        task_.use.push_back(*name);
+      }
+    }
+  }
+
+  Reading& reading_;
+  const Mechanism& mechanism_;
+  FitTask task_;
+};
+
+}  // namespace
+
+std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism) {
+  const auto item = root.take("fit");
+  const Table* content = item ? as_table(root.reading(), *item, "a fit (a table)") : nullptr;
+  if (content == nullptr) return std::nullopt;
+  TableReader table(root.reading(), *content, item->value->mark, item->path);
+  return FitReader(root.reading(), mechanism).read(table);
+}
+
+}  // namespace io_detail
+
+const std::vector<std::string>& fit_loss_names() {
+  static const std::vector<std::string> names = {"squares", "huber", "tukey"};
+  return names;
+}
+
+std::string_view name_of(FitLoss loss) {
+  return fit_loss_names()[static_cast<std::size_t>(loss)];
+}
+
+// Once more from the text, which is read without a mistake: a profile that is analysed need not carry it.
+FitTask fit_task_of(const ProfileDocument& document, const Profile& profile) {
+  FitTask task;
+  task.place = {profile.source, 0, 0};
+  const auto text = document.text_with({});
+  auto root = text ? io_detail::parse_document(*text, profile.source) : tl::unexpected(Diagnostic());
+  io_detail::Reading reading;
+  reading.sources = {profile.source};
+  reading.units = profile.units;
+  for (const std::string& assignment : document.overrides()) {
+    if (!root) return task;
+    reading.sources.push_back("--set " + assignment);
+    if (auto changed =
+            io_detail::apply_override(*root, assignment, static_cast<int>(reading.sources.size()) - 1)) {
+      root = *std::move(changed);
+    }
+  }
+  if (!root) return task;
+  const auto& table = std::get<io_detail::Table>(root->content);
+  io_detail::TableReader reader(reading, table, root->mark, "");
+  return io_detail::read_fit(reader, profile.mechanism).value_or(std::move(task));
+}
+
+}  // namespace higherpair

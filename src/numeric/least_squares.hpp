@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <limits>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// Numbers x for which a sum of squares is to be least.
+struct LeastSquaresProblem {
+  /// Writes r(x); false where x has no residuals.
+  std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r)> residuals;
+  /// Writes ∂r/∂x at an x that has residuals; false where they cannot be differentiated.
+  std::function<bool(const Eigen::VectorXd& x, Eigen::MatrixXd& J)> jacobian;
+  Eigen::VectorXd low, high;  ///< bounds, ±infinity where there is none; empty: none at all
+};
+
+struct LeastSquaresOptions {
+  int iterations = 200;  ///< Jacobians
+  /// A residual of this size is rounding: where they are all no larger, or no step could gain more, the sum
+  /// is as small as it can be.
+  double rounding = 0;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+enum class LeastSquaresEnd {
+  kConverged,   ///< the best step would gain less than 1e-22 of the sum, or no more than rounding
+  kIterations,  ///< not within so many iterations
+  kStuck,       ///< no step gains what the derivatives promise: r is not smooth, or J is wrong
+  kUndefined,   ///< the start has no residuals, or none that can be differentiated
+  kStopped,
+};
+
+struct LeastSquaresFit {
+  Eigen::VectorXd x;                                     ///< the best; the start where it is kUndefined
+  Eigen::VectorXd r;                                     ///< there
+  Eigen::MatrixXd J;                                     ///< there, or at the step before
+  double sum = std::numeric_limits<double>::infinity();  ///< ‖r‖²
+  int iterations = 0;
+  LeastSquaresEnd end = LeastSquaresEnd::kUndefined;
+};
+
+/// The method of Levenberg and Marquardt with bounds: variables are scaled by the columns of J, steps end at
+/// the bounds, and those that would leave them stay where they are. Where J has not full rank the variables
+/// go as little from the start as need be.
+/// Moré, The Levenberg-Marquardt algorithm, 1978; Nielsen, Damping parameter in Marquardt's method, 1999.
+[[nodiscard]] LeastSquaresFit least_squares(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
+                                            const LeastSquaresOptions& options = {});
+
+/// R of matrix = Q R, with no more rows than columns.
+[[nodiscard]] Eigen::MatrixXd triangular_factor(const Eigen::MatrixXd& matrix);
+
+}  // namespace higherpair

@@ -1,0 +1,181 @@
+// [fit] of a profile and the tables that it is fitted to.
+#include "higherpair/io/fit_task.hpp"
+
+#include "higherpair/io/measured_table.hpp"
+#include "higherpair/io/profile_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string kCrank = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [20, 0]
+[joints.O]
+type = "revolute"
+between = ["ground.O", "crank.O"]
+[driver]
+joint = "O"
+)";
+
+FitTask task_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const auto document = ProfileDocument::parse(kCrank + text, "test.toml").value().with(overrides).value();
+  return fit_task_of(document, document.read().value());
+}
+
+std::string mistake_in(const std::string& text) {
+  const auto profile = read_profile_text(kCrank + text, "test.toml", {});
+  return profile ? "" : to_string(profile.error().front());
+}
+
+TEST(FitTask, IsReadWithAllItsKeys) {
+  const FitTask task = task_of(R"([fit]
+loss = "tukey"
+confidence = 0.9
+starts = 7
+seed = 3
+use = ["crank.*"]
+[[fit.columns]]
+column = "crank.A.x"
+deviation = 0.05
+weight = 2
+offset = true
+[[fit.frames]]
+point = "crank.A"
+free = ["turn", "scale"]
+)");
+  EXPECT_EQ(task.loss, FitLoss::kTukey);
+  EXPECT_EQ(name_of(task.loss), "tukey");
+  EXPECT_EQ(task.confidence, 0.9);
+  EXPECT_EQ(task.starts, 7);
+  EXPECT_EQ(task.seed, 3U);
+  EXPECT_THAT(task.use, ElementsAre("crank.*"));
+  ASSERT_EQ(task.columns.size(), 1U);
+  EXPECT_EQ(task.columns[0].deviation, 0.05);
+  EXPECT_EQ(task.columns[0].weight, 2);
+  EXPECT_TRUE(task.columns[0].offset);
+  EXPECT_EQ(task.columns[0].place.line, 17);
+  ASSERT_EQ(task.frames.size(), 1U);
+  EXPECT_FALSE(task.frames[0].position);
+  EXPECT_TRUE(task.frames[0].turn && task.frames[0].scale);
+}
+
+TEST(FitTask, HoldsWithoutATableAndWithOverrides) {
+  EXPECT_EQ(task_of("").confidence, 0.95);
+  EXPECT_EQ(task_of("").loss, FitLoss::kSquares);
+  EXPECT_EQ(task_of("", {"fit.loss=huber"}).loss, FitLoss::kHuber);
+}
+
+struct Wrong {
+  const char* text;
+  const char* message;
+};
+
+class WrongFits : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongFits, AreSaidWithPlaceAndRule) {
+  EXPECT_THAT(mistake_in(GetParam().text), HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FitTask, WrongFits,
+    ::testing::Values(
+        Wrong{"fit = 3", "fit"}, Wrong{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
+        Wrong{"[fit]\nconfidence = 95",
+              "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
+        Wrong{"[fit]\nstarts = 0", "fit.starts = 0: expected a number from 1 to 1000000000"},
+        Wrong{"[fit]\nseed = -1", "fit.seed = -1: expected a number from 0"},
+        Wrong{"[fit]\nlos = \"huber\"", "fit.los"},
+        Wrong{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
+        Wrong{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
+        Wrong{"[[fit.columns]]\noffset = true", "fit.columns.0.column is missing"},
+        Wrong{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
+              "fit.columns.0.deviation = 0: must be > 0"},
+        Wrong{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1", "fit.columns.0.weight = -1: must be > 0"},
+        Wrong{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]", "did you mean `crank.A`"},
+        Wrong{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
+              "there is no such point of a moving body"},
+        Wrong{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
+        Wrong{"[[fit.frames]]\npoint = \"crank.A\"\nfree = []", "expected a list of \"position\", \"turn\""},
+        Wrong{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turm\"]", "did you mean `turn`"},
+        Wrong{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turn\"]\n[[fit.frames]]\npoint = "
+              "\"crank.A\"\nfree = "
+              "[\"turn\"]",
+              "this point has a frame already"},
+        Wrong{"[fit.variables]\nr = 3", "the numbers to be found are the variables of [design]"}));
+
+MeasuredTable read(const std::string& text) {
+  return read_measured_text(text, "m.csv").value();
+}
+
+std::string refusal(const std::string& text) {
+  const auto table = read_measured_text(text, "m.csv");
+  return table ? "" : to_string(table.error().front());
+}
+
+TEST(MeasuredTable, TakesUnitsMissingValuesAndAnySeparator) {
+  for (const char separator : {',', ';', '\t'}) {
+    std::string text =
+        "\xEF\xBB\xBF# a note\ndriver[deg]|\"slider.x [ mm ]\"|status\r\n\n1|2.5|ok\r\n2||ok\n3|NaN|ok\n";
+    std::replace(text.begin(), text.end(), '|', separator);
+    const MeasuredTable table = read(text);
+    ASSERT_EQ(table.columns.size(), 3U);
+    EXPECT_EQ(table.columns[0].unit, "deg");
+    EXPECT_EQ(table.columns[1].name, "slider.x");
+    EXPECT_EQ(table.columns[1].unit, "mm");
+    EXPECT_EQ(table.columns[1].present, 1);
+    EXPECT_EQ(table.columns[1].values[0], 2.5);
+    EXPECT_TRUE(std::isnan(table.columns[1].values[1]));
+    EXPECT_THAT(table.lines, ElementsAre(4, 5, 6));
+    ASSERT_TRUE(table.columns[2].mistake);
+    EXPECT_EQ(to_string(*table.columns[2].mistake).find("m.csv:4:"), 0U);
+    EXPECT_FALSE(table.columns[1].mistake);
+  }
+}
+
+TEST(MeasuredTable, SaysWhatIsWrongWithIt) {
+  EXPECT_EQ(refusal(""), "m.csv: has no rows below a line that names the columns");
+  EXPECT_EQ(refusal("driver,x\n"), "m.csv: has no rows below a line that names the columns");
+  EXPECT_THAT(refusal("1,2\n3,4\n"), HasSubstr("m.csv:1:1: `1`: the first line has to name the columns"));
+  EXPECT_THAT(refusal("driver,x,x\n1,2,3\n"), HasSubstr("m.csv:1:10: `x`: two columns have this name"));
+  EXPECT_THAT(refusal("driver,x[mm\n1,2\n"), HasSubstr("m.csv:1:8: `x[mm`: the unit has no closing bracket"));
+  EXPECT_THAT(refusal("driver,x\n1,2,3\n"), HasSubstr("m.csv:2:1: expected 2 fields, found 3"));
+  EXPECT_THAT(refusal("driver,x\n1,5,2,7\n"), HasSubstr("decimals are written with a point, not a comma"));
+  EXPECT_THAT(refusal(std::string("d\0r\0", 4)), HasSubstr("UTF-16"));
+  EXPECT_THAT(to_string(read_measured_file("/nowhere/m.csv").error().front()), HasSubstr("cannot be opened"));
+  const MeasuredTable comma = read("driver;x\n1;2,5\n");
+  EXPECT_THAT(comma.columns[1].mistake->message,
+              HasSubstr("`2,5` is no number: decimals are written with a point"));
+}
+
+TEST(MeasuredTable, MayHaveNoHeaderWhereItsColumnsAreKnown) {
+  const MeasuredTable table = read_measured_text("1 2\n3 4\n", "p.csv", {"x", "y"}).value();
+  EXPECT_EQ(table.columns[1].name, "y");
+  EXPECT_EQ(table.columns[1].values[1], 4);
+  EXPECT_THAT(table.lines, ElementsAre(1, 2));
+  EXPECT_EQ(read_measured_text("y,x\n3,4\n", "p.csv", {"x", "y"}).value().columns[0].name, "y");
+}
+
+TEST(MeasuredTable, UnitsOfHeadersHaveFactors) {
+  EXPECT_NEAR(factor_between("rad", "deg", Units()).value(), 57.29577951308232, 1e-13);
+  EXPECT_NEAR(factor_between("in/s", "mm/s", Units()).value(), 25.4, 1e-13);
+  EXPECT_NEAR(factor_between("rad/s^2", "deg/s^2", Units()).value(), 57.29577951308232, 1e-13);
+  EXPECT_EQ(factor_between("N m", "N*mm", Units()).value(), 1000);
+  EXPECT_EQ(factor_between("ms", "s", Units()).value(), 0.001);
+  EXPECT_THAT(factor_between("kg", "mm", Units()).error(), HasSubstr("kg is a mass, expected a length"));
+}
+
+}  // namespace
+}  // namespace higherpair

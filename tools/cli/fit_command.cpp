@@ -1,0 +1,174 @@
+#include "fit_command.hpp"
+
+#include "json_text.hpp"
+#include "output_file.hpp"
+#include "output_options.hpp"
+#include "run_command.hpp"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+// A share between 0 and 1.
+std::string share_objection(const std::string& text) {
+  double value = 0;
+  const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && value < 1;
+  return good ? "" : "'" + text + "' is no share between 0 and 1, such as 0.95";
+}
+
+void check_files(const FitCommandOptions& options) {
+  if (options.curve && !options.measured.empty()) {
+    throw CLI::ValidationError("--curve", "FILE has the points: no second file is read");
+  }
+  if (!options.curve && options.measured.empty()) {
+    throw CLI::ValidationError(
+        "MEASURED",
+        "the table of what was measured is missing; without a profile a curve is fitted to points "
+        "with --curve line, circle, ellipse, parabola, hyperbola or conic");
+  }
+  if (!options.curve && !options.output) {
+    throw CLI::ValidationError("--output", "is missing: where the fitted profile goes, -o FITTED.toml");
+  }
+  std::vector<NamedFile> inputs = {{"FILE", options.input}};
+  if (!options.measured.empty()) inputs.push_back({"MEASURED", options.measured});
+  std::vector<NamedFile> outputs;
+  if (options.output) outputs.push_back({"--output", *options.output});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.csv) outputs.push_back({"--csv", *options.csv});
+  refuse_shared_files(inputs, outputs);
+}
+
+void refuse_with_curve(const FitCommandOptions& options) {
+  if (!options.curve) return;
+  const auto refuse = [](bool given, const char* name) {
+    if (given) throw CLI::ValidationError(name, "means nothing with --curve");
+  };
+  refuse(options.loss.has_value(), "--loss");
+  refuse(!options.columns.empty(), "--columns");
+  refuse(!options.offsets.empty(), "--offset");
+  refuse(options.starts.has_value(), "--starts");
+  refuse(options.seed.has_value(), "--seed");
+}
+
+template <class Names>
+std::size_t index_of(const Names& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+// Writes what was asked for; the text to standard output unless a file goes there.
+template <class Report>
+bool write(const FitCommandOptions& options, const Report& report) {
+  std::vector<FileText> files;
+  if (options.output) files.push_back({*options.output, report.text});
+  if (options.json) files.push_back({*options.json, text_of(fit_json(report)) + "\n"});
+  if (options.csv) files.push_back({*options.csv, fit_csv(report)});
+  const bool to_output =
+      std::any_of(files.begin(), files.end(), [](const FileText& file) { return file.path == "-"; });
+  if (!write_files(files)) return false;
+  if (!to_output) fmt::print("{}", fit_text(report));
+  return true;
+}
+
+int fit_points(const FitCommandOptions& options) {
+  const auto points = read_measured_file(options.input, {"x", "y"});
+  if (!points) {
+    return report_error({ErrorKind::kInput, points.error()});
+  }
+  const auto report =
+      fit_curve(*points, static_cast<FittedCurve>(index_of(fitted_curve_names(), *options.curve)),
+                options.confidence.value_or(0.95));
+  if (!report) {
+    return report_error(report.error());
+  }
+  return write(options, *report) ? kExitOk : kExitMachine;
+}
+
+FitSettings settings_of(const FitCommandOptions& options) {
+  FitSettings settings;
+  if (options.loss) settings.loss = static_cast<FitLoss>(index_of(fit_loss_names(), *options.loss));
+  settings.confidence = options.confidence;
+  settings.columns = options.columns;
+  settings.offsets = options.offsets;
+  settings.starts = options.starts;
+  settings.seed = options.seed;
+  settings.threads = options.threads;
+  settings.stop = &interruption();
+  return settings;
+}
+
+}  // namespace
+
+CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "fit", "numbers of the profile from its measured motion; curves from measured points");
+  command
+      ->add_option("FILE", options.input,
+                   "profile with [design.variables] (TOML); with --curve the points (CSV)")
+      ->required();
+  command->add_option("MEASURED", options.measured,
+                      "what was measured (CSV): driver or time, and columns of the profile's tables");
+  command->add_option("-o,--output", options.output, "the fitted profile, or curve; -: standard output");
+  command->add_option("--json", options.json, "what was found as JSON, to this file; -: standard output");
+  command->add_option("--csv", options.csv, "residuals as CSV, to this file; -: standard output");
+  command->add_option("--curve", options.curve, "fit this curve to points")
+      ->check(CLI::IsMember(fitted_curve_names()));
+  command->add_option("--loss", options.loss, "how residuals count: by squares (default), huber or tukey")
+      ->check(CLI::IsMember(fit_loss_names()));
+  command->add_option("--confidence", options.confidence, "of the intervals (default 0.95)")
+      ->check(CLI::Validator(share_objection, "SHARE"));
+  command->add_option("--columns", options.columns, "GLOB[,GLOB]: only these measured columns; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--offset", options.offsets,
+                   "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--starts", options.starts,
+                   "searches (default 12 where all variables have bounds, else 1)")
+      ->check(CLI::Range(1, 100'000'000));
+  command->add_option("--seed", options.seed,
+                      "of the random starts (default 1): the same seed, the same result");
+  command
+      ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--quiet", options.quiet, "no notes on standard error");
+  command->final_callback([&options] {
+    refuse_with_curve(options);
+    check_files(options);
+  });
+  return command;
+}
+
+int fit_command(const FitCommandOptions& options) {
+  listen_to_signals();
+  if (options.curve) {
+    return fit_points(options);
+  }
+  const auto model = open_model(options.input, {}, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  const auto measured = read_measured_file(options.measured);
+  if (!measured) {
+    return report_error({ErrorKind::kInput, measured.error()});
+  }
+  const auto report = fit(*model, *measured, settings_of(options));
+  if (!report) {
+    return report_error(report.error());
+  }
+  if (!write(options, *report)) {
+    return kExitMachine;
+  }
+  if (report->end == FitEnd::kStopped) {
+    return kExitInterrupted;
+  }
+  return report->good ? kExitOk : kExitRows;
+}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "higherpair/front/fit.hpp"
+#include "higherpair/front/fit_curve.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace CLI {
+class App;
+}
+
+namespace higherpair::cli {
+
+struct FitCommandOptions {
+  std::string input;     ///< the profile; with `curve` the points
+  std::string measured;  ///< empty: none
+  std::optional<std::string> output;
+  std::optional<std::string> json;
+  std::optional<std::string> csv;    ///< residuals
+  std::optional<std::string> curve;  ///< what is fitted to points
+  std::optional<std::string> loss;
+  std::optional<double> confidence;
+  std::vector<std::string> columns;
+  std::vector<std::string> offsets;
+  std::optional<int> starts;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;
+  bool quiet = false;
+};
+
+/// Adds the command `fit` and its options.
+CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options);
+
+/// Fits the profile's variables to measured motion, or a curve to measured points; returns the exit code: 4
+/// where the fit is not good (FitReport::good), 130 where it was interrupted; what was found is written all
+/// the same.
+[[nodiscard]] int fit_command(const FitCommandOptions& options);
+
+/// \name What was found, as readable text, as JSON, and its residuals as CSV
+/// @{
+[[nodiscard]] std::string fit_text(const FitReport& report);
+[[nodiscard]] nlohmann::ordered_json fit_json(const FitReport& report);
+[[nodiscard]] std::string fit_csv(const FitReport& report);
+[[nodiscard]] std::string fit_text(const CurveFitReport& report);
+[[nodiscard]] nlohmann::ordered_json fit_json(const CurveFitReport& report);
+[[nodiscard]] std::string fit_csv(const CurveFitReport& report);
+/// @}
+
+}  // namespace higherpair::cli

@@ -1,0 +1,272 @@
+// What a fit has found, for people and for programs.
+#include "fit_command.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostOutliers = 10;  // that are listed
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+std::string shown(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
+}
+
+std::string brief(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+// A name of a column as CSV has it in its header; commas and quotes cannot be in one.
+std::string head(std::string_view name, std::string_view unit) {
+  return fmt::format("{}[{}]", name, unit);
+}
+
+template <class Lines>
+int widest(const Lines& lines, std::size_t least) {
+  for (const auto& line : lines) least = std::max(least, line.name.size());
+  return static_cast<int>(least);
+}
+
+std::string number_text(const FitReport::Number& number, int width, bool with_before) {
+  return fmt::format("{:<{}}  {:>14}  {:>16}  {:>12}  {}{}{}\n", number.name, width,
+                     with_before ? shown(number.before) : "", shown(number.after),
+                     std::isfinite(number.half) ? "± " + brief(number.half) : "-", number.unit,
+                     number.at_bound ? "  at its bound" : "", number.determined ? "" : "  not determined");
+}
+
+std::string numbers_text(const FitReport& report) {
+  const int width = std::max(widest(report.variables, 8), widest(report.measurement, 8));
+  std::string text = fmt::format("{:<{}}  {:>14}  {:>16}  {:>12}\n", "variable", width, "before", "after",
+                                 fmt::format("{:g} %", 100 * report.confidence));
+  for (const auto& variable : report.variables) text += number_text(variable, width, true);
+  for (const auto& own : report.measurement) text += number_text(own, width, false);
+  return text;
+}
+
+std::string columns_text(const FitReport& report) {
+  const int width = widest(report.columns, 6);
+  std::string text = fmt::format("\n{:<{}}  {:>6}  {:>10}  {:>10}  {:>10} {:>14}  {:>8}  {:>8}\n", "column",
+                                 width, "values", "rms", "noise", "largest", "at", "R2", "outliers");
+  for (const auto& column : report.columns) {
+    text += fmt::format("{:<{}}  {:>6}  {:>10}  {:>10}  {:>10} {:>14}  {:>8}  {:>8}  {}\n", column.name,
+                        width, column.values, brief(column.rms), brief(column.noise), brief(column.largest),
+                        shown(column.largest_at),
+                        std::isfinite(column.explained) ? fmt::format("{:.6f}", column.explained) : "-",
+                        column.outliers, column.unit);
+  }
+  return text;
+}
+
+std::string outliers_text(const FitReport& report) {
+  std::string text;
+  std::size_t count = 0;
+  for (const auto& residual : report.residuals) {
+    if (!residual.outlier || ++count > kMostOutliers) continue;
+    const auto& column = report.columns[residual.column];
+    text += fmt::format("  line {}: {} = {}, fitted {}\n", residual.line, column.name,
+                        shown(residual.measured), shown(residual.fitted));
+  }
+  if (count == 0) return "";
+  if (count > kMostOutliers) text += fmt::format("  … and {} more\n", count - kMostOutliers);
+  return fmt::format("\noutliers, more than {} deviations off:\n{}", kOutlier, text);
+}
+
+std::string_view end_text(FitEnd end) {
+  switch (end) {
+    case FitEnd::kConverged:
+      return "converged";
+    case FitEnd::kStopped:
+      return "stopped";
+    case FitEnd::kNotConverged:
+      break;
+  }
+  return "not converged";
+}
+
+std::string judgement(const FitReport& report) {
+  std::string text;
+  if (report.end == FitEnd::kNotConverged) {
+    text += "the fit did not converge: these numbers are the best so far\n";
+  }
+  if (report.missing > 0) {
+    text +=
+        fmt::format("{} measured values are where the fitted mechanism does not come to\n", report.missing);
+  }
+  if (report.too_large) {
+    text += fmt::format(
+        "the residuals are {:.3g} times the deviations given (chance {:.1g}): the model or the deviations "
+        "are "
+        "wrong\n",
+        report.noise_ratio, report.chance);
+  }
+  for (const std::string& sentence : report.undetermined) text += sentence + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string fit_text(const FitReport& report) {
+  std::string text = report.title.empty() ? "" : report.title + "\n\n";
+  text += numbers_text(report) + columns_text(report) + outliers_text(report);
+  text += fmt::format("\n{} values, {} degrees of freedom, loss {}, {} derivatives, {} iterations",
+                      report.residuals.size(), report.freedoms, name_of(report.loss),
+                      report.exact ? "exact" : "numerical", report.iterations);
+  if (report.starts > 1)
+    text += fmt::format("; {} starts, {} different ends", report.starts, report.different);
+  text += "\n";
+  for (const std::string& note : report.notes) text += "note: " + note + "\n";
+  const std::string judged = judgement(report);
+  return judged.empty() ? text : text + "\n" + judged;
+}
+
+namespace {
+
+Json numbers_json(const std::vector<FitReport::Number>& numbers) {
+  Json list = Json::array();
+  for (const auto& one : numbers) {
+    list.push_back({{"name", one.name},
+                    {"paths", one.paths},
+                    {"unit", one.unit},
+                    {"before", number(one.before)},
+                    {"after", number(one.after)},
+                    {"standard_error", number(one.error)},
+                    {"half_interval", number(one.half)},
+                    {"min", number(one.low)},
+                    {"max", number(one.high)},
+                    {"at_bound", one.at_bound},
+                    {"determined", one.determined}});
+  }
+  return list;
+}
+
+Json columns_json(const FitReport& report) {
+  Json list = Json::array();
+  for (const auto& column : report.columns) {
+    list.push_back({{"name", column.name},
+                    {"unit", column.unit},
+                    {"values", column.values},
+                    {"outliers", column.outliers},
+                    {"rms", number(column.rms)},
+                    {"noise", number(column.noise)},
+                    {"deviation", column.deviation ? number(*column.deviation) : Json(nullptr)},
+                    {"largest", number(column.largest)},
+                    {"largest_at", number(column.largest_at)},
+                    {"r_squared", number(column.explained)},
+                    {"autocorrelation", number(column.succession)},
+                    {"systematic", column.systematic}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json fit_json(const FitReport& report) {
+  Json json;
+  json["title"] = report.title;
+  json["good"] = report.good;
+  json["end"] = end_text(report.end);
+  json["variables"] = numbers_json(report.variables);
+  json["measurement"] = numbers_json(report.measurement);
+  json["columns"] = columns_json(report);
+  json["outliers"] = Json::array();
+  for (const auto& residual : report.residuals) {
+    if (!residual.outlier) continue;
+    json["outliers"].push_back({{"line", residual.line},
+                                {"column", report.columns[residual.column].name},
+                                {"measured", residual.measured},
+                                {"fitted", residual.fitted}});
+  }
+  json["undetermined"] = report.undetermined;
+  json["notes"] = report.notes;
+  json["correlation"] = Json::array();
+  for (Eigen::Index i = 0; i < report.correlation.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index k = 0; k < report.correlation.cols(); ++k)
+      row.push_back(number(report.correlation(i, k)));
+    json["correlation"].push_back(std::move(row));
+  }
+  json["confidence"] = report.confidence;
+  json["freedoms"] = report.freedoms;
+  json["noise_ratio"] = number(report.noise_ratio);
+  json["chance"] = number(report.chance);
+  json["missing"] = report.missing;
+  json["search"] = {{"loss", name_of(report.loss)},
+                    {"starts", report.starts},
+                    {"different", report.different},
+                    {"iterations", report.iterations},
+                    {"derivatives", report.exact ? "exact" : "numerical"}};
+  return json;
+}
+
+std::string fit_csv(const FitReport& report) {
+  std::string text =
+      fmt::format("line[1],{},column,unit,measured[1],fitted[1],residual[1],weight[1],outlier[1]\n",
+                  head(report.in_time ? "time" : "driver", report.where_unit));
+  for (const auto& residual : report.residuals) {
+    const auto& column = report.columns[residual.column];
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", residual.line, cell(residual.where), column.name,
+                        column.unit, cell(residual.measured), cell(residual.fitted),
+                        cell(residual.measured - residual.fitted), cell(residual.weight),
+                        residual.outlier ? 1 : 0);
+  }
+  return text;
+}
+
+std::string fit_text(const CurveFitReport& report) {
+  int width = static_cast<int>(report.type.size());
+  width = std::max(width, widest(report.numbers, 8));
+  std::string text = fmt::format("{:<{}}  {:>16}  {:>12}\n", report.type, width, "value",
+                                 fmt::format("{:g} %", 100 * report.confidence));
+  for (const auto& own : report.numbers) {
+    text += fmt::format("{:<{}}  {:>16}  {:>12}  {}\n", own.name, width, shown(own.value),
+                        std::isfinite(own.half) ? "± " + brief(own.half) : "-", own.unit);
+  }
+  return text + fmt::format("\n{} points, rms distance {} {}, noise {} {}, largest {} {} (line {})\n",
+                            report.points.size(), brief(report.rms), report.unit, brief(report.noise),
+                            report.unit, brief(report.largest), report.unit, report.largest_line);
+}
+
+Json fit_json(const CurveFitReport& report) {
+  Json json;
+  json["type"] = report.type;
+  json["unit"] = report.unit;
+  json["numbers"] = Json::array();
+  for (const auto& own : report.numbers) {
+    json["numbers"].push_back({{"name", own.name},
+                               {"unit", own.unit},
+                               {"value", own.value},
+                               {"standard_error", number(own.error)},
+                               {"half_interval", number(own.half)}});
+  }
+  json["points"] = report.points.size();
+  json["rms"] = number(report.rms);
+  json["noise"] = number(report.noise);
+  json["largest"] = {{"distance", number(report.largest)}, {"line", report.largest_line}};
+  json["confidence"] = report.confidence;
+  return json;
+}
+
+std::string fit_csv(const CurveFitReport& report) {
+  std::string text = fmt::format("line[1],{},{},{}\n", head("x", report.unit), head("y", report.unit),
+                                 head("distance", report.unit));
+  for (const auto& point : report.points) {
+    text += fmt::format("{},{},{},{}\n", point.line, cell(point.x), cell(point.y), cell(point.distance));
+  }
+  return text;
+}
+
+}  // namespace higherpair::cli
