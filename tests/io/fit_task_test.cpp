@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
               "fit.columns.0.deviation = 0: must be > 0"},
         Wrong{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1", "fit.columns.0.weight = -1: must be > 0"},
-        Wrong{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]", "did you mean `crank.A`"},
+        Wrong{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]", "or `crank.A`?"},
         Wrong{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
               "there is no such point of a moving body"},
         Wrong{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
