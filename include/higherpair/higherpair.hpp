@@ -18,7 +18,7 @@
 #include "higherpair/front/motion.hpp"          // IWYU pragma: export
 #include "higherpair/front/plot.hpp"            // IWYU pragma: export
 #include "higherpair/front/polygon.hpp"         // IWYU pragma: export
-#include "higherpair/front/report.hpp"
-#include "higherpair/front/row_blocks.hpp"          // IWYU pragma: export
+#include "higherpair/front/report.hpp"          // IWYU pragma: export
+#include "higherpair/front/row_blocks.hpp"      // IWYU pragma: export
 #include "higherpair/front/sweep.hpp"           // IWYU pragma: export
 #include "higherpair/mechanism/build.hpp"       // IWYU pragma: export
