@@ -1,6 +1,7 @@
 // The one form of the conditions: it holds where positions were found by other means, and its Jacobian is
 // that of differences.
 #include "analysis/run_testing.hpp"
+#include "higherpair/analysis/run.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include <fmt/format.h>
+#include "higherpair/analysis/run.hpp"
 #include <gtest/gtest.h>
 
 namespace higherpair {

@@ -2,6 +2,7 @@
 #include "analysis/run_testing.hpp"
 #include "linkage/linkage_testing.hpp"
 
+#include "higherpair/analysis/run.hpp"
 #include <fmt/format.h>
 
 namespace higherpair {

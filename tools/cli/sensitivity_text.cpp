@@ -145,6 +145,12 @@ private:
     return order;
   }
 
+  // "deg/unit": the unit of the number stands in its row.
+  [[nodiscard]] std::string slope_head() const {
+    const bool plain = result_->unit == "1" || result_->unit.size() > 5;
+    return plain ? "per unit" : fmt::format("{}/unit", result_->unit);
+  }
+
   void write_slopes() {
     const std::vector<std::size_t> order = ranked();
     if (order.empty()) {
@@ -156,8 +162,8 @@ private:
       text_ += paragraph(fmt::format("no derivatives: {}", reason(first)), 2);
       return;
     }
-    text_ += fmt::format("  {:<{}}{:>10} {:<4} {:>11} {:>8}\n", "", kNameWidth, "number", "",
-                         result_->unit == "1" ? "per unit" : result_->unit + "/unit", "% per %");
+    text_ += fmt::format("  {:<{}}{:>10} {:<4} {:>11} {:>8}\n", "", kNameWidth, "number", "", slope_head(),
+                         "% per %");
     Remarks remarks;
     for (std::size_t k = 0; k < std::min(order.size(), findings_.top); ++k) {
       const SensitivityNumber& number = report_.numbers[order[k]];
@@ -196,7 +202,7 @@ private:
   void write_tolerances() {
     const ToleranceBand& band = findings_.bands[index_];
     text_ += fmt::format("  {:<24}{:>10} {:<4} {:>9} {:>9} {:>10} {:>7}\n", "", "number", "", "plus", "minus",
-                         result_->unit == "1" ? "per unit" : result_->unit + "/unit", "share");
+                         slope_head(), "share");
     Remarks remarks;
     for (const std::size_t i : band.order) {
       const Tolerance& tolerance = findings_.task->tolerances[i];
