@@ -85,8 +85,8 @@ void note_varied(const Table& document, Reading& reading) {
       reading.varied.emplace(*path, std::nullopt);
   };
   for (const Table* variables :
-       {table_at(table_at(&document, "sweep"), "variables"), table_at(table_at(&document, "design"), "variables"),
-        table_at(&document, "tolerances")}) {
+       {table_at(table_at(&document, "sweep"), "variables"),
+        table_at(table_at(&document, "design"), "variables"), table_at(&document, "tolerances")}) {
     for (std::size_t i = 0; variables != nullptr && i < variables->size(); ++i) {
       const auto* variable = std::get_if<Table>(&(*variables)[i].value.content);
       const Value* path = variable == nullptr ? nullptr : find(*variable, "path");

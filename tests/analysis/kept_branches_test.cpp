@@ -1,12 +1,12 @@
 // Linkages and contacts whose branches cross stay on theirs, wherever they start and however far apart the
 // rows are: random ones, and those whose rows fall on a crossing or a hair beside it.
+#include "higherpair/analysis/run.hpp"
 #include "run_testing.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <fmt/format.h>
-#include "higherpair/analysis/run.hpp"
 #include <gtest/gtest.h>
 
 namespace higherpair {

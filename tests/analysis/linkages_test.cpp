@@ -1,8 +1,8 @@
 // The shipped linkages against closed forms that the program does not use.
 #include "analysis/run_testing.hpp"
+#include "higherpair/analysis/run.hpp"
 #include "linkage/linkage_testing.hpp"
 
-#include "higherpair/analysis/run.hpp"
 #include <fmt/format.h>
 
 namespace higherpair {
