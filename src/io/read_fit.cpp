@@ -1,5 +1,6 @@
 #include "document_content.hpp"
 #include "higherpair/io/fit_task.hpp"
+#include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"

@@ -85,7 +85,7 @@ std::vector<FourBarLimit> limits_of(const FourBar& linkage, const Triangle& tria
 
 std::vector<FourBarLimit> four_bar_limits(const FourBar& linkage, FourBarLink link) {
   assert(linkage.r1 > 0 && linkage.r2 > 0 && linkage.r3 > 0 && linkage.r4 > 0);
-  assert(link != FourBarLink::kGround);
+  assert(link != FourBarLink::kFrame);
   const std::size_t X = static_cast<std::size_t>(link) - 2;
   std::vector<FourBarLimit> limits;
   for (const double side : {1.0, -1.0}) {

@@ -92,7 +92,7 @@ double grashof_margin(const FourBar& linkage) {
 }
 
 bool turns_fully(const FourBar& linkage, FourBarLink link) {
-  assert(link != FourBarLink::kGround);
+  assert(link != FourBarLink::kFrame);
   switch (classify_grashof(linkage)) {
     case GrashofClass::kDoubleCrank:
       return true;

@@ -2,7 +2,6 @@
 
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile.hpp"
-#include "higherpair/io/profile_document.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,6 +12,8 @@
 #include <tl/expected.hpp>
 
 namespace higherpair {
+
+class ProfileDocument;
 
 /// How a residual counts, in units of the noise of its column.
 enum class FitLoss {

@@ -27,7 +27,7 @@ struct FourBar {
 };
 
 /// A link of it by its number.
-enum class FourBarLink { kGround = 1, kCrank = 2, kCoupler = 3, kRocker = 4 };
+enum class FourBarLink { kFrame = 1, kCrank = 2, kCoupler = 3, kRocker = 4 };
 
 struct FourBarRates {
   double omega2 = 0;  ///< [rad/s]
