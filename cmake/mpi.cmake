@@ -16,6 +16,11 @@ function(higherpair_add_mpi_sweep target)
     mpi/messages.cpp
     mpi/worker.cpp
     $<FILTER:$<TARGET_OBJECTS:${target}>,EXCLUDE,/main\\.cpp\\.o$>)
+  foreach(part ${target}-hdf5 ${target}-rsvg)
+    if(TARGET ${part})
+      target_sources(higherpair-sweep-mpi PRIVATE $<TARGET_OBJECTS:${part}>)
+    endif()
+  endforeach()
   set_source_files_properties(mpi/main.cpp PROPERTIES COMPILE_DEFINITIONS HIGHERPAIR_VERSION="${PROJECT_VERSION}")
   target_include_directories(higherpair-sweep-mpi PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(higherpair-sweep-mpi PRIVATE $<TARGET_PROPERTY:${target},LINK_LIBRARIES> MPI::MPI_CXX Threads::Threads)
