@@ -2,6 +2,7 @@
 #include "higherpair/io/fit_task.hpp"
 
 #include "higherpair/io/measured_table.hpp"
+#include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <algorithm>
