@@ -40,6 +40,9 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
            "a law is a function of one driver's position: expected a mechanism with one driver");
     return;
   }
+  if (!reading.mistakes.empty()) {
+    return;  // the driver's joint may be one of them
+  }
   const Joint& driven =
       profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers.front().joint)];
   const LawQuantities quantities{has_angle(driven.type) ? dimension::kAngle : dimension::kLength, *value};

@@ -44,7 +44,7 @@ int widest(const Lines& lines, std::size_t least) {
 std::string number_text(const FitReport::Number& number, int width, bool with_before) {
   return fmt::format("{:<{}}  {:>14}  {:>16}  {:>12}  {}{}{}\n", number.name, width,
                      with_before ? shown(number.before) : "", shown(number.after),
-                     std::isfinite(number.half) ? "± " + brief(number.half) : "-", number.unit,
+                     std::isfinite(number.half) ? "+-" + brief(number.half) : "-", number.unit,
                      number.at_bound ? "  at its bound" : "", number.determined ? "" : "  not determined");
 }
 
@@ -233,7 +233,7 @@ std::string fit_text(const CurveFitReport& report) {
                                  fmt::format("{:g} %", 100 * report.confidence));
   for (const auto& own : report.numbers) {
     text += fmt::format("{:<{}}  {:>16}  {:>12}  {}\n", own.name, width, shown(own.value),
-                        std::isfinite(own.half) ? "± " + brief(own.half) : "-", own.unit);
+                        std::isfinite(own.half) ? "+-" + brief(own.half) : "-", own.unit);
   }
   return text + fmt::format("\n{} points, rms distance {} {}, noise {} {}, largest {} {} (line {})\n",
                             report.points.size(), brief(report.rms), report.unit, brief(report.noise),
