@@ -217,7 +217,7 @@ TEST(BlocksUnderWay, EndWhereTheRunIsStopped) {
   run_blocks(
       analysis, 3, [](const RowBlock&) { return BlockTexts{}; },
       [&](const RowBlock&, const BlockTexts&) {
-        stop = ++taken == 2;
+        stop = ++taken >= 2;
         return true;
       });
   EXPECT_LT(taken, 25);
