@@ -132,14 +132,15 @@ private:
 tl::expected<MappedContacts, std::string> mapped_contacts(const Mechanism& mechanism,
                                                           const std::vector<double>& drivers,
                                                           double tolerance) {
-  const auto plan = make_plan(mechanism);
+  auto plan = make_plan(mechanism);
   if (!plan) {
     return tl::unexpected(plan.error());
   }
-  const auto run = start_run(mechanism, drivers, tolerance);
+  const RunModel model = make_run_model(mechanism, *std::move(plan));
+  const auto run = start_run(model, drivers, tolerance);
   MappedContacts found;
   found.not_started = run ? "" : run.error().reason;
-  const Mapper mapper(mechanism, *plan, drivers, run);
+  const Mapper mapper(mechanism, *model.plan, drivers, run);
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     found.contacts.push_back(mapper.map(static_cast<int>(i)));
   }

@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -30,11 +27,11 @@ public:
         report(reading_, *variables, "expected at least one variable, NAME = { path = …, min = …, max = … }");
       }
     }
-    read_list(table.take("objectives"), [&](TableReader& item) {
+    for_each_in_list(table, "objectives", [&](TableReader& item) {
       if (auto objective = read_objective(item, profile_, laws_))
         task_.objectives.push_back(*std::move(objective));
     });
-    read_list(table.take("constraints"), [&](TableReader& item) {
+    for_each_in_list(table, "constraints", [&](TableReader& item) {
       if (auto constraint = read_constraint(item, profile_))
         task_.constraints.push_back(*std::move(constraint));
     });
@@ -44,24 +41,6 @@ public:
   }
 
 private:
-  template <class F>
-  void read_list(const std::optional<Item>& item, F read_one) {
-    if (!item) return;
-    const auto* items = std::get_if<Array>(&item->value->content);
-    if (items == nullptr || items->empty()) {
-      report(reading_, *item, fmt::format("expected a list of tables, [[{}]]", item->path));
-      return;
-    }
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
-      if (const Table* content = as_table(reading_, one, "a table")) {
-        TableReader reader(reading_, *content, one.value->mark, one.path);
-        read_one(reader);
-        reader.finish();
-      }
-    }
-  }
-
   void read_options(TableReader& table) {
     if (const auto method = table.take("method")) {
       if (const auto choice = as_choice(reading_, *method, design_method_names())) {
@@ -69,17 +48,8 @@ private:
       }
     }
     task_.keep_branch = table.flag("keep_branch", false);
-    const auto count = [&](const std::string& key, std::int64_t least) -> std::optional<std::int64_t> {
-      const auto item = table.take(key);
-      const auto value = item ? as_integer(reading_, *item) : std::nullopt;
-      if (value && (*value < least || *value > 1'000'000'000)) {
-        report(reading_, *item, fmt::format("expected a number from {} to 1000000000", least));
-        return std::nullopt;
-      }
-      return value;
-    };
-    if (const auto starts = count("starts", 1)) task_.starts = static_cast<int>(*starts);
-    if (const auto seed = count("seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto starts = table.count("starts", 1)) task_.starts = static_cast<int>(*starts);
+    if (const auto seed = table.count("seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
     task_.target = optional_plain_number(table, "target");
   }
 

@@ -20,8 +20,8 @@ public:
 
   FitTask read(TableReader& table) {
     task_.place = place_of(reading_, table.mark());
-    read_list(table, "columns", [&](TableReader& item) { read_column(item); });
-    read_list(table, "frames", [&](TableReader& item) { read_frame(item); });
+    for_each_in_list(table, "columns", [&](TableReader& item) { read_column(item); });
+    for_each_in_list(table, "frames", [&](TableReader& item) { read_frame(item); });
     if (const auto use = table.take("use")) read_use(*use);
     if (const auto loss = table.take("loss")) {
       if (const auto choice = as_choice(reading_, *loss, fit_loss_names())) {
@@ -35,33 +35,14 @@ public:
       }
       task_.confidence = share.value_or(task_.confidence);
     }
-    if (const auto starts = count(table, "starts", 1)) task_.starts = static_cast<int>(*starts);
-    if (const auto seed = count(table, "seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto starts = table.count("starts", 1)) task_.starts = static_cast<int>(*starts);
+    if (const auto seed = table.count("seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
     table.refuse("variables", "the numbers to be found are the variables of [design], [design.variables]");
     table.finish();
     return std::move(task_);
   }
 
 private:
-  template <class F>
-  void read_list(TableReader& table, const std::string& key, F read_one) {
-    const auto item = table.take(key);
-    if (!item) return;
-    const auto* items = std::get_if<Array>(&item->value->content);
-    if (items == nullptr || items->empty()) {
-      report(reading_, *item, fmt::format("expected a list of tables, [[{}]]", item->path));
-      return;
-    }
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
-      if (const Table* content = as_table(reading_, one, "a table")) {
-        TableReader reader(reading_, *content, one.value->mark, one.path);
-        read_one(reader);
-        reader.finish();
-      }
-    }
-  }
-
   std::optional<double> positive(TableReader& table, const std::string& key) {
     const auto item = table.take(key);
     const auto number = item ? as_plain_number(reading_, *item) : std::nullopt;
@@ -70,16 +51,6 @@ private:
       return std::nullopt;
     }
     return number;
-  }
-
-  std::optional<std::int64_t> count(TableReader& table, const std::string& key, std::int64_t least) {
-    const auto item = table.take(key);
-    const auto value = item ? as_integer(reading_, *item) : std::nullopt;
-    if (value && (*value < least || *value > 1'000'000'000)) {
-      report(reading_, *item, fmt::format("expected a number from {} to 1000000000", least));
-      return std::nullopt;
-    }
-    return value;
   }
 
   void read_column(TableReader& table) {

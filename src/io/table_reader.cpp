@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 14> kTopLevelKeys = {
     "format",   "title",  "description", "gravity", "units", "bodies",  "joints",
     "contacts", "driver", "drivers",     "laws",    "loads", "springs", "limits"};
 
+constexpr std::int64_t kMostCounted = 1'000'000'000;
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
 bool is_top_level(std::string_view key) {
@@ -318,6 +319,16 @@ bool TableReader::flag(const std::string& key, bool otherwise) {
   return item ? as_flag(*reading_, *item).value_or(otherwise) : otherwise;
 }
 
+std::optional<std::int64_t> TableReader::count(const std::string& key, std::int64_t least) {
+  const auto item = take(key);
+  const auto value = item ? as_integer(*reading_, *item) : std::nullopt;
+  if (value && (*value < least || *value > kMostCounted)) {
+    report(*reading_, *item, fmt::format("expected a number from {} to {}", least, kMostCounted));
+    return std::nullopt;
+  }
+  return value;
+}
+
 void TableReader::finish() const {
   const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -375,6 +386,28 @@ void for_each_table(Reading& reading, const Item& item, std::string_view what,
       report_kind(reading, entry, what);
     }
   });
+}
+
+void for_each_in_list(TableReader& table, const std::string& key,
+                      const std::function<void(TableReader& entry)>& read) {
+  Reading& reading = table.reading();
+  const auto item = table.take(key);
+  if (!item) {
+    return;
+  }
+  const auto* items = std::get_if<Array>(&item->value->content);
+  if (items == nullptr || items->empty()) {
+    report(reading, *item, fmt::format("expected a list of tables, [[{}]]", item->path));
+    return;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
+    if (const Table* content = as_table(reading, one, "a table")) {
+      TableReader entry(reading, *content, one.value->mark, one.path);
+      read(entry);
+      entry.finish();
+    }
+  }
 }
 
 }  // namespace higherpair::io_detail

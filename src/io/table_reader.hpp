@@ -107,6 +107,8 @@ public:
   [[nodiscard]] Vector2d need_vector(const std::string& key, const Dimension& dimension);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] bool flag(const std::string& key, bool otherwise);
+  /// How many, from `least` to 10⁹; none where absent or wrong.
+  [[nodiscard]] std::optional<std::int64_t> count(const std::string& key, std::int64_t least);
   /// @}
 
   /// Reports every key that was never asked for.
@@ -131,5 +133,10 @@ void for_each_named(Reading& reading, const Item& item, std::string_view what,
 /// The same, where every thing is a table itself.
 void for_each_table(Reading& reading, const Item& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read);
+
+/// Calls `read` for every table of the list [[key]], which may be absent; whatever keys it leaves are
+/// reported.
+void for_each_in_list(TableReader& table, const std::string& key,
+                      const std::function<void(TableReader& entry)>& read);
 
 }  // namespace higherpair::io_detail

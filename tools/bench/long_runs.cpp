@@ -3,6 +3,8 @@
 #include "cases.hpp"
 #include "higherpair/front/model.hpp"
 
+#include <functional>
+
 #include <fmt/format.h>
 
 namespace higherpair::bench {
@@ -19,8 +21,8 @@ Analysis start(const LongRun& run, std::int64_t rows) {
   return *std::move(analysis);
 }
 
-std::string in_blocks(Analysis analysis, int threads) {
-  std::string all;
+// The lines of the table, block after block.
+void for_each_text(Analysis& analysis, int threads, const std::function<void(const std::string&)>& take) {
   run_blocks(
       analysis, threads,
       [&](const RowBlock& block) {
@@ -29,10 +31,9 @@ std::string in_blocks(Analysis analysis, int threads) {
         return texts;
       },
       [&](const RowBlock&, const BlockTexts& texts) {
-        all += texts[0];
+        take(texts[0]);
         return true;
       });
-  return all;
 }
 
 }  // namespace
@@ -47,24 +48,17 @@ void check_long_run(const LongRun& run) {
   Analysis analysis = start(run, kRows);
   Row row;
   while (analysis.next(row)) append_csv_row(analysis.columns(), row, one_by_one);
-  require(in_blocks(start(run, kRows), 2) == one_by_one, run.profile + ": blocks and rows differ");
+  std::string in_blocks;
+  Analysis blocks = start(run, kRows);
+  for_each_text(blocks, 2, [&](const std::string& text) { in_blocks += text; });
+  require(in_blocks == one_by_one, run.profile + ": blocks and rows differ");
 }
 
 double work_out(const LongRun& run, int threads) {
   constexpr std::int64_t kRows = 200000;
   Analysis analysis = start(run, kRows);
   std::size_t bytes = 0;
-  run_blocks(
-      analysis, threads,
-      [&](const RowBlock& block) {
-        BlockTexts texts(1);
-        append_csv_rows(analysis.columns(), block, texts[0]);
-        return texts;
-      },
-      [&](const RowBlock&, const BlockTexts& texts) {
-        bytes += texts[0].size();
-        return true;
-      });
+  for_each_text(analysis, threads, [&](const std::string& text) { bytes += text.size(); });
   require(bytes > 0, run.profile + ": no text");
   return static_cast<double>(kRows);
 }
