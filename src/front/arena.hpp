@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace higherpair {
@@ -20,6 +22,12 @@ void on_threads(int threads, const Work& work) {
     more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
   tbb::task_arena(threads).execute(work);
+}
+
+/// Calls f(0) to f(count - 1), in no order, on so many threads; 0: as many as there are cores to be used.
+template <class F>
+void for_each_on_threads(std::size_t count, int threads, const F& f) {
+  on_threads(thread_count(threads), [&] { tbb::parallel_for(std::size_t{0}, count, f); });
 }
 
 }  // namespace higherpair

@@ -1,11 +1,10 @@
 #include "fit_search.hpp"
 
+#include "arena.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <random>
 
 namespace higherpair {
@@ -124,10 +123,8 @@ private:
       if (from && !stopped()) ends[static_cast<std::size_t>(k)] = minimise(*from, scales, kMostIterations);
     };
     one(0);
-    const int threads = settings_.threads > 0 ? settings_.threads : tbb::this_task_arena::max_concurrency();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-    tbb::task_arena(threads).execute([&] { tbb::parallel_for(1, count, one); });
+    for_each_on_threads(ends.size() - 1, settings_.threads,
+                        [&](std::size_t k) { one(static_cast<int>(k) + 1); });
     const LeastSquaresFit* best = nullptr;
     std::vector<const LeastSquaresFit*> different;
     solution_.starts = 0;

@@ -1,5 +1,6 @@
 #include "higherpair/front/sensitivity.hpp"
 
+#include "arena.hpp"
 #include "higherpair/io/tolerance_task.hpp"
 #include "number_slopes.hpp"
 #include "path_results.hpp"
@@ -10,9 +11,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,12 +38,6 @@ struct Stop {
   PathPlace place;
   Run run;
 };
-
-template <class F>
-void in_parallel(std::size_t count, int threads, F f) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, f); });
-}
 
 // Everything that the slopes of one report are made from.
 class Differentiator {
@@ -119,7 +111,7 @@ private:
       if (!models) return models.error();
       models_.push_back(std::make_unique<NumberModels>(*std::move(models)));
     }
-    in_parallel(numbers_.size(), settings_.threads, [&](std::size_t i) {
+    for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
       if (!stopped()) slopes_[i] = std::make_unique<NumberSlopes>(*columns_, *models_[i]);
     });
     return std::nullopt;
@@ -148,7 +140,7 @@ private:
       place_index_[place.row] = stops.size() - 1;
     }
     at_places_.resize(numbers_.size());
-    in_parallel(numbers_.size(), settings_.threads, [&](std::size_t i) {
+    for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
       for (const Stop& stop : stops) {
         if (stopped()) return;
         at_places_[i].push_back(slopes_at(i, stop));
@@ -190,7 +182,7 @@ private:
           counted[m] += std::isnan(values[results_[m].column]) ? 0 : 1;
         }
       }
-      in_parallel(numbers_.size(), settings_.threads, [&](std::size_t i) {
+      for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
         for (std::size_t k = 0; k < stops.size() && !stopped(); ++k) add_means(i, stops[k], at[k]);
       });
     }
@@ -267,7 +259,7 @@ private:
 
   // What could not be differentiated.
   void differences(SensitivityReport& report) const {
-    in_parallel(numbers_.size(), settings_.threads, [&](std::size_t i) {
+    for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
       const NumberSlopes::State state = slopes_[i]->state();
       std::vector<std::size_t> open;
       for (std::size_t m = 0; m < results_.size(); ++m) {

@@ -1,4 +1,5 @@
 // Derivatives of whole columns, row by row.
+#include "arena.hpp"
 #include "higherpair/front/sensitivity.hpp"
 #include "number_slopes.hpp"
 #include "sensitivity_numbers.hpp"
@@ -8,9 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <utility>
 
 namespace higherpair {
@@ -132,11 +130,8 @@ private:
 
   template <class F>
   void in_parallel(F f) const {
-    tbb::task_arena arena(settings_.threads > 0 ? settings_.threads : tbb::info::default_concurrency());
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, numbers_.size(), [&](std::size_t i) {
-        if (!stopped()) f(i);
-      });
+    for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
+      if (!stopped()) f(i);
     });
   }
 
