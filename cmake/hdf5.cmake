@@ -7,6 +7,7 @@ function(higherpair_add_hdf5 target)
   if(HDF5_FOUND)
     # In a target of its own: its options would keep other tools from the program's precompiled headers.
     add_library(${target}-hdf5 OBJECT hdf5_file.cpp)
+    set_target_properties(${target}-hdf5 PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(${target}-hdf5 PRIVATE higherpair::higherpair PkgConfig::HDF5 fmt::fmt)
     target_include_directories(${target}-hdf5 PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
     higherpair_set_warnings(${target}-hdf5)

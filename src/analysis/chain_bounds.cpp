@@ -9,9 +9,9 @@ namespace {
 // A sine smaller than this is near a limit; steps of a run take a crossing into account from 1e-3 on.
 constexpr double kLeastSine = 0.02;
 // A body that turns further from one position to the next might be whole turns off.
-constexpr double kFarthestTurn = 2;
+constexpr double kSafeTurn = 2;
 
-double square(double x) {
+double squared(double x) {
   return x * x;
 }
 
@@ -22,20 +22,20 @@ struct PointBound {
 
 PointBound bound_at(const MotionBound& body, const Vector2d& p_B) {
   const double r = (p_B - body.p_B).norm();
-  return {body.speed + body.omega * r, body.acceleration + (body.alpha + square(body.omega)) * r};
+  return {body.speed + body.omega * r, body.acceleration + (body.alpha + squared(body.omega)) * r};
 }
 
 // The sine of which this is a bound of the |cosine|; none where it may be too small.
 std::optional<double> least_sine(double cosine) {
-  const double square_of_sine = 1 - square(cosine);
-  return cosine >= 0 && square_of_sine >= square(kLeastSine) ? std::optional(std::sqrt(square_of_sine))
-                                                             : std::nullopt;
+  const double square_of_sine = 1 - squared(cosine);
+  return cosine >= 0 && square_of_sine >= squared(kLeastSine) ? std::optional(std::sqrt(square_of_sine))
+                                                              : std::nullopt;
 }
 
 class ChainBounds {
 public:
   ChainBounds(double step, double size, std::vector<MotionBound>& bodies)
-      : step_(step), chord_(square(step) / 8), size_(size), bodies_(bodies) {}
+      : step_(step), chord_(squared(step) / 8), size_(size), bodies_(bodies) {}
 
   bool add(const DrivenBody& driven, const ChainWatch<double>& /*none*/) {
     const OneFreedom& freedom = driven.carried.freedom;
@@ -52,13 +52,13 @@ public:
     const double acceleration = A.acceleration + B.acceleration;
     const double a = dyad.length_a;
     const double b = dyad.length_b;
-    const auto sine = least_sine(watch.margin + chord_ * (square(speed) + (a + b) * acceleration) / (a * b));
+    const auto sine = least_sine(watch.margin + chord_ * (squared(speed) + (a + b) * acceleration) / (a * b));
     if (!sine) {
       return false;
     }
     const double omega_a = speed / (a * *sine);
     const double omega_b = speed / (b * *sine);
-    const double pull = acceleration + a * square(omega_a) + b * square(omega_b);
+    const double pull = acceleration + a * squared(omega_a) + b * squared(omega_b);
     at(dyad.link_a) = {dyad.a_pA, A.speed, A.acceleration, omega_a, pull / (a * *sine)};
     at(dyad.link_b) = {dyad.b_pB, B.speed, B.acceleration, omega_b, pull / (b * *sine)};
     return turns_little(omega_a) && turns_little(omega_b);
@@ -72,7 +72,7 @@ public:
     const double speed = A.speed + P.speed;
     const double far = std::sqrt(watch.far2) + speed * step_;
     const double second =
-        A.acceleration + P.acceleration + 2 * line.omega * speed + (line.alpha + square(line.omega)) * far;
+        A.acceleration + P.acceleration + 2 * line.omega * speed + (line.alpha + squared(line.omega)) * far;
     const double l = dyad.length;
     const auto cosine = least_sine(watch.margin + chord_ * second / l);
     if (!cosine) {
@@ -80,7 +80,7 @@ public:
     }
     const double turning = (speed + line.omega * far) / (l * *cosine);
     const MotionBound link = {dyad.pA, A.speed, A.acceleration, line.omega + turning,
-                              line.alpha + (second + l * square(turning)) / (l * *cosine)};
+                              line.alpha + (second + l * squared(turning)) / (l * *cosine)};
     at(dyad.link) = link;
     if (dyad.slider) {
       ride(*dyad.slider, bound_at(link, dyad.pC));
@@ -95,15 +95,15 @@ public:
     const double speed = A.speed + B.speed;
     const double acceleration = A.acceleration + B.acceleration;
     const double far = std::sqrt(watch.far2) + speed * step_;
-    const double least2 = -watch.margin - chord_ * 2 * (square(speed) + far * acceleration);
-    if (!(least2 >= square(kLeastSine * size_))) {
+    const double least2 = -watch.margin - chord_ * 2 * (squared(speed) + far * acceleration);
+    if (!(least2 >= squared(kLeastSine * size_))) {
       return false;
     }
     const double s = std::sqrt(least2);
     const double offset = std::abs(offset_of(dyad));
     const double omega = speed / s;
     const double sliding = speed + offset * omega;
-    const double alpha = (acceleration + 2 * sliding * omega + offset * square(omega)) / s;
+    const double alpha = (acceleration + 2 * sliding * omega + offset * squared(omega)) / s;
     at(dyad.link) = {dyad.pA, A.speed, A.acceleration, omega, alpha};
     if (dyad.slider) {
       ride(*dyad.slider, B);
@@ -125,7 +125,7 @@ private:
     at(rider.body) = {rider.p_B, point.speed, point.acceleration, carrier.omega, carrier.alpha};
   }
 
-  [[nodiscard]] bool turns_little(double omega) const { return omega * step_ <= kFarthestTurn; }
+  [[nodiscard]] bool turns_little(double omega) const { return omega * step_ <= kSafeTurn; }
 
   double step_;
   double chord_;  // step²/8

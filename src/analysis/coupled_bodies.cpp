@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxSteps = 30;
 constexpr double kMaxStep = 0.3;  // of an angle [rad], or of the size
-constexpr double kRankTolerance = 1e-10;
+constexpr double kCoupledRank = 1e-10;
 constexpr double kAllButSingular = 1e-6;  // determinant, scaled
 constexpr double kSingularStep = 1e-6;    // of the size
 constexpr double kClosed = 1e-14;         // of the size
@@ -69,7 +69,7 @@ public:
 private:
   bool square_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  LeastNormSolver least_norm_{kRankTolerance};
+  LeastNormSolver least_norm_{kCoupledRank};
 };
 
 void set_rank(const Solver& solver, GroupState& group) {

@@ -104,13 +104,13 @@ RrpMotion solve(const RrpDyad& dyad, const GroupState& group, const State& state
 }
 
 // The offset of the line from the pin, both on the link.
-double offset_of(const RprDyad& dyad) {
+double slot_offset(const RprDyad& dyad) {
   const Vector2d u(dyad.line.u_B.cos, dyad.line.u_B.sin);
   return cross(u, Vector2d(dyad.line.p_B - dyad.pA));
 }
 
 RprMotion solve(const RprDyad& dyad, const GroupState& group, const State& state) {
-  return rpr_dyad(motion_of(state, dyad.A), motion_of(state, dyad.B), offset_of(dyad), mode_of(group));
+  return rpr_dyad(motion_of(state, dyad.A), motion_of(state, dyad.B), slot_offset(dyad), mode_of(group));
 }
 
 PrpMotion solve(const SlideDyad& dyad, const State& state) {

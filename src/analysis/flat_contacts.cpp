@@ -10,10 +10,6 @@
 namespace higherpair {
 namespace {
 
-const CurveRef& ref_of(const Contact& contact, std::size_t side) {
-  return side == 0 ? contact.first : contact.second;
-}
-
 bool is_flat(const Boundary& boundary, const BoundaryPlace& place) {
   return !boundary.is_corner(place) && boundary.at(place).kappa == 0;
 }

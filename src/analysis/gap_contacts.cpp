@@ -4,6 +4,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "joint_ends.hpp"
 #include "meetings.hpp"
 #include "span_joints.hpp"
@@ -19,7 +20,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kCapture = 1e-3;      // of the size: how far beside an end a curve still meets the other one
 constexpr double kStartsApart = 1e-4;  // of the size: a pose that touches only by that much is open
 constexpr double kFirstNudge = 1e-13;  // of a step: a contact that closes beside an end begins farther in
@@ -102,7 +102,7 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
   const State kept = run.work.trial;
   const auto beyond = [&](double x) {
     const auto there = solve_at(run, path, s, x) ? at(run, passing, run.work.trial) : std::nullopt;
-    return there ? there->beyond : kNaN;
+    return there ? there->beyond : kNoValue;
   };
   const auto x = root_between(beyond, before->beyond, h, after->beyond);
   const auto there = x && solve_at(run, path, s, *x) ? at(run, passing, run.work.trial) : std::nullopt;

@@ -8,7 +8,7 @@
 namespace higherpair {
 namespace {
 
-using Series = PowerSeries<double, 3>;
+using JerkSeries = PowerSeries<double, 3>;
 using Jerks = std::vector<std::optional<BodyJerk>>;
 
 // The circle of curvature of a conic, fixed in its body, in vertex form about the touching point.
@@ -39,7 +39,7 @@ Dimensions<double> frozen(const Run& run, Dimensions<double> dimensions) {
 Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const HigherRates> higher,
                  bool surplus_slip) {
   const Mechanism& mechanism = run.mechanism();
-  Coordinates<Series> at = constant<Series>(row_coordinates(run));
+  Coordinates<JerkSeries> at = constant<JerkSeries>(row_coordinates(run));
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
     const JointMotion driver = joint_motion(mechanism, joint, run.row.bodies);
@@ -52,7 +52,7 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
   Jerks jerks(motion.known.size());
   for (std::size_t i = 0; i < jerks.size(); ++i) {
     if (motion.known[i]) {
-      const BodyAt<Series>& body = motion.at.bodies[i];
+      const BodyAt<JerkSeries>& body = motion.at.bodies[i];
       jerks[i] =
           BodyJerk{6 * Vector2d(body.X_WB.p_WB.x().c[3], body.X_WB.p_WB.y().c[3]), 6 * body.theta.c[3]};
     }
@@ -86,7 +86,7 @@ Jerks true_jerks_of(const Run& run, std::span<const HigherRates> higher) {
 std::optional<double> joint_jerk(const Run& run, int joint, const Jerks& bodies) {
   const Dimensions<double> dimensions = dimensions_of(run.mechanism());
   const auto& at = dimensions.joints[static_cast<std::size_t>(joint)];
-  std::array<BodyAt<Series>, 3> series;
+  std::array<BodyAt<JerkSeries>, 3> series;
   for (std::size_t i = 0; const int body : {at.first, at.second, at.carrier}) {
     const auto index = static_cast<std::size_t>(body);
     if (!bodies[index]) {

@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
@@ -14,13 +15,12 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarther = 1.5;  // than the bodies move against each other by their rates: what is looked at
-constexpr double kSamePlace = 1e-6;   // of the boundaries: a place that is that of the contact
-constexpr double kAgrees = 0.1;       // of the change by rates: a gap that may be that of the same place
-constexpr double kWorthALook = 0.5;   // of a gap: a least one within the step that may be none in truth
-constexpr int kHalvings = 4;          // of a step in which a place could not be followed
-constexpr int kHalvingsToTouch = 40;  // the same where the bodies are in each other at its end
+constexpr double kSameMeeting = 1e-6;  // of the boundaries: a place that is that of the contact
+constexpr double kAgrees = 0.1;        // of the change by rates: a gap that may be that of the same place
+constexpr double kWorthALook = 0.5;    // of a gap: a least one within the step that may be none in truth
+constexpr int kStepHalvings = 4;       // of a step in which a place could not be followed
+constexpr int kHalvingsToTouch = 40;   // the same where the bodies are in each other at its end
 
 // How the two bodies stand at a place of the step.
 struct Pairing {
@@ -109,7 +109,7 @@ private:
   }
 
   [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
-    const double same = kSamePlace * (boundary1_.size() + boundary2_.size());
+    const double same = kSameMeeting * (boundary1_.size() + boundary2_.size());
     return at.own && (at.own->p1_W - place.at.p1_W).norm() + (at.own->p2_W - place.at.p2_W).norm() <= same;
   }
 
@@ -138,7 +138,7 @@ private:
       const auto at = pairing_at(a.x + x);
       const auto moved =
           at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near.place) : std::nullopt;
-      return moved ? of(seen(*at, *moved)) : kNaN;
+      return moved ? of(seen(*at, *moved)) : kNoValue;
     };
     const auto x = root_between(value, at_a, b - a.x, at_b);
     return x ? std::optional(a.x + *x) : std::nullopt;
@@ -232,7 +232,7 @@ private:
         lost = lost || (std::abs(place.gap) > depth_ && place.gap < -place.rate * h);
       }
     }
-    if (halvings < (inside ? kHalvingsToTouch : lost ? kHalvings : 0)) {
+    if (halvings < (inside ? kHalvingsToTouch : lost ? kStepHalvings : 0)) {
       return split(a, b, halvings + 1);
     }
     return first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};

@@ -21,17 +21,17 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMaxTurn = kPi / 18;    // of a driver in one inner step [rad]
-constexpr double kMaxSlide = 1.0 / 6;    // of a driver in one inner step, of the size
-constexpr double kSmallestStep = 1e-14;  // of the driver's scale
-constexpr int kHalvingsToLimit = 3;      // refused steps, one after the other, before a limit is looked for
-constexpr double kShareToLimit = 0.5;    // of what is left to a limit: the next step
-constexpr double kAtLimit = 1e-9;        // of the driver's scale: as near as this a limit is reached
-constexpr double kNearLimit = 1e-6;      // of the driver's scale: nearer, rates may be too inexact to go on
-constexpr double kOnLimit = 1e-14;       // of the driver's scale: a row that is at the limit itself
-constexpr double kLongStep = 0.02;       // of the driver's scale: one that may as well end elsewhere
-constexpr double kOpenShare = 0.2;       // of the largest step: while a contact is open
-constexpr double kProbe = kPi / 144;     // of the driver's scale: where a branch that was lost is looked for
+constexpr double kMaxStepTurn = kPi / 18;  // of a driver in one inner step [rad]
+constexpr double kMaxSlide = 1.0 / 6;      // of a driver in one inner step, of the size
+constexpr double kSmallestStep = 1e-14;    // of the driver's scale
+constexpr int kHalvingsToLimit = 3;        // refused steps, one after the other, before a limit is looked for
+constexpr double kShareToLimit = 0.5;      // of what is left to a limit: the next step
+constexpr double kAtLimit = 1e-9;          // of the driver's scale: as near as this a limit is reached
+constexpr double kNearLimit = 1e-6;        // of the driver's scale: nearer, rates may be too inexact to go on
+constexpr double kOnLimit = 1e-14;         // of the driver's scale: a row that is at the limit itself
+constexpr double kLongStep = 0.02;         // of the driver's scale: one that may as well end elsewhere
+constexpr double kOpenShare = 0.2;         // of the largest step: while a contact is open
+constexpr double kProbe = kPi / 144;  // of the driver's scale: where a branch that was lost is looked for
 constexpr double kMostProbes = 1e4;
 constexpr double kMostSteps = 2e5;  // inner steps besides those that the path takes at least
 
@@ -40,7 +40,8 @@ double parts_of(const Run& run, const Path& path) {
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
     const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(run.mechanism().drivers[i].joint)];
-    const double largest = joint.type == JointType::kRevolute ? kMaxTurn : kMaxSlide * driver_scale(run, i);
+    const double largest =
+        joint.type == JointType::kRevolute ? kMaxStepTurn : kMaxSlide * driver_scale(run, i);
     parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);
   }
   return parts;

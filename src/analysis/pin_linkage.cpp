@@ -33,7 +33,7 @@ std::optional<std::pair<PointRef, PointRef>> ends_at(const Joint& joint, int bod
   return std::nullopt;
 }
 
-constexpr int kMostModes = 16;  // of a branch, as of branch_run.hpp
+constexpr int kMostPinModes = 16;  // of a branch, as of branch_run.hpp
 
 }  // namespace
 
@@ -124,7 +124,7 @@ void PinLinkage::set_numbers(std::span<const double> numbers) {
 void PinLinkage::set_branch(int branch) {
   poses_ = posed_;
   for (std::size_t k = 0; k < dyads_.size(); ++k) {
-    const bool minus = k < kMostModes && ((branch >> k) & 1) != 0;
+    const bool minus = k < kMostPinModes && ((branch >> k) & 1) != 0;
     dyads_[k].sigma = minus ? -1 : 1;
   }
 }

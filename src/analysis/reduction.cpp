@@ -18,10 +18,10 @@ constexpr double kDifference = 1e-5;  // of the size and of the unit of s: for s
 constexpr double kFarthest = 2;       // of the size: how far λ may lead
 constexpr double kNearRoot = 1e-7;    // steps of Newton's method below this fall fast
 constexpr double kNoStep = 1e-15;
-constexpr double kAtEnd = 1e-9;     // of the unit of s: a change point at the end of a step
-constexpr double kCrosses = 1e-13;  // of the size: an ε that is rounding
-constexpr double kParabola = 0.04;  // of the way: how far the branch may be from a parabola
-constexpr double kFarAhead = 64;    // of the step: how far a limit may lie ahead
+constexpr double kAtStepEnd = 1e-9;  // of the unit of s: a change point at the end of a step
+constexpr double kCrosses = 1e-13;   // of the size: an ε that is rounding
+constexpr double kParabola = 0.04;   // of the way: how far the branch may be from a parabola
+constexpr double kFarAhead = 64;     // of the step: how far a limit may lie ahead
 
 }  // namespace
 
@@ -183,7 +183,7 @@ std::optional<Reduction::Point> Reduction::crossing_within(double h) {
   if (!crossing || !crossing->is_saddle || !(std::abs(crossing->value) <= kCrosses * run_.plan().size)) {
     return std::nullopt;
   }
-  const double margin = kAtEnd * unit_;
+  const double margin = kAtStepEnd * unit_;
   const double along = crossing->ahead * (h > 0 ? 1 : -1);
   return along >= -margin && along <= std::abs(h) + margin ? crossing : std::nullopt;
 }

@@ -16,7 +16,7 @@ namespace higherpair {
 namespace {
 
 using Parametric = Partials<double, 1>;
-using Series = PowerSeries<Parametric, 2>;
+using ParametricSeries = PowerSeries<Parametric, 2>;
 
 // Largest displacement of a row for differences: what they leave, of its eighth power, is below rounding, and
 // rounding is not enlarged much.
@@ -39,7 +39,7 @@ Parametric parametric(double value, double derivative) {
   return number;
 }
 
-double partial(const Series& series, std::size_t k) {
+double partial(const ParametricSeries& series, std::size_t k) {
   return series.c[k].c[1];
 }
 
@@ -64,7 +64,7 @@ struct Start {
   Dimensions<double> values;
   Dimensions<Parametric> dimensions;
   Coordinates<double> numbers;
-  Coordinates<Series> at;
+  Coordinates<ParametricSeries> at;
 };
 
 bool is_placed(const Start& start, const Group& group) {
@@ -105,26 +105,26 @@ std::vector<HeldFollower> hold_loose_followers(const Mechanism& mechanism, const
 }
 
 // Velocity of a point in ground for a unit rate of a joint to ground, lengths by the size.
-Vector2<Series> velocity_per_coordinate(const Start& start, const Coordinates<Series>& at, int joint,
-                                        const Vector2<Series>& p_W) {
+Vector2<ParametricSeries> velocity_per_coordinate(const Start& start, const Coordinates<ParametricSeries>& at,
+                                                  int joint, const Vector2<ParametricSeries>& p_W) {
   const auto& of = start.dimensions.joints[static_cast<std::size_t>(joint)];
-  const BodyAt<Series>& first = at.bodies[static_cast<std::size_t>(of.first)];
+  const BodyAt<ParametricSeries>& first = at.bodies[static_cast<std::size_t>(of.first)];
   if (of.of.type == JointType::kRevolute) {
-    return perp(Vector2<Series>(p_W - first.point(of.of.p_A))) / Series(start.plan.size);
+    return perp(Vector2<ParametricSeries>(p_W - first.point(of.of.p_A))) / ParametricSeries(start.plan.size);
   }
   return first.vector(of.of.direction_A);
 }
 
 // How fast, with p, the material points at the contact cease to be able to have one velocity.
 double rate_of_slip(const Mechanism& mechanism, const Start& start, const HeldFollower& held,
-                    const Coordinates<Series>& at) {
+                    const Coordinates<ParametricSeries>& at) {
   const auto index = static_cast<std::size_t>(held.pair->contact);
   const auto& contact = start.dimensions.contacts[index];
-  const FacingPoints<Series> facing =
+  const FacingPoints<ParametricSeries> facing =
       facing_points(contact.curve1, at.bodies[static_cast<std::size_t>(contact.first)], contact.curve2,
                     at.bodies[static_cast<std::size_t>(contact.second)], at.phi[index]);
   const bool flat1 = contact.curve1.kind == CurveKind::kLine;
-  const Vector2<Series>& p_W = flat1 ? facing.p2_W : facing.p1_W;
+  const Vector2<ParametricSeries>& p_W = flat1 ? facing.p2_W : facing.p1_W;
   const int driver = mechanism.drivers[static_cast<std::size_t>(held.pair->driver)].joint;
   return partial(cross(velocity_per_coordinate(start, at, driver, p_W),
                        velocity_per_coordinate(start, at, start.values.drivers[held.driver], p_W)),
@@ -132,7 +132,7 @@ double rate_of_slip(const Mechanism& mechanism, const Start& start, const HeldFo
 }
 
 // What every body keeps that keeps the angle of its pose.
-void set_held_angles(const Mechanism& derivative, Coordinates<Series>& at) {
+void set_held_angles(const Mechanism& derivative, Coordinates<ParametricSeries>& at) {
   for (std::size_t i = 0; i < at.held_angles.size(); ++i) {
     at.held_angles[i].c[0].c[1] = derivative.bodies[i].guess_theta;
   }
@@ -144,7 +144,7 @@ Start start_of(const Run& run, const Mechanism& derivative, const std::vector<do
               dimensions_of(run.mechanism(), derivative),
               row_coordinates(run),
               {}};
-  start.at = constant<Series>(start.numbers);
+  start.at = constant<ParametricSeries>(start.numbers);
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     start.at.drivers[i].c[0].c[1] = drivers[i];
   }
@@ -282,11 +282,11 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism
   sensitivity.derivative_ = derivative;
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const auto& contact = start.dimensions.contacts[i];
-    const BodyAt<Series>& body1 = motion.at.bodies[static_cast<std::size_t>(contact.first)];
-    const BodyAt<Series>& body2 = motion.at.bodies[static_cast<std::size_t>(contact.second)];
-    const Series arcs =
+    const BodyAt<ParametricSeries>& body1 = motion.at.bodies[static_cast<std::size_t>(contact.first)];
+    const BodyAt<ParametricSeries>& body2 = motion.at.bodies[static_cast<std::size_t>(contact.second)];
+    const ParametricSeries arcs =
         !run.mechanism().contacts[i].rolling
-            ? Series()
+            ? ParametricSeries()
             : arc_difference(contact.curve1, body1, contact.curve2, body2,
                              facing_points(contact.curve1, body1, contact.curve2, body2, motion.at.phi[i]));
     sensitivity.arcs_.push_back(partial(arcs, 0));
@@ -299,7 +299,7 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
   if (run.row.status == RowStatus::kNotAssemblable || !run.row.all_rates) {
     return std::nullopt;
   }
-  Coordinates<Series> at = constant<Series>(row_coordinates(run));
+  Coordinates<ParametricSeries> at = constant<ParametricSeries>(row_coordinates(run));
   for (std::size_t i = 0; i < motions.size(); ++i) {
     at.drivers[i].c = {parametric(motions[i].position, derivatives[i].position),
                        parametric(motions[i].velocity, derivatives[i].velocity),
@@ -315,7 +315,7 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
     return std::nullopt;
   }
   RowSensitivity of_row;
-  for (const BodyAt<Series>& body : motion.at.bodies) {
+  for (const BodyAt<ParametricSeries>& body : motion.at.bodies) {
     const auto vector = [&](std::size_t k) {
       return Vector2d(partial(body.X_WB.p_WB.x(), k), partial(body.X_WB.p_WB.y(), k));
     };
@@ -326,7 +326,7 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
                              2 * vector(2),
                              2 * partial(body.theta, 2)});
   }
-  for (const Series& phi : motion.at.phi) {
+  for (const ParametricSeries& phi : motion.at.phi) {
     of_row.phi.push_back(partial(phi, 0));
     of_row.phi_dot.push_back(partial(phi, 1));
   }

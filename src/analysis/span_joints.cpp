@@ -3,6 +3,7 @@
 #include "group_solver.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 
 #include <algorithm>
@@ -14,12 +15,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kAtEnd = 1e-6;  // of the length of a boundary: a contact that its end has stopped
-
-const CurveRef& ref_of(const Contact& contact, std::size_t side) {
-  return side == 0 ? contact.first : contact.second;
-}
+constexpr double kAtBoundaryEnd = 1e-6;  // of the length of a boundary: a contact that its end has stopped
 
 const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
@@ -103,7 +99,7 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
     const State kept = run.work.trial;
     const auto speed = [&](double x) {
       mark_places(run);
-      return solve_at(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNaN;
+      return solve_at(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNoValue;
     };
     const auto x = root_between(speed, running_speed(run, at, run.at.state), length,
                                 running_speed(run, at, run.work.trial));
@@ -218,7 +214,7 @@ std::optional<JointPassage> first_passage(Run& run, const Path& path, const std:
     const auto beyond = [&](double x) {
       mark_places(run);
       return solve_at(run, path, s, x) ? beyond_joint(boundary, place_in(run.work.trial), passage, forward)
-                                       : kNaN;
+                                       : kNoValue;
     };
     const double length = first ? first->x : h;
     // Where it turns back on its span it leaves that behind there, though it may have begun at the joint.
@@ -323,7 +319,8 @@ std::optional<std::string> end_reached(const Run& run, std::size_t g) {
         const int span = high ? place.span : boundary.next_span(place.span, false);
         const SpanJoint joint = boundary.joint_after(span);
         const double left = std::abs(arc_between(boundary, place, end_of(boundary, place.span, high).t));
-        if (left > kAtEnd * boundary.size() || (joint != SpanJoint::kEnd && joint != SpanJoint::kNotch)) {
+        if (left > kAtBoundaryEnd * boundary.size() ||
+            (joint != SpanJoint::kEnd && joint != SpanJoint::kNotch)) {
           continue;
         }
         const std::string& body =

@@ -6,6 +6,11 @@
 
 namespace higherpair {
 
+/// The curve of a contact on side 0 or 1.
+[[nodiscard]] inline const CurveRef& ref_of(const Contact& contact, std::size_t side) {
+  return side == 0 ? contact.first : contact.second;
+}
+
 /// A joint of two spans over which a contact goes.
 struct JointPassage {
   std::size_t contact = 0;

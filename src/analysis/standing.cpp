@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // [rad], or of the size
+constexpr double kSameStanding = 1e-9;  // [rad], or of the size
 
 template <class T, class Alike>
 bool all_alike(const std::vector<T>& a, const std::vector<T>& b, const Alike& alike) {
@@ -42,13 +42,13 @@ bool on_same_branch(const State& a, const State& b) {
 }
 
 bool at_same_place(const State& a, const State& b, double size) {
-  const double near = kSamePlace * size;
+  const double near = kSameStanding * size;
   const auto same_pose = [&](const BodyMotion& one, const BodyMotion& other) {
     return (one.X_WB.p_WB - other.X_WB.p_WB).norm() <= near &&
-           std::abs(one.theta - other.theta) <= kSamePlace;
+           std::abs(one.theta - other.theta) <= kSameStanding;
   };
   const auto same_normal = [&](const ContactMotion& one, const ContactMotion& other) {
-    return !one.touches || std::abs(one.phi - other.phi) <= kSamePlace;
+    return !one.touches || std::abs(one.phi - other.phi) <= kSameStanding;
   };
   return all_alike(a.bodies, b.bodies, same_pose) && all_alike(a.contacts, b.contacts, same_normal);
 }
@@ -64,7 +64,7 @@ bool is_lost_alike(const Run& a, const Run& b) {
   }
   for (std::size_t i = 0; i < a.at.lost.at.size(); ++i) {
     const double one = a.at.lost.at[i];
-    if (std::abs(one - b.at.lost.at[i]) > kSamePlace * (driver_scale(a, i) + std::abs(one))) {
+    if (std::abs(one - b.at.lost.at[i]) > kSameStanding * (driver_scale(a, i) + std::abs(one))) {
       return false;
     }
   }
@@ -79,7 +79,7 @@ bool tells_alike(const Run& a, const Run& b) {
     return one.overlaps == other.overlaps && one.jumped == other.jumped;
   };
   const auto same_crossing = [&](const Crossing& one, const Crossing& other) {
-    return one.group == other.group && std::abs(one.s - other.s) <= kSamePlace * (1 + std::abs(one.s));
+    return one.group == other.group && std::abs(one.s - other.s) <= kSameStanding * (1 + std::abs(one.s));
   };
   return all_alike(a.at.outputs, b.at.outputs, same_sense) &&
          all_alike(a.at.watches, b.at.watches, same_watch) &&

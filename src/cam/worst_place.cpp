@@ -8,7 +8,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kShortest = 1e-13;       // of the law: where a jump lies is known to that
+constexpr double kJumpWidth = 1e-13;      // of the law: where a jump lies is known to that
 constexpr std::size_t kManyPieces = 100;  // a law with more needs no samples within each
 
 Lift lift_at(const MotionLaw& law, double x, LawSide side) {
@@ -39,7 +39,7 @@ Worst worst_of(const MotionLaw& law, const std::function<double(const Lift&)>& f
   }
   const auto inside = [&](double x) { return f(lift_at(law, x, LawSide::kAfter)); };
   PeakLimits shortest;
-  shortest.shortest = kShortest * (law.end() - law.begin());
+  shortest.shortest = kJumpWidth * (law.end() - law.begin());
   const Peak peak =
       finder.largest(inside, shortest).value_or(Peak{law.begin(), -std::numeric_limits<double>::infinity()});
   const Lift before = lift_at(law, peak.at, LawSide::kBefore), after = lift_at(law, peak.at, LawSide::kAfter);

@@ -1,5 +1,8 @@
 #include "higherpair/contact/boundary_contact.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,13 +10,11 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxPasses = 40;
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr int kMaxBoundaryPasses = 40;
 constexpr double kLongestStep = 0.25;      // of the size of a pair: of one pass
 constexpr double kMostTurn = 0.5;          // of a follower or a corner's normal in one pass [rad]
 constexpr double kNoiseOfClosure = 1e-11;  // of the extent: what an error may stall at
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSameNormal = 1e-14;  // [rad]
+constexpr double kSameNormal = 1e-14;      // [rad]
 constexpr double kFlat = 1e12;  // [m per rad] two flat curves: a turn takes a contact as far as it may go
 
 struct End {
@@ -28,7 +29,7 @@ End end_at(const Boundary& boundary, const BoundaryPlace& place, const Pose<doub
 }
 
 double radius_of(const End& end) {
-  return end.corner ? 0 : end.point.kappa == 0 ? kInfinity : 1 / end.point.kappa;
+  return end.corner ? 0 : end.point.kappa == 0 ? kInf : 1 / end.point.kappa;
 }
 
 // How two ends lie relative to each other, with t = n1 turned.
@@ -79,7 +80,7 @@ public:
 
 private:
   double extent_;
-  double last_ = kInfinity;
+  double last_ = kInf;
 };
 
 BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offset, double q,
@@ -92,7 +93,7 @@ BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offse
 std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const BoundaryPlace& place) {
   const Bounds range = boundary.spans()[static_cast<std::size_t>(place.span)]->range();
   std::optional<BoundaryPlace> best;
-  double least = kInfinity;
+  double least = kInf;
   for (const bool high : {false, true}) {
     const int next = boundary.next_span(place.span, high);
     const SpanJoint joint = boundary.joint_after(high ? place.span : next);
@@ -160,7 +161,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
   Closure closure(arm);
   int ended_before = 0;
   bool held = false;
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
+  for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     const Pose<double> X_W2 = pose_at(pair.motion2, q);
     const End end1 = end_at(boundary1, p1, X_W1);
     const End end2 = end_at(boundary2, p2, X_W2);
@@ -214,7 +215,7 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
   BoundaryPlace p1 = place1;
   BoundaryPlace p2 = place2;
   Closure closure(boundary1.size() + scale);
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
+  for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     const End end1 = end_at(boundary1, p1, X_W1);
     const End end2 = end_at(boundary2, p2, X_W2);
     const Offset offset = offset_of(end1, end2);
@@ -240,7 +241,7 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
 std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const BoundaryPlace& from,
                                                const Vector2d& n_B) {
   BoundaryPlace place = from;
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
+  for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     const SpanPoint point = boundary.at(place);
     const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
     if (std::abs(turn) <= kSameNormal) {

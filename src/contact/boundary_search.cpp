@@ -9,9 +9,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSameContact = 1e-7;  // of q [rad, or of the size]: two that are one
-constexpr double kFarther = 0.1;       // of the sizes: how far beside a body samples are looked at
-constexpr double kSlack = 0.25;        // of a polyline's part: how far its curve may pass beside it
+constexpr double kSameFound = 1e-7;  // of q [rad, or of the size]: two that are one
+constexpr double kFarther = 0.1;     // of the sizes: how far beside a body samples are looked at
+constexpr double kSlack = 0.25;      // of a polyline's part: how far its curve may pass beside it
 
 // Of one boundary: a point of its plane curve, scaled to lengths, and the place that it belongs to.
 struct Feature {
@@ -73,14 +73,14 @@ std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da
 }
 
 // Of a box around the part from a to b, widened by its slack.
-struct Box {
+struct PieceBox {
   Vector2d low, high;
-  Box(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
+  PieceBox(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
     const double slack = kSlack * (b - a).norm();
     low.array() -= slack;
     high.array() += slack;
   }
-  [[nodiscard]] bool meets(const Box& other) const {
+  [[nodiscard]] bool meets(const PieceBox& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
 };
@@ -101,11 +101,11 @@ void for_each_part(const Features& features, const F& f) {
 template <class F>
 void for_each_crossing(const Features& features1, const Features& features2, double period, const F& found) {
   for_each_part(features1, [&](const Feature& a1, const Feature& b1) {
-    const Box box1(a1.at, b1.at);
+    const PieceBox box1(a1.at, b1.at);
     for_each_part(features2, [&](const Feature& a2, const Feature& b2) {
       const double turns = period == 0 ? 0 : std::round((a1.at.x() - a2.at.x()) / period);
       const Vector2d shift(turns * period, 0);
-      if (!box1.meets(Box(a2.at + shift, b2.at + shift))) {
+      if (!box1.meets(PieceBox(a2.at + shift, b2.at + shift))) {
         return;
       }
       if (const auto shares = shares_of_crossing(a1.at, b1.at - a1.at, a2.at + shift, b2.at - a2.at)) {
@@ -130,7 +130,7 @@ double coordinate_of(const BoundaryPair& pair, const Pose<double>& X_W1, const B
 bool is_known(const std::vector<BoundaryContact>& contacts, const BoundaryContact& contact, double unit,
               double length) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const BoundaryContact& known) {
-    return std::abs(known.q - contact.q) <= kSameContact * unit &&
+    return std::abs(known.q - contact.q) <= kSameFound * unit &&
            (known.at.p1_W - contact.at.p1_W).norm() <= 1e-5 * length;
   });
 }

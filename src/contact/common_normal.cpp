@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxSteps = 60;
+constexpr int kMaxNormalSteps = 60;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::optional<CommonNormal> find_common_normal(const Curve& curve1, const Pose<d
   const PlacedPair placed{place(curve1, X_W1), place(curve2, X_W2)};
   ContactPoints at = points_at(line1, line2, placed, n_W);
   double last = INFINITY;
-  for (int i = 0; at.exist && i < kMaxSteps; ++i) {
+  for (int i = 0; at.exist && i < kMaxNormalSteps; ++i) {
     const double slope = -(at.rho1 + at.rho2) - at.g;
     const double step = std::clamp(slope == 0 ? 0 : -at.s / slope, -kNewtonTurn, kNewtonTurn);
     if (line1 || line2 || step == 0 || newton_has_settled(std::abs(step), last)) {

@@ -52,7 +52,7 @@ std::vector<Tangency> parallel_tangency(const TangencyProblem& problem, const Ex
   const Extended y2 = cross(axis, v) + q * cross(axis, problem.motion.direction);
   const Extended l1 = first.semi_latus;
   const Extended divisor = Extended(problem.second_at_0.semi_latus) - s * l1;
-  if (!(abs(divisor) * kInfinity > abs(l1 * y2))) {
+  if (!(abs(divisor) * kFarthest > abs(l1 * y2))) {
     return {};
   }
   const Extended y = -s * l1 * y2 / divisor;

@@ -13,7 +13,7 @@ namespace {
 using Number = Complex<Extended>;
 
 // Both conics about the vertex of the first, in units of `length`.
-struct Problem {
+struct TwoConics {
   const PlacedCurve<double>& first;
   const PlacedCurve<double>& second;
   double length = 1;
@@ -34,7 +34,7 @@ struct Problem {
 // The lines through the vertex, x = s y, meet y² = 2ℓx - qx² again at (2ℓs² : 2ℓs : 1 + qs²). With
 // s = tan(θ/2) = -i (z - 1)/(z + 1), z = e^{iθ}, the far vertex s = ∞ is no exception. Coefficients of
 // 1, z, z² of the point's homogeneous coordinates (w, w̄, 1).
-std::array<Polynomial, 3> parametrised(const Problem& problem) {
+std::array<Polynomial, 3> parametrised(const TwoConics& problem) {
   const auto combination = [](const Number& square, const Number& linear, const Number& constant) {
     const Number i_linear{Extended(-linear.im), linear.re};
     return Polynomial{constant - square + i_linear, Extended(2) * (constant + square),
@@ -78,8 +78,8 @@ Number unit(const Number& z) {
   return Extended(1 / sqrt(norm(z))) * z;
 }
 
-bool is_same(const Problem& problem, const std::array<Polynomial, 3>& point, const Found& a, const Number& z,
-             const Number& w) {
+bool is_same(const TwoConics& problem, const std::array<Polynomial, 3>& point, const Found& a,
+             const Number& z, const Number& w) {
   if (!(to_double(norm(a.w - w)) < kTwoPoints * kTwoPoints)) {
     return false;
   }
@@ -91,7 +91,7 @@ bool is_same(const Problem& problem, const std::array<Polynomial, 3>& point, con
   return between && problem.is_on_both(*between);
 }
 
-bool coincident(const Problem& problem, const std::array<Polynomial, 3>& point) {
+bool coincident(const TwoConics& problem, const std::array<Polynomial, 3>& point) {
   constexpr int kProbes = 9;
   for (int k = 0; k < kProbes; ++k) {
     const Vector2d direction = unit_vector(2 * kPi * k / kProbes + 0.1);
@@ -118,13 +118,13 @@ ConicIntersections intersect_conics(const Curve& curve1, const Pose<double>& X_W
   const double length = std::exp2(std::ceil(std::log2(size)));
   const Number v =
       Extended(1 / Extended(length)) * (complex_of(second.vertex_W) - complex_of(first.vertex_W));
-  const Problem problem{first,
-                        second,
-                        length,
-                        complex_of(first.axis_W),
-                        Extended(first.q),
-                        Extended(first.semi_latus) / length,
-                        form_of(curve2, v, complex_of(second.axis_W), length)};
+  const TwoConics problem{first,
+                          second,
+                          length,
+                          complex_of(first.axis_W),
+                          Extended(first.q),
+                          Extended(first.semi_latus) / length,
+                          form_of(curve2, v, complex_of(second.axis_W), length)};
   const std::array<Polynomial, 3> point = parametrised(problem);
   if (coincident(problem, point)) {
     result.status = IntersectionStatus::kCoincident;

@@ -1,5 +1,6 @@
 #include "higherpair/contact/subdivision.hpp"
 #include "higherpair/geometry/support.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "interval.hpp"
 #include "tolerances.hpp"
 
@@ -11,7 +12,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Encloses the angle of a vector; the library's arc tangent is within one unit of the last place.
 Interval angle_around(const Vector2d& v) {
   return around(angle_of(v), 4e-16 * std::abs(angle_of(v)) + 1e-300);
@@ -123,8 +123,8 @@ std::unique_ptr<SupportCurve> make_support_curve(const Curve& curve, double reac
       return std::make_unique<PointSupport>(curve.vertex_B, SupportPiece{PieceKind::kClosed, {}, {}});
     case CurveKind::kLine:
       return std::make_unique<PointSupport>(
-          curve.vertex_B, SupportPiece{PieceKind::kFace, to_bounds(angle_around(-curve.axis_B)),
-                                       Bounds{-kInfinity, kInfinity}});
+          curve.vertex_B,
+          SupportPiece{PieceKind::kFace, to_bounds(angle_around(-curve.axis_B)), Bounds{-kInf, kInf}});
     default:
       return std::make_unique<ConicSupport>(curve, reach);
   }

@@ -1,5 +1,7 @@
 #include "contact_equations.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,8 +13,6 @@ using boost::numeric::hull;
 using boost::numeric::intersect;
 using boost::numeric::median;
 using boost::numeric::overlap;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of a sliding body angle and rotation are given, equal to within rounding: the bounds hold both.
 Interval angle_of_body(const OneFreedom& motion, double q) {
@@ -87,7 +87,7 @@ Verdict is_between(const Interval& x, const Bounds& bounds) {
 }
 
 double size_of_curve(const SupportCurve& curve, const IntervalVector& about) {
-  double size = kInfinity;
+  double size = kInf;
   for (std::size_t piece = 0; piece < curve.pieces().size(); ++piece) {
     for (const Interval& tile : tiles_of(curve.pieces()[piece])) {
       const ArcBounds at = arc_bounds(curve, piece, about, median(tile));
@@ -224,7 +224,7 @@ Interval sliding_coordinate(const Arrangement& a, const PiecePair& pieces, const
 Interval sliding_coordinate_of_face(const Arrangement& a, const PiecePair& pieces, const Interval& psi1,
                                     const Interval& psi2) {
   const SlideTerms s = slide_terms(a, pieces, psi1, psi2);
-  return holds_zero(s.c) ? Interval(-kInfinity, kInfinity) : -s.B / s.c;
+  return holds_zero(s.c) ? Interval(-kInf, kInf) : -s.B / s.c;
 }
 
 double polished_turning_coordinate(const Arrangement& a, const PiecePair& pieces, double psi1, double q) {

@@ -13,8 +13,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kTurn = 2 * kPi;
-
 // a - b of two follower coordinates, up to whole turns.
 double gap_of_q(const ContactMap& map, double a, double b) {
   return map.pair.motion2.turns ? nearest_turn(a - b, 0) : a - b;

@@ -11,7 +11,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxSteps = 2000;  // the list of all contacts costs no more than so many
+constexpr int kMaxListSteps = 2000;  // the list of all contacts costs no more than so many
 
 // How fast the signed distance can change with q: at most by the speed of the bounded body's fastest point.
 std::optional<double> speed_bound(const ContactPair& pair, double u) {
@@ -74,7 +74,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
   bool overlapping = false;
   double last_gap = size;
   for (int i = 0; std::abs(q - start) <= range; ++i) {
-    if (i == kMaxSteps) {
+    if (i == kMaxListSteps) {
       return listed.find(start, direction, from_overlap);
     }
     const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);

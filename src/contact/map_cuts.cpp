@@ -10,7 +10,6 @@ namespace {
 
 // Where in its interval the list is made: off the middle, which symmetry may make special.
 constexpr double kPlace = 0.4713;
-constexpr double kTurn = 2 * kPi;
 
 class CutFinder {
 public:

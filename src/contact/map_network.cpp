@@ -9,8 +9,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kTurn = 2 * kPi;
-
 MapStatus status_of(ContactsStatus status) {
   switch (status) {
     case ContactsStatus::kComplete:

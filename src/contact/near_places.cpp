@@ -10,7 +10,7 @@ namespace higherpair {
 namespace {
 
 constexpr std::size_t kBlock = 8;       // pieces
-constexpr double kSlack = 0.25;         // of a piece: how far its curve may leave the chord
+constexpr double kSlackOfChord = 0.25;  // of a piece: how far its curve may leave the chord
 constexpr double kSlackOfNormal = 0.5;  // the same of its normals
 constexpr double kSamePlace = 1e-7;     // of the sizes
 constexpr int kPassesToFoot = 20;
@@ -33,7 +33,7 @@ bool are_opposed(const Cone& a, const Cone& b) {
 }
 
 // The boundary between two neighbouring samples, in the frame of body 1.
-struct Piece {
+struct Chord {
   Vector2d from, to;
   Cone normals;
   BoundaryPlace begin, end;
@@ -56,11 +56,11 @@ struct Block {
 };
 
 struct Pieces {
-  std::vector<Piece> pieces;
+  std::vector<Chord> pieces;
   std::vector<Block> blocks;
 };
 
-void close_block(const std::vector<Piece>& pieces, std::size_t begin, std::vector<Block>& blocks) {
+void close_block(const std::vector<Chord>& pieces, std::size_t begin, std::vector<Block>& blocks) {
   if (begin == pieces.size()) {
     return;
   }
@@ -74,9 +74,10 @@ void close_block(const std::vector<Piece>& pieces, std::size_t begin, std::vecto
   }
   block.normals = cone_about(normals, 0);
   for (std::size_t i = begin; i < block.end; ++i) {
-    const Piece& piece = pieces[i];
-    block.radius = std::max({block.radius, (piece.from - block.center).norm() + kSlack * piece.length(),
-                             (piece.to - block.center).norm() + kSlack * piece.length()});
+    const Chord& piece = pieces[i];
+    block.radius =
+        std::max({block.radius, (piece.from - block.center).norm() + kSlackOfChord * piece.length(),
+                  (piece.to - block.center).norm() + kSlackOfChord * piece.length()});
     block.normals.chord = std::max(
         block.normals.chord, (piece.normals.middle - block.normals.middle).norm() + piece.normals.chord);
   }
@@ -94,7 +95,7 @@ Pieces pieces_of(const Boundary& boundary, const Pose<double>& X_1B, const Vecto
     const Vector2d from = X_1B * a.point.p_B;
     const Vector2d to = X_1B * b.point.p_B;
     const double length = (to - from).norm();
-    if (a.place.span != b.place.span || (from - center).norm() > reach + (1 + kSlack) * length) {
+    if (a.place.span != b.place.span || (from - center).norm() > reach + (1 + kSlackOfChord) * length) {
       continue;
     }
     const Cone normals = cone_about(a.point.n_B + b.point.n_B, 0);
@@ -111,7 +112,7 @@ Pieces pieces_of(const Boundary& boundary, const Pose<double>& X_1B, const Vecto
 }
 
 // Whether two pieces may hold points of a common normal, not farther from each other than `reach`.
-bool may_face(const Piece& a, const Piece& b, double reach) {
+bool may_face(const Chord& a, const Chord& b, double reach) {
   if (!are_opposed(a.normals, b.normals)) {
     return false;
   }
@@ -120,7 +121,7 @@ bool may_face(const Piece& a, const Piece& b, double reach) {
   // Over the cones of normals the tangent turns, and what is along the normal comes to count along it.
   const double turned = a.normals.chord + b.normals.chord;
   const double along = std::abs(apart.dot(perp(a.normals.middle)));
-  return apart.norm() <= reach + lengths && along <= (0.5 + kSlack) * lengths + turned * apart.norm();
+  return apart.norm() <= reach + lengths && along <= (0.5 + kSlackOfChord) * lengths + turned * apart.norm();
 }
 
 template <class F>

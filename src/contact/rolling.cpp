@@ -16,12 +16,12 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxSteps = 60;
-constexpr double kMostSteps = 1e15;    // that a count of them can hold
-constexpr double kMaxTurn = kPi / 18;  // of the driver in one inner step [rad]
-constexpr double kSettled = 1e-8;      // of a step of Newton's: its square is rounding
-constexpr double kQuadratic = 1e-2;    // of a step to the one before, where steps square
-constexpr double kFullRank = 1e-4;     // determinant of the normal equations, of their trace squared
+constexpr int kMaxRollSteps = 60;
+constexpr double kMostRollSteps = 1e15;       // that a count of them can hold
+constexpr double kMaxRollingTurn = kPi / 18;  // of the driver in one inner step [rad]
+constexpr double kSettled = 1e-8;             // of a step of Newton's: its square is rounding
+constexpr double kQuadratic = 1e-2;           // of a step to the one before, where steps square
+constexpr double kFullRank = 1e-4;            // determinant of the normal equations, of their trace squared
 
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
 
@@ -125,7 +125,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
     return result;
   }
   double last = INFINITY;
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kMaxRollSteps; ++i) {
     Equations equations = contact_equations(track.pair, at);
     add_third(track.phi, equations);
     // Columns of one unit: a turn of φ and q or a displacement moves points by lengths.
@@ -206,8 +206,8 @@ RollingResult roll_to(RollingTrack& track, double u) {
   result.converged = true;
   const double scale = track.pair.motion1.turns ? 1 : size_of(track.pair, track.at);
   const double from = track.at.u;
-  const double parts = std::ceil(std::abs(u - from) / (kMaxTurn * scale));
-  const auto steps = static_cast<std::int64_t>(std::clamp(parts, 1.0, kMostSteps));
+  const double parts = std::ceil(std::abs(u - from) / (kMaxRollingTurn * scale));
+  const auto steps = static_cast<std::int64_t>(std::clamp(parts, 1.0, kMostRollSteps));
   for (std::int64_t i = 1; i <= steps; ++i) {
     const double to =
         i == steps ? u : from + (u - from) * static_cast<double>(i) / static_cast<double>(steps);

@@ -1,6 +1,7 @@
 #include "higherpair/contact/separation.hpp"
 
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMaxArcs = 20000;
 
 // F is g for two convex bodies, -g for a body in a ring: the extreme wanted is always a maximum of F.
@@ -22,13 +22,13 @@ struct Value {
   double rho_sum = 0;
 };
 
-struct Problem {
+struct GapProblem {
   PlacedCurve<double> first;
   PlacedCurve<double> second;
   double sign = 1;  // F = sign g
 };
 
-Value value_at(const Problem& problem, const Vector2d& n) {
+Value value_at(const GapProblem& problem, const Vector2d& n) {
   const Vector2d inward = -n;
   const SupportPoint<double> s1 = support_point(problem.first, n);
   const SupportPoint<double> s2 = support_point(problem.second, inward);
@@ -37,23 +37,23 @@ Value value_at(const Problem& problem, const Vector2d& n) {
 }
 
 // A bound R >= -sign (ρ1 + ρ2) on the normals within `half` of n.
-double curvature_bound(const Problem& problem, const Vector2d& n, const Rotation<double>& half) {
+double curvature_bound(const GapProblem& problem, const Vector2d& n, const Rotation<double>& half) {
   const Bounds rho1 = radius_bounds(problem.first, n, half);
   const Bounds rho2 = radius_bounds(problem.second, -n, half);
   return problem.sign > 0 ? -(rho1.low + rho2.low) : rho1.high + rho2.high;
 }
 
-struct Piece {
+struct ArcPiece {
   NormalArc arc;
   Value value;
-  double bound = kInfinity;
+  double bound = kInf;
 
-  bool operator<(const Piece& other) const { return bound < other.bound; }
+  bool operator<(const ArcPiece& other) const { return bound < other.bound; }
 };
 
 double bound_of(const Value& value, const Rotation<double>& half, double R) {
   if (!std::isfinite(R)) {
-    return kInfinity;
+    return kInf;
   }
   const double a = value.f - R;
   const double b = std::abs(value.slope);
@@ -65,16 +65,16 @@ double bound_of(const Value& value, const Rotation<double>& half, double R) {
   return value.f - a * versine + b * half.sin;
 }
 
-Piece make_piece(const Problem& problem, const NormalArc& arc) {
+ArcPiece make_piece(const GapProblem& problem, const NormalArc& arc) {
   const Vector2d n = unit_vector(arc.middle);
   const auto half = Rotation<double>::from_angle(arc.half);
-  Piece piece{arc, value_at(problem, n), kInfinity};
+  ArcPiece piece{arc, value_at(problem, n), kInf};
   piece.bound = bound_of(piece.value, half, curvature_bound(problem, n, half));
   return piece;
 }
 
 // A few Newton steps uphill; the best value seen.
-std::pair<double, double> climb(const Problem& problem, const NormalArc& within, double phi, Value value) {
+std::pair<double, double> climb(const GapProblem& problem, const NormalArc& within, double phi, Value value) {
   double best_phi = phi;
   double best = value.f;
   for (int i = 0; i < 6; ++i) {
@@ -96,12 +96,12 @@ std::pair<double, double> climb(const Problem& problem, const NormalArc& within,
   return {best, best_phi};
 }
 
-Separation maximum(const Problem& problem, const NormalArc& domain, double tolerance) {
-  std::vector<Piece> heap;
-  double best = -kInfinity;
+Separation maximum(const GapProblem& problem, const NormalArc& domain, double tolerance) {
+  std::vector<ArcPiece> heap;
+  double best = -kInf;
   double best_phi = domain.middle;
   const auto add = [&](const NormalArc& arc) {
-    const Piece piece = make_piece(problem, arc);
+    const ArcPiece piece = make_piece(problem, arc);
     if (piece.value.f > best) {
       std::tie(best, best_phi) = climb(problem, domain, arc.middle, piece.value);
     }
@@ -131,7 +131,7 @@ Separation from_face(const PlacedCurve<double>& face, const PlacedCurve<double>&
   const Vector2d inward = -n_face;
   const Vector2d n_W = face_is_first ? n_face : inward;
   if (!has_point(other, inward)) {
-    return {-kInfinity, n_W};
+    return {-kInf, n_W};
   }
   return {(support_point(other, inward).p_W - face.vertex_W).dot(n_face), n_W};
 }
@@ -163,7 +163,7 @@ std::optional<bool> always_free(const Curve& curve1, const Curve& curve2) {
 
 Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
                       const Pose<double>& X_W2, double tolerance) {
-  Problem problem{place(curve1, X_W1), place(curve2, X_W2), 1};
+  GapProblem problem{place(curve1, X_W1), place(curve2, X_W2), 1};
   if (is_line(curve1)) {
     return from_face(problem.first, problem.second, true);
   }
@@ -187,10 +187,10 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
     const double wanted = of_ring ? of_ring->half : kPi;
     const bool covered = !empty && (!of_body || (domain && domain->half >= wanted * (1 - kFineGap)));
     if (!covered) {
-      return {-kInfinity, Vector2d::UnitX()};
+      return {-kInf, Vector2d::UnitX()};
     }
   } else if (empty) {
-    return {-kInfinity, Vector2d::UnitX()};
+    return {-kInf, Vector2d::UnitX()};
   }
   return maximum(problem, domain.value_or(NormalArc{}), tolerance);
 }

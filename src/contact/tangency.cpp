@@ -117,7 +117,7 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
 bool touches(const TangencyProblem& problem, const Tangency& tangency) {
   const TangencyShape shape = shape_at(problem, tangency);
   const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
-  return reach <= kInfinity && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
+  return reach <= kFarthest && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
 }
 
 // The square of a size below 1e-50 is lost in the digits of the numbers here, and the curve is a point to

@@ -8,7 +8,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;        // of a metre
 constexpr double kLongestArrow = 14;        // [units]
 constexpr double kLongestTurn = 1.5 * kPi;  // of the arc of a torque
 constexpr double kOutOfProportion = 1e-4;   // of the largest: at rest but for these rows
@@ -46,7 +45,7 @@ void set_arrow_scales(const Sketch& sketch, Scene& scene) {
     velocities.push_back(fastest);
     accelerations.push_back(hardest);
   }
-  const double longest = kLongestArrow * scene.unit / kMillimetre;
+  const double longest = kLongestArrow * scene.unit / kMillimetres;
   scene.velocity_scale = scale_for(std::move(velocities), longest);
   scene.acceleration_scale = scale_for(std::move(accelerations), longest);
 }

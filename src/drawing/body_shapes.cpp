@@ -12,8 +12,6 @@ namespace higherpair {
 namespace {
 
 // In units.
-constexpr double kPin = 1;
-constexpr double kSlot = 1.35;  // half the width of a slot
 constexpr double kWedgeSlope = 0.35;
 
 // A line that holds a pin from both sides is the middle of a slot.
@@ -21,7 +19,7 @@ void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
   const auto& samples = named.boundary->samples();
   std::vector<double> path;
   const auto append = [&](const SpanPoint& at, double side) {
-    const Vector2d p = at.p_B + side * kSlot * sketch.unit * at.n_B;
+    const Vector2d p = at.p_B + side * kSlotHalf * sketch.unit * at.n_B;
     path.insert(path.end(), {p.x(), p.y()});
   };
   for (const auto& sample : samples) append(sample.point, 1);
@@ -62,7 +60,7 @@ void add_curve(Sketch& sketch, int body, std::size_t index) {
     return;
   }
   if (is_point(curve) && is_held(sketch, body, index)) {
-    sketch.add_circle(Role::kJoint, name, body, curve.vertex_B, kPin * unit);
+    sketch.add_circle(Role::kJoint, name, body, curve.vertex_B, kPinRadius * unit);
     return;
   }
   if (is_point(curve)) {

@@ -13,10 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kFont = 14;           // [px]
-constexpr double kInkEvery = 5;        // [px]
-constexpr double kNarrowest = 240;     // picture, with room on both sides [px]
-constexpr double kMillimetres = 1000;  // in a metre
+constexpr double kFont = 14;        // [px]
+constexpr double kInkEvery = 5;     // [px]
+constexpr double kNarrowest = 240;  // picture, with room on both sides [px]
 
 // Widths in px; lines are told apart by their dashes where there are no colours.
 constexpr const char* kStyle = R"(
@@ -200,7 +199,7 @@ private:
 }  // namespace
 
 std::vector<Role> default_layers() {
-  return {Role::kGround,  Role::kLink,    Role::kBody,   Role::kJoint,   Role::kGear,
+  return {Role::kFixed,  Role::kLink,    Role::kBody,   Role::kJoint,   Role::kGear,
           Role::kSpring,  Role::kContact, Role::kNormal, Role::kTangent, Role::kCurvature,
           Role::kLinkage, Role::kTrace,   Role::kLabel};
 }

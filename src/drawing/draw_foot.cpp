@@ -12,14 +12,14 @@
 namespace higherpair {
 namespace {
 
-constexpr double kHead = 8;        // length of an arrow's head [px]
-constexpr double kShortest = 0.5;  // arrow that is drawn [px]
-constexpr double kMargin = 12;     // [px], as all lengths here
+constexpr double kFootHead = 8;     // length of an arrow's head [px]
+constexpr double kShortest = 0.5;   // arrow that is drawn [px]
+constexpr double kFootMargin = 12;  // [px], as all lengths here
 constexpr double kFirstLine = 26;
 constexpr double kLine = 20;  // from one line of samples to the next
-constexpr double kFont = 14;
+constexpr double kFootFont = 14;
 constexpr double kArcRadius = 6;
-constexpr double kLongestArrow = 90;
+constexpr double kLongestFootArrow = 90;
 
 // The largest of 1, 2 or 5 times a power of ten that is not larger.
 double round_down(double value) {
@@ -47,7 +47,7 @@ void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& s
   }
   svg.element("path",
               {{"class", style}, {"data-role", role}, {"data-name", name}, {"d", SvgPath().polyline(px)}});
-  const Vector2d d = (to - from) / length * std::min(kHead, length);
+  const Vector2d d = (to - from) / length * std::min(kFootHead, length);
   const Vector2d a = to - d + 0.32 * perp(d), b = to - d - 0.32 * perp(d);
   const std::vector<double> head{to.x(), to.y(), a.x(), a.y(), b.x(), b.y()};
   svg.element(
@@ -57,14 +57,13 @@ void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& s
 
 DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers,
                    double scale, double width) {
-  constexpr double kMillimetres = 1000;  // in a metre
   const double unit = settings.length.si * kMillimetres;
   const double length = round_down(settings.width / scale / unit / 5);
   samples_.push_back({"scale", length * unit * scale, 0, quantity(length, settings.length)});
   const auto add_arrow = [&](Role role, double mm_per_si, const PictureUnit& of) {
     const double px = scale * mm_per_si * of.si;
     if (!has(layers, role) || !(px > 0)) return;
-    const double value = round_down(std::min(kLongestArrow, 0.12 * settings.width) / px);
+    const double value = round_down(std::min(kLongestFootArrow, 0.12 * settings.width) / px);
     samples_.push_back({std::string(name_of(role)), value * px, 0, quantity(value, of)});
   };
   add_arrow(Role::kVelocity, scene.velocity_scale * kMillimetres, settings.velocity);
@@ -79,18 +78,18 @@ DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::
 }
 
 void DrawFoot::lay_out(double width) {
-  double x = kMargin;
+  double x = kFootMargin;
   int line = 0;
   for (Sample& sample : samples_) {
     const bool above = &sample == &samples_.front();  // its text
-    const double needed = sample.length + (above ? 0 : 6 + text_width(sample.text, kFont));
-    if (x > kMargin && x + needed > width - kMargin) {
-      x = kMargin;
+    const double needed = sample.length + (above ? 0 : 6 + text_width(sample.text, kFootFont));
+    if (x > kFootMargin && x + needed > width - kFootMargin) {
+      x = kFootMargin;
       ++line;
     }
     sample.x = x;
     sample.line = line;
-    x += needed + 2 * kMargin;
+    x += needed + 2 * kFootMargin;
   }
 }
 

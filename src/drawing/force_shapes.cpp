@@ -9,11 +9,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;  // of a metre
-constexpr double kTurnRadius = 6;     // of the arc of a torque [units]
+constexpr double kTurnRadius = 6;  // of the arc of a torque [units]
 constexpr double kMostTurn = 1.75 * kPi;
-constexpr double kHead = 1.7;    // length of the arc's head [units]
-constexpr double kDrawn = 0.02;  // least turn of an arc [rad]
+constexpr double kMomentHead = 1.7;  // length of the arc's head [units]
+constexpr double kDrawn = 0.02;      // least turn of an arc [rad]
 constexpr double kArcStep = kPi / 24;
 
 using Kind = Shape::Kind;
@@ -59,7 +58,7 @@ LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reacti
 void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
   const auto add_arrow = [&](const std::string& name, const Vector2d& p_W, const Vector2d& force) {
     Shape& arrow = next(Role::kForce, name, Kind::kArrow);
-    const Vector2d from = kMillimetre * p_W, to = from + scene_.force_scale * force;
+    const Vector2d from = kMillimetres * p_W, to = from + scene_.force_scale * force;
     if (force.norm() > 0) arrow.numbers.assign({from.x(), from.y(), to.x(), to.y()});
   };
   const auto place = [&](const Joint& joint) -> Vector2d {
@@ -90,8 +89,8 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
 void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double effort) {
   const Joint& joint = mechanism_->joints[static_cast<std::size_t>(driver.joint)];
   const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
-  const Vector2d p = kMillimetre * (row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
-                                    point_of(*mechanism_, joint.second));
+  const Vector2d p = kMillimetres * (row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
+                                     point_of(*mechanism_, joint.second));
   if (has_angle(joint.type)) {
     const double turn = std::clamp(scene_.torque_scale * effort, -kMostTurn, kMostTurn);
     const bool is_drawn = std::abs(turn) > kDrawn;
@@ -99,7 +98,7 @@ void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double e
     Shape& arc = next(Role::kForce, name, Kind::kPath);
     if (is_drawn) set_arc(arc, p, radius, turn);
     Shape& head = next(Role::kForce, name, Kind::kPath, true);
-    if (is_drawn) set_arc_head(head, p, radius, turn, kHead * scene_.unit);
+    if (is_drawn) set_arc_head(head, p, radius, turn, kMomentHead * scene_.unit);
     return;
   }
   Shape& arrow = next(Role::kForce, name, Kind::kArrow);

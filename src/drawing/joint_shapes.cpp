@@ -9,13 +9,11 @@ namespace higherpair {
 namespace {
 
 // In units.
-constexpr double kPin = 1;
 constexpr double kHatch = 1.1;  // distance of hatch lines
 constexpr double kBlock = 5.5;  // length of a sliding block
 constexpr double kBlockWidth = 3.6;
-constexpr double kSlot = 1.35;  // half the width of a slot
-constexpr double kGuide = 3;    // length of a guide about a rod
-constexpr double kRod = 1.1;    // half the width of a rod
+constexpr double kGuide = 3;  // length of a guide about a rod
+constexpr double kRod = 1.1;  // half the width of a rod
 
 void append_line(std::vector<double>& path, const Vector2d& a, const Vector2d& b) {
   if (!path.empty()) {
@@ -41,8 +39,8 @@ std::vector<double> hatched(const Vector2d& a, const Vector2d& b, double unit) {
 void add_pivot(Sketch& sketch, const std::string& name, const Vector2d& p) {
   const double u = sketch.unit;
   const Vector2d left = p + u * Vector2d(-2, -3.2), right = p + u * Vector2d(2, -3.2);
-  sketch.add(Role::kGround, name, 0, {left.x(), left.y(), p.x(), p.y(), right.x(), right.y()}, true);
-  sketch.add(Role::kGround, name, 0, hatched(p + u * Vector2d(-3, -3.2), p + u * Vector2d(3, -3.2), u));
+  sketch.add(Role::kFixed, name, 0, {left.x(), left.y(), p.x(), p.y(), right.x(), right.y()}, true);
+  sketch.add(Role::kFixed, name, 0, hatched(p + u * Vector2d(-3, -3.2), p + u * Vector2d(3, -3.2), u));
 }
 
 void add_pin(Sketch& sketch, const Joint& joint) {
@@ -52,7 +50,8 @@ void add_pin(Sketch& sketch, const Joint& joint) {
     }
   }
   const PointRef& on = joint.second.body == 0 ? joint.first : joint.second;
-  sketch.add_circle(Role::kJoint, joint.name, on.body, point_of(sketch.mechanism, on), kPin * sketch.unit);
+  sketch.add_circle(Role::kJoint, joint.name, on.body, point_of(sketch.mechanism, on),
+                    kPinRadius * sketch.unit);
 }
 
 // A body that touches something is guided by its rod, any other one by a block.
@@ -97,7 +96,7 @@ void add_rod(Sketch& sketch, const Joint& joint) {
             sketch.mechanism.bodies[static_cast<std::size_t>(joint.second.body)].name, joint.second.body,
             true, "", rounded_hull({p_B + kRod * u * d_B, p_B + end * d_B}, kRod * u),
             sketch.look(joint.second.body).colour, sketch.look(joint.second.body).outline});
-  const Role role = joint.first.body == 0 ? Role::kGround : Role::kJoint;
+  const Role role = joint.first.body == 0 ? Role::kFixed : Role::kJoint;
   for (const double side : {1.0, -1.0}) {
     const Vector2d middle = p_A + at * d_A + side * kRod * u * perp(d_A);
     const Vector2d a = middle - side * kGuide * u * d_A, b = middle + side * kGuide * u * d_A;
@@ -116,7 +115,7 @@ void add_block(Sketch& sketch, const Joint& joint) {
   const Vector2d below = -kBlockWidth / 2 * u * perp(d);
   const Vector2d a = p_A + (low - room) * d, b = p_A + (high + room) * d;
   if (joint.first.body == 0) {
-    sketch.add(Role::kGround, joint.name, 0, hatched(a + below, b + below, u));
+    sketch.add(Role::kFixed, joint.name, 0, hatched(a + below, b + below, u));
   } else {
     sketch.add(Role::kLink, joint.name, joint.first.body, rounded_hull({a, b}, 0.7 * u), true);
   }
@@ -129,10 +128,10 @@ void add_slot(Sketch& sketch, const Joint& joint) {
   const auto [low, high] = travelled_range(sketch, joint);
   const Vector2d p_A = point_of(sketch.mechanism, joint.first);
   const Vector2d a = p_A + (low - u) * joint.direction_A, b = p_A + (high + u) * joint.direction_A;
-  sketch.add(Role::kLink, joint.name, joint.first.body, rounded_hull({a, b}, (kSlot + 0.9) * u), true);
-  sketch.add(Role::kJoint, joint.name, joint.first.body, rounded_hull({a, b}, kSlot * u), true);
+  sketch.add(Role::kLink, joint.name, joint.first.body, rounded_hull({a, b}, (kSlotHalf + 0.9) * u), true);
+  sketch.add(Role::kJoint, joint.name, joint.first.body, rounded_hull({a, b}, kSlotHalf * u), true);
   sketch.add_circle(Role::kJoint, joint.name, joint.second.body, point_of(sketch.mechanism, joint.second),
-                    kPin * u);
+                    kPinRadius * u);
 }
 
 // Each with a radius that shows how it turns.

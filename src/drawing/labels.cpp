@@ -17,13 +17,13 @@ constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 2;  // costs
 constexpr double kFar = 2.5, kFarClose = 5;                            // of a font's size farther away
 constexpr double kTurned = 1.5;                                        // against the best direction
 
-struct TextBox {
+struct InkBox {
   Vector2d middle, half;
 
   [[nodiscard]] bool holds(const Vector2d& p) const {
     return std::abs(p.x() - middle.x()) <= half.x() && std::abs(p.y() - middle.y()) <= half.y();
   }
-  [[nodiscard]] bool overlaps(const TextBox& other) const {
+  [[nodiscard]] bool overlaps(const InkBox& other) const {
     return std::abs(other.middle.x() - middle.x()) < half.x() + other.half.x() &&
            std::abs(other.middle.y() - middle.y()) < half.y() + other.half.y();
   }
@@ -53,17 +53,17 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
                   double font) {
   remove_repeated(labels);
   std::stable_partition(labels.begin(), labels.end(), [](const Label& label) { return label.stays_close; });
-  std::vector<TextBox> boxes;
+  std::vector<InkBox> boxes;
   for (Label& label : labels) {
     const Vector2d half = half_size(label, font);
     const Vector2d away = label.away.norm() > 0 ? Vector2d(label.away.normalized()) : Vector2d(0.7, -0.7);
     double least = std::numeric_limits<double>::infinity();
-    TextBox best{label.at, half};
+    InkBox best{label.at, half};
     const auto consider = [&](const Vector2d& middle, double cost) {
-      const TextBox box{middle, half};
+      const InkBox box{middle, half};
       cost +=
-          kCoveredText * static_cast<double>(std::count_if(
-                             boxes.begin(), boxes.end(), [&](const TextBox& b) { return b.overlaps(box); }));
+          kCoveredText * static_cast<double>(std::count_if(boxes.begin(), boxes.end(),
+                                                           [&](const InkBox& b) { return b.overlaps(box); }));
       const bool outside = (middle - half).minCoeff() < 0 || ((middle + half).array() > size.array()).any();
       cost += outside ? kOutside : 0;
       cost += kCoveredInk * static_cast<double>(std::count_if(

@@ -11,10 +11,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;  // of a metre
 // In units.
-constexpr double kPin = 0.8;
-constexpr double kBlock = 4, kBlockWidth = 2.4;
+constexpr double kLinkagePin = 0.8;
+constexpr double kLinkageBlock = 4, kLinkageBlockWidth = 2.4;
 constexpr double kEdge = 2;     // from the edge of the picture to where a link is broken off
 constexpr double kMark = 2;     // length of the mark, and from it to the end of the link
 constexpr double kSwing = 1.2;  // of the mark to either side
@@ -33,10 +32,10 @@ End end_of(const Mechanism& mechanism, const CurveRef& ref, const Vector2d& p_W,
   End end;
   end.flat = is_line(curve_of(mechanism, ref)) || std::isinf(rho);
   end.guide = perp(n_W);
-  if (!end.flat) end.center = kMillimetre * (p_W - rho * n_W);
+  if (!end.flat) end.center = kMillimetres * (p_W - rho * n_W);
   if (const auto freedom = grounded_freedom(mechanism, ref.body)) {
     end.slides = !freedom->turns;
-    if (freedom->turns) end.pivot = kMillimetre * freedom->p_WO;
+    if (freedom->turns) end.pivot = kMillimetres * freedom->p_WO;
     if (end.slides && !end.flat) end.guide = freedom->direction_W;
   }
   return end;
@@ -73,10 +72,6 @@ std::array<double, 2> part_within(const Box& box, const Vector2d& a, const Vecto
     to = std::min(to, std::max(low / way, high / way));
   }
   return {from, to};
-}
-
-void append(std::vector<double>& path, const Vector2d& p) {
-  path.insert(path.end(), {p.x(), p.y()});
 }
 
 // What a link is broken off by, on the way out of the picture to `end` along d; its middle.
@@ -173,13 +168,13 @@ void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
   for (const End& end : ends) {
     const bool shown = whole && is_within(box, *end.center);
     Shape& pivot = next(Role::kLinkage, contact.name, Kind::kCircle, true);
-    if (whole && end.pivot) pivot.numbers = {end.pivot->x(), end.pivot->y(), kPin * u};
+    if (whole && end.pivot) pivot.numbers = {end.pivot->x(), end.pivot->y(), kLinkagePin * u};
     Shape& block = next(Role::kLinkage, contact.name, Kind::kPath, true);
     if (shown && (end.slides || end.flat)) {
-      block.numbers = rectangle(*end.center, end.guide, kBlock * u, kBlockWidth * u);
+      block.numbers = rectangle(*end.center, end.guide, kLinkageBlock * u, kLinkageBlockWidth * u);
     }
     Shape& pin = next(Role::kLinkage, contact.name, Kind::kCircle, true);
-    if (shown) pin.numbers = {end.center->x(), end.center->y(), kPin * u};
+    if (shown) pin.numbers = {end.center->x(), end.center->y(), kLinkagePin * u};
   }
 }
 

@@ -10,8 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;  // of a metre
-constexpr double kNormal = 9;         // half the length of normals and tangents [units]
+constexpr double kNormal = 9;  // half the length of normals and tangents [units]
 constexpr double kDot = 0.55;
 constexpr int kCoils = 8;
 
@@ -23,10 +22,6 @@ void set_line(Shape& shape, const Vector2d& a, const Vector2d& b) {
 
 void set_circle(Shape& shape, const Vector2d& center, double radius) {
   shape.numbers.assign({center.x(), center.y(), radius});
-}
-
-void append(Shape& shape, const Vector2d& p) {
-  shape.numbers.insert(shape.numbers.end(), {p.x(), p.y()});
 }
 
 }  // namespace
@@ -44,7 +39,7 @@ Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool clos
 const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   scene_.defined = has_place(row);
   for (std::size_t i = 0; scene_.defined && i < row.bodies.size(); ++i) {
-    const Vector2d p = kMillimetre * row.bodies[i].X_WB.p_WB;
+    const Vector2d p = kMillimetres * row.bodies[i].X_WB.p_WB;
     scene_.places[i] = {p.x(), p.y(), row.bodies[i].theta};
   }
   next_ = 0;
@@ -78,13 +73,13 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
 void SceneMaker::add_contact(const MotionRow& row, std::size_t index) {
   const Contact& contact = mechanism_->contacts[index];
   const CommonNormal& at = row.contacts[index].at;
-  const Vector2d p = kMillimetre * at.p_W();
+  const Vector2d p = kMillimetres * at.p_W();
   const double length = kNormal * scene_.unit;
   const auto add_curvature = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
-    const bool round = is_curved(curve_of(*mechanism_, ref)) && kMillimetre * std::abs(rho) <= largest_;
-    const Vector2d center = kMillimetre * (p_W - rho * n_W);
+    const bool round = is_curved(curve_of(*mechanism_, ref)) && kMillimetres * std::abs(rho) <= largest_;
+    const Vector2d center = kMillimetres * (p_W - rho * n_W);
     Shape& circle = next(Role::kCurvature, contact.name, Kind::kCircle);
-    if (round) set_circle(circle, center, kMillimetre * std::abs(rho));
+    if (round) set_circle(circle, center, kMillimetres * std::abs(rho));
     Shape& middle = next(Role::kCurvature, contact.name, Kind::kCircle, true);
     if (round) set_circle(middle, center, kDot * scene_.unit);
   };
@@ -98,7 +93,7 @@ void SceneMaker::add_contact(const MotionRow& row, std::size_t index) {
 
 void SceneMaker::add_spring(const MotionRow& row, const Spring& spring) {
   const auto place = [&](const PointRef& ref) {
-    return Vector2d(kMillimetre * (body_in(row, ref.body).X_WB * point_of(*mechanism_, ref)));
+    return Vector2d(kMillimetres * (body_in(row, ref.body).X_WB * point_of(*mechanism_, ref)));
   };
   const Vector2d a = place(spring.first), b = place(spring.second);
   Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
@@ -107,14 +102,14 @@ void SceneMaker::add_spring(const MotionRow& row, const Spring& spring) {
     return;
   }
   const Vector2d across = 1.6 * scene_.unit * perp(Vector2d((b - a) / length));
-  append(shape, a);
-  append(shape, a + 0.15 * (b - a));
+  append(shape.numbers, a);
+  append(shape.numbers, a + 0.15 * (b - a));
   for (int i = 0; i < kCoils; ++i) {
     const double share = 0.15 + 0.7 * (i + 0.5) / kCoils;
-    append(shape, a + share * (b - a) + (i % 2 == 0 ? 1 : -1) * across);
+    append(shape.numbers, a + share * (b - a) + (i % 2 == 0 ? 1 : -1) * across);
   }
-  append(shape, a + 0.85 * (b - a));
-  append(shape, b);
+  append(shape.numbers, a + 0.85 * (b - a));
+  append(shape.numbers, b);
 }
 
 // Both sides of an open belt, or the two crossing ones.
@@ -133,8 +128,8 @@ void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
   for (const double side : {1.0, -1.0}) {
     const Vector2d n = sine * along + side * std::sqrt(std::max(0.0, 1 - sine * sine)) * perp(along);
     if (side < 0) append_break(shape.numbers);
-    append(shape, kMillimetre * (a + r1 * n));
-    append(shape, kMillimetre * (b + sense * r2 * n));
+    append(shape.numbers, kMillimetres * (a + r1 * n));
+    append(shape.numbers, kMillimetres * (b + sense * r2 * n));
   }
 }
 
@@ -144,16 +139,16 @@ void SceneMaker::add_motion(const MotionRow& row, int index) {
   const bool rates = row.all_rates || row.has_rates[static_cast<std::size_t>(index)];
   Shape& center = next(Role::kCenter, of.name, Kind::kCircle, true);
   if (rates && body.omega != 0) {
-    const Vector2d p = kMillimetre * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+    const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
     const Vector2d middle = (scene_.view.low + scene_.view.high) / 2;
     if ((p - middle).norm() <= largest_) set_circle(center, p, kDot * scene_.unit);
   }
   for (const NamedPoint& point : of.points) {
     const PointMotion motion = point_motion(body, point.p_B);
-    const Vector2d p = kMillimetre * motion.p_W;
+    const Vector2d p = kMillimetres * motion.p_W;
     const auto add_arrow = [&](Role role, const Vector2d& length) {
       Shape& arrow = next(role, of.name + "." + point.name, Kind::kArrow);
-      if (rates && length.norm() > 0) set_line(arrow, p, p + kMillimetre * length);
+      if (rates && length.norm() > 0) set_line(arrow, p, p + kMillimetres * length);
     };
     add_arrow(Role::kVelocity, scene_.velocity_scale * motion.v_W);
     add_arrow(Role::kAcceleration, scene_.acceleration_scale * motion.a_W);

@@ -11,10 +11,6 @@ namespace {
 
 constexpr int kPointsPerTurn = 96;
 
-void append(std::vector<double>& path, const Vector2d& p) {
-  path.insert(path.end(), {p.x(), p.y()});
-}
-
 double cross_of(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }

@@ -27,6 +27,11 @@ namespace higherpair {
                                            const std::array<double, 2>& range);
 /// @}
 
+/// Adds a point to a path.
+inline void append(std::vector<double>& path, const Vector2d& p) {
+  path.insert(path.end(), {p.x(), p.y()});
+}
+
 /// Breaks a path into pieces apart.
 void append_break(std::vector<double>& path);
 

@@ -11,10 +11,10 @@ namespace higherpair {
 namespace {
 
 constexpr double kPxPerMetre = 96 / 0.0254;
-constexpr double kMargin = 10;  // [px]
-constexpr double kCross = 6;    // half of it [px]
+constexpr double kOutlineMargin = 10;  // [px]
+constexpr double kCross = 6;           // half of it [px]
 
-constexpr const char* kStyle = R"(
+constexpr const char* kOutlineStyle = R"(
 .hp-outline path { fill: none; stroke: #000; stroke-width: 0.5; }
 )";
 
@@ -36,8 +36,8 @@ Eigen::AlignedBox2d box_of(const ArcPolyline& line) {
 class Sheet {
 public:
   explicit Sheet(const Eigen::AlignedBox2d& box)
-      : origin_(kMargin - kPxPerMetre * box.min().x(), kMargin + kPxPerMetre * box.max().y()),
-        size_(kPxPerMetre * box.sizes() + Vector2d::Constant(2 * kMargin)) {}
+      : origin_(kOutlineMargin - kPxPerMetre * box.min().x(), kOutlineMargin + kPxPerMetre * box.max().y()),
+        size_(kPxPerMetre * box.sizes() + Vector2d::Constant(2 * kOutlineMargin)) {}
 
   [[nodiscard]] const Vector2d& origin() const { return origin_; }
   [[nodiscard]] const Vector2d& size() const { return size_; }
@@ -84,10 +84,11 @@ std::string outline_svg(const std::vector<NamedOutline>& outlines, const std::st
   }
   const Sheet sheet(box);
   const Vector2d& origin = sheet.origin();
-  SvgWriter svg({.width = sheet.size().x(), .height = sheet.size().y(), .title = title, .style = kStyle},
-                {{"class", "hp-outline"},
-                 {"data-scale", fmt::format("{:.12g}", kPxPerMetre * length.si)},
-                 {"data-origin", svg_number(origin.x()) + " " + svg_number(origin.y())}});
+  SvgWriter svg(
+      {.width = sheet.size().x(), .height = sheet.size().y(), .title = title, .style = kOutlineStyle},
+      {{"class", "hp-outline"},
+       {"data-scale", fmt::format("{:.12g}", kPxPerMetre * length.si)},
+       {"data-origin", svg_number(origin.x()) + " " + svg_number(origin.y())}});
   for (const NamedOutline& outline : outlines) {
     svg.element("path",
                 {{"data-role", "outline"}, {"data-name", outline.name}, {"d", path_of(outline.line, sheet)}});

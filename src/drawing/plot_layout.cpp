@@ -7,7 +7,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMargin = 14;          // around the picture [px]
+constexpr double kPlotMargin = 14;      // around the picture [px]
 constexpr double kTickGap = 8;          // from an axis to the labels of its ticks [px]
 constexpr double kSingleHeight = 280;   // of the only panel [px]
 constexpr double kStackedHeight = 150;  // of each of several [px]
@@ -17,7 +17,7 @@ constexpr double kEntryGap = 18;        // between names above a panel [px]
 constexpr double kPanelGap = 12;        // [px]
 
 // Of finite numbers only.
-struct Extent {
+struct ValueRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -31,7 +31,7 @@ struct Extent {
 };
 
 AxisRange x_range(const PlotData& data) {
-  Extent extent;
+  ValueRange extent;
   for (const PlotSeries& series : data.series) {
     for (const double x : series.x) extent.add(x);
   }
@@ -48,7 +48,7 @@ AxisRange x_range(const PlotData& data) {
 }
 
 AxisRange y_range(const PlotPanel& panel) {
-  Extent extent;
+  ValueRange extent;
   for (const PlotSeries* series : panel.series) {
     for (const double y : series->y) extent.add(y);
   }
@@ -160,16 +160,16 @@ bool is_monotone(const PlotData& data) {
 PlotLayout lay_out(const PlotData& data, double width, double top) {
   PlotLayout layout;
   layout.data = &data;
-  layout.title = wrapped(data.title, kPlotFont + 1, width - 2 * kMargin);
-  layout.title_top = top + kMargin;
+  layout.title = wrapped(data.title, kPlotFont + 1, width - 2 * kPlotMargin);
+  layout.title_top = top + kPlotMargin;
   layout.panels = make_panels(data);
   const double height = layout.panels.size() == 1 ? kSingleHeight : kStackedHeight;
   for (PlotPanel& panel : layout.panels) {
     const AxisRange range = y_range(panel);
     panel.y.ticks = make_ticks(range.low, range.high, panel.unit, static_cast<int>(height / kTicksApartUp));
   }
-  layout.x.begin = kMargin + widest_label(layout.panels) + kTickGap;
-  layout.x.end = width - kMargin - 8;
+  layout.x.begin = kPlotMargin + widest_label(layout.panels) + kTickGap;
+  layout.x.end = width - kPlotMargin - 8;
   const AxisRange range = x_range(data);
   const double room = std::max(layout.x.end - layout.x.begin, kTicksApart);
   layout.x.ticks = make_ticks(range.low, range.high, data.x.unit, static_cast<int>(room / kTicksApart));
@@ -190,7 +190,7 @@ PlotLayout lay_out(const PlotData& data, double width, double top) {
       layout.notes.push_back(std::move(line));
     }
   }
-  layout.bottom = layout.notes_top + kPlotLine * static_cast<double>(layout.notes.size()) + kMargin;
+  layout.bottom = layout.notes_top + kPlotLine * static_cast<double>(layout.notes.size()) + kPlotMargin;
   return layout;
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kTickLength = 4;     // [px]
 constexpr double kPointRadius = 3.2;  // [px]
 
-constexpr const char* kStyle = R"(
+constexpr const char* kPlotStyle = R"(
 .hp-plot { background: #fff; }
 .hp-plot text { font-family: sans-serif; font-size: 12px; fill: #000; }
 .hp-plot .title { font-size: 13px; font-weight: bold; }
@@ -239,7 +239,7 @@ std::string plots_svg(const std::vector<PlotData>& plots, double width) {
     layouts.push_back(lay_out(data, width, bottom));
     bottom = layouts.back().bottom;
   }
-  SvgWriter svg({width, std::max(bottom, 1.0), plots.empty() ? "" : plots.front().title, kStyle},
+  SvgWriter svg({width, std::max(bottom, 1.0), plots.empty() ? "" : plots.front().title, kPlotStyle},
                 {{"class", "hp-plot"}});
   svg.element("rect", {{"width", width}, {"height", std::max(bottom, 1.0)}, {"fill", "#fff"}});
   for (const PlotLayout& layout : layouts) {

@@ -8,13 +8,13 @@
 namespace higherpair {
 namespace {
 
-constexpr double kHeight = 14;                                     // of a text [px]
-constexpr double kTextGap = 3;                                     // between texts [px]
-constexpr double kPointRoom = 5;                                   // around a point [px]
-constexpr std::array<double, 5> kDistances = {7, 16, 28, 42, 60};  // from a point to its text [px]
+constexpr double kHeight = 14;                                          // of a text [px]
+constexpr double kTextGap = 3;                                          // between texts [px]
+constexpr double kPointRoom = 5;                                        // around a point [px]
+constexpr std::array<double, 5> kPointDistances = {7, 16, 28, 42, 60};  // from a point to its text [px]
 
 // Right, left, above, below, and between these.
-constexpr std::array<std::pair<double, double>, 8> kDirections = {
+constexpr std::array<std::pair<double, double>, 8> kPointDirections = {
     {{1, -0.7}, {-1, -0.7}, {1, 0.7}, {-1, 0.7}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
 
 TextBox box_at(const LabelledPoint& point, double distance, const std::pair<double, double>& direction) {
@@ -40,13 +40,13 @@ void place_labels(std::vector<LabelledPoint>& points, const TextBox& frame,
         {point.x - kPointRoom, point.y - kPointRoom, point.x + kPointRoom, point.y + kPointRoom});
   }
   const auto try_place = [&](LabelledPoint& point) {
-    for (const double distance : kDistances) {
-      for (const auto& direction : kDirections) {
+    for (const double distance : kPointDistances) {
+      for (const auto& direction : kPointDirections) {
         const TextBox box = box_at(point, distance, direction);
         const auto covers = [&](const TextBox& other) { return box.overlaps(other); };
         if (is_within(box, frame) && std::none_of(covered.begin(), covered.end(), covers)) {
           point.box = box;
-          point.far = distance > kDistances[1];
+          point.far = distance > kPointDistances[1];
           point.shown = true;
           covered.push_back({box.left - kTextGap, box.top, box.right + kTextGap, box.bottom});
           return;

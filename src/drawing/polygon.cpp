@@ -13,9 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNegligible = 1e-9;  // of the longest arrow: shorter ones are rounding
+constexpr double kNegligibleArrow = 1e-9;  // of the longest arrow: shorter ones are rounding
 
-using Kind = PolygonArrow::Kind;
+using ArrowKind = PolygonArrow::Kind;
 
 Vector2d cross_z(double omega, const Vector2d& r) {
   return omega * perp(r);
@@ -80,7 +80,7 @@ private:
         name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
       }
       polygon_.points.push_back({name, value(i)});
-      polygon_.arrows.push_back({Kind::kAbsolute, symbol(i), node.item, Vector2d::Zero(), value(i)});
+      polygon_.arrows.push_back({ArrowKind::kAbsolute, symbol(i), node.item, Vector2d::Zero(), value(i)});
     }
   }
 
@@ -114,7 +114,7 @@ private:
     const bool has_parts = graph_.nodes[to].joins;  // of others only where they are
     if (pivot && !has_parts) return;
     if (!pivot) {
-      polygon_.arrows.push_back({Kind::kRelative, name, item(to, from), value(from), value(to)});
+      polygon_.arrows.push_back({ArrowKind::kRelative, name, item(to, from), value(from), value(to)});
     }
     if (!accelerations_ || !has_parts) {
       const std::string between =
@@ -126,9 +126,9 @@ private:
     const Vector2d normal = -omega * omega * r;
     const Vector2d tangential = cross_z(alpha, r);
     const Vector2d corner = value(from) + normal;
-    polygon_.arrows.push_back({Kind::kNormal, name + "^{n}", item(to, from), value(from), corner});
+    polygon_.arrows.push_back({ArrowKind::kNormal, name + "^{n}", item(to, from), value(from), corner});
     polygon_.arrows.push_back(
-        {Kind::kTangential, name + "^{t}", item(to, from), corner, Vector2d(corner + tangential)});
+        {ArrowKind::kTangential, name + "^{t}", item(to, from), corner, Vector2d(corner + tangential)});
     polygon_.equations.push_back(fmt::format("{} = {}{}^{{n}} + {}^{{t}}", symbol(to), start, name, name));
   }
 
@@ -145,13 +145,13 @@ private:
     const double omega = body(comparison.body).omega;
     const Vector2d sliding = d.dot(motion(to).v_W - motion(from).v_W) * d;
     if (!accelerations_) {
-      polygon_.arrows.push_back({Kind::kSliding, name, item(to, from), value(from), value(to)});
+      polygon_.arrows.push_back({ArrowKind::kSliding, name, item(to, from), value(from), value(to)});
       polygon_.equations.push_back(fmt::format("{} = {} + {}", symbol(to), symbol(from), name));
       return;
     }
     const Vector2d corner = value(from) + cross_z(2 * omega, sliding);
-    polygon_.arrows.push_back({Kind::kCoriolis, name + "^{c}", item(to, from), value(from), corner});
-    polygon_.arrows.push_back({Kind::kSliding, name, item(to, from), corner, value(to)});
+    polygon_.arrows.push_back({ArrowKind::kCoriolis, name + "^{c}", item(to, from), value(from), corner});
+    polygon_.arrows.push_back({ArrowKind::kSliding, name, item(to, from), corner, value(to)});
     polygon_.equations.push_back(
         fmt::format("{} = {} + {}^{{c}} + {}", symbol(to), symbol(from), name, name));
   }
@@ -171,15 +171,15 @@ private:
     double longest = usual_length();
     for (const PolygonArrow& arrow : polygon_.arrows)
       longest = std::max(longest, (arrow.to - arrow.from).norm());
-    const double least = kNegligible * longest;
+    const double least = kNegligibleArrow * longest;
     const auto is_short = [&](const PolygonArrow& arrow) {
       return !((arrow.to - arrow.from).norm() > least);
     };
     const auto is_whole = [&](const PolygonArrow& part) {
-      const bool is_part = part.kind == Kind::kNormal || part.kind == Kind::kTangential;
+      const bool is_part = part.kind == ArrowKind::kNormal || part.kind == ArrowKind::kTangential;
       return is_part &&
              std::any_of(polygon_.arrows.begin(), polygon_.arrows.end(), [&](const PolygonArrow& arrow) {
-               return (arrow.kind == Kind::kAbsolute || arrow.kind == Kind::kRelative) &&
+               return (arrow.kind == ArrowKind::kAbsolute || arrow.kind == ArrowKind::kRelative) &&
                       (arrow.from - part.from).norm() <= least && (arrow.to - part.to).norm() <= least;
              });
     };

@@ -19,7 +19,7 @@ constexpr double kFlatMotion = 0.004;  // the same of velocities, where points a
 constexpr double kThin = 1e-3;         // the same, to find the scale
 constexpr double kNamed = 14;          // the shortest arrow with a name [px]
 
-struct Extent {
+struct PolygonExtent {
   Vector2d low = Vector2d::Zero();  // the pole is always part of it
   Vector2d high = Vector2d::Zero();
 
@@ -29,8 +29,8 @@ struct Extent {
   }
 };
 
-Extent extent_of(const Polygon& polygon) {
-  Extent extent;
+PolygonExtent polygon_extent(const Polygon& polygon) {
+  PolygonExtent extent;
   for (const PolygonArrow& arrow : polygon.arrows) {
     extent.add(arrow.from);
     extent.add(arrow.to);
@@ -125,7 +125,7 @@ PolygonLayout lay_out(const Polygon& polygon, double width, double top) {
   const bool is_force = polygon.kind == Polygon::Kind::kForce;
   const auto line = common_line(polygon, layout.longest);
   layout.flat = line.has_value() && polygon.arrows.size() > 1;
-  const Extent extent = extent_of(polygon);
+  const PolygonExtent extent = polygon_extent(polygon);
   const Vector2d size = extent.high - extent.low;
   const double room = kDrawnShare * width - 2 * kPolygonAround;
   layout.scale =

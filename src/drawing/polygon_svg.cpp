@@ -14,10 +14,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kHead = 10;         // length of an arrow's head [px]
+constexpr double kArrowHead = 10;    // length of an arrow's head [px]
 constexpr double kShortestBar = 60;  // of the scale [px]
 
-constexpr const char* kStyle = R"(
+constexpr const char* kPolygonStyle = R"(
 .hp-polygon text { font-family: sans-serif; font-size: 12px; fill: #000; }
 .hp-polygon .title { font-size: 14px; font-weight: bold; }
 .hp-polygon .head { font-weight: bold; }
@@ -28,30 +28,30 @@ constexpr const char* kStyle = R"(
 .hp-polygon .rule { stroke: #ccc; stroke-width: 0.8; }
 )";
 
-using Kind = PolygonArrow::Kind;
+using ArrowKind = PolygonArrow::Kind;
 
-struct Look {
+struct ArrowLook {
   const char* part;
   const char* color;
   const char* dash;
   double width;
 };
 
-Look look_of(Kind kind) {
+ArrowLook look_of(ArrowKind kind) {
   switch (kind) {
-    case Kind::kAbsolute:
+    case ArrowKind::kAbsolute:
       return {"absolute", "#000000", "none", 1.9};
-    case Kind::kRelative:
+    case ArrowKind::kRelative:
       return {"relative", "#0072b2", "none", 1.6};
-    case Kind::kNormal:
+    case ArrowKind::kNormal:
       return {"normal", "#d55e00", "6 3", 1.5};
-    case Kind::kTangential:
+    case ArrowKind::kTangential:
       return {"tangential", "#009e73", "2.5 2.5", 1.5};
-    case Kind::kSliding:
+    case ArrowKind::kSliding:
       return {"sliding", "#b0528c", "9 3 2 3", 1.6};
-    case Kind::kCoriolis:
+    case ArrowKind::kCoriolis:
       return {"coriolis", "#a87000", "4 2", 1.6};
-    case Kind::kForce:
+    case ArrowKind::kForce:
       break;
   }
   return {"force", "#000000", "none", 1.7};
@@ -95,10 +95,10 @@ private:
 
   void write_arrow(std::size_t index) {
     const PolygonArrow& arrow = polygon_.arrows[index];
-    const Look look = look_of(arrow.kind);
+    const ArrowLook look = look_of(arrow.kind);
     const auto& [from, to] = layout_.ends[index];
     const Vector2d along = (to - from).normalized();
-    const double head = std::min(kHead, 0.6 * (to - from).norm());
+    const double head = std::min(kArrowHead, 0.6 * (to - from).norm());
     const Vector2d base = to - head * along;
     const Vector2d side = 0.32 * head * perp(along);
     svg_.open("g", {{"data-role", role_of(polygon_.kind)},
@@ -200,7 +200,7 @@ private:
   }
 
   void write_value(const PolygonArrow& arrow, double left, double y) {
-    const Look look = look_of(arrow.kind);
+    const ArrowLook look = look_of(arrow.kind);
     const Vector2d vector = arrow.to - arrow.from;
     const double length = vector.norm() / std::pow(10, layout_.exponent);
     const double degrees = angle_of(vector) * 180 / kPi;
@@ -246,7 +246,7 @@ double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std
 std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title, double width) {
   SvgWriter rehearsal({width, 1, "", ""});  // how tall is it?
   const double height = write_all(rehearsal, polygons, title, width);
-  SvgWriter svg({width, height, title, kStyle}, {{"class", "hp-polygon"}});
+  SvgWriter svg({width, height, title, kPolygonStyle}, {{"class", "hp-polygon"}});
   svg.element("rect", {{"width", width}, {"height", height}, {"fill", "#fff"}});
   write_all(svg, polygons, title, width);
   return std::move(svg).finish();

@@ -13,13 +13,12 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMillimetre = 1000;       // of a metre
 constexpr double kUnitsAcross = 110;       // along the picture's diagonal
-constexpr double kMargin = 3;              // [units]
+constexpr double kSceneMargin = 3;         // [units]
 constexpr double kLinkageRoom = 0.3;       // of the picture's longer side, for equivalent linkages
 constexpr std::size_t kRowsLookedAt = 72;  // for the room that shapes need
 
-struct Extent {
+struct SceneExtent {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
 
@@ -30,8 +29,8 @@ struct Extent {
 };
 
 // Of points, closed curves and contacts, before there are symbols.
-Extent bare_extent(const Sketch& sketch) {
-  Extent extent;
+SceneExtent bare_extent(const Sketch& sketch) {
+  SceneExtent extent;
   for (const MotionRow* row : sketch.rows) {
     for (std::size_t i = 0; i < row->bodies.size(); ++i) {
       const Body& body = sketch.mechanism.bodies[i];
@@ -52,7 +51,7 @@ Extent bare_extent(const Sketch& sketch) {
   return extent;
 }
 
-void add_shape(Extent& extent, const Shape& shape, const Pose<double>& X_WB) {
+void add_shape(SceneExtent& extent, const Shape& shape, const Pose<double>& X_WB) {
   const std::vector<double>& n = shape.numbers;
   if (shape.kind == Shape::Kind::kCircle) {
     extent.add(X_WB * Vector2d(n[0], n[1]), n[2]);
@@ -66,8 +65,8 @@ void add_shape(Extent& extent, const Shape& shape, const Pose<double>& X_WB) {
   }
 }
 
-Extent full_extent(const Sketch& sketch) {
-  Extent extent;
+SceneExtent full_extent(const Sketch& sketch) {
+  SceneExtent extent;
   const std::size_t stride = sketch.rows.size() / kRowsLookedAt + 1;
   for (std::size_t k = 0; k < sketch.rows.size(); k += stride) {
     for (const Shape& shape : sketch.shapes) {
@@ -84,8 +83,9 @@ Extent full_extent(const Sketch& sketch) {
 }
 
 // The centres of curvature of a contact in all rows, if they are in this box throughout.
-std::optional<Extent> linkage_extent(const Sketch& sketch, std::size_t contact, const Extent& allowed) {
-  Extent extent;
+std::optional<SceneExtent> linkage_extent(const Sketch& sketch, std::size_t contact,
+                                          const SceneExtent& allowed) {
+  SceneExtent extent;
   for (const MotionRow* row : sketch.rows) {
     const CommonNormal& at = row->contacts[contact].at;
     if (!row->contacts[contact].touches) continue;
@@ -102,8 +102,8 @@ std::optional<Extent> linkage_extent(const Sketch& sketch, std::size_t contact, 
 }
 
 // Equivalent linkages that are never far outside of the picture are shown whole.
-void add_linkages(Extent& extent, const Sketch& sketch) {
-  Extent allowed = extent;
+void add_linkages(SceneExtent& extent, const Sketch& sketch) {
+  SceneExtent allowed = extent;
   const double room = kLinkageRoom * (extent.high - extent.low).maxCoeff();
   allowed.add(extent.low, room);
   allowed.add(extent.high, room);
@@ -209,7 +209,7 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
     }
   }
   assert(!sketch.rows.empty());
-  const Extent bare = bare_extent(sketch);
+  const SceneExtent bare = bare_extent(sketch);
   const double diagonal = (bare.high - bare.low).norm();
   sketch.unit = (diagonal > 0 ? diagonal : 1) / kUnitsAcross;
   add_bodies(sketch);
@@ -217,24 +217,24 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   add_traces(sketch, traces);
   // Pins over blocks, short bars over long ones.
   const auto rank = [](const Shape& shape) {
-    Extent extent;
+    SceneExtent extent;
     if (shape.role == Role::kLink) add_shape(extent, shape, {});
     const double size = shape.role == Role::kLink ? (extent.high - extent.low).norm() : 0;
     return std::tuple(shape.role, shape.role == Role::kJoint && shape.kind == Shape::Kind::kCircle, -size);
   };
   std::stable_sort(sketch.shapes.begin(), sketch.shapes.end(),
                    [&](const Shape& a, const Shape& b) { return rank(a) < rank(b); });
-  Extent full = full_extent(sketch);
+  SceneExtent full = full_extent(sketch);
   add_linkages(full, sketch);
-  const double margin = kMargin * sketch.unit;
-  scene_.unit = sketch.unit * kMillimetre;
-  scene_.view = {(full.low.array() - margin).matrix() * kMillimetre,
-                 (full.high.array() + margin).matrix() * kMillimetre};
+  const double margin = kSceneMargin * sketch.unit;
+  scene_.unit = sketch.unit * kMillimetres;
+  scene_.view = {(full.low.array() - margin).matrix() * kMillimetres,
+                 (full.high.array() + margin).matrix() * kMillimetres};
   largest_ = 1.5 * scene_.view.size().norm();
   scene_.fixed = std::move(sketch.shapes);
   for (Shape& shape : scene_.fixed) {
     for (double& number : shape.numbers) {
-      number *= kMillimetre;
+      number *= kMillimetres;
     }
   }
   scene_.places.resize(mechanism.bodies.size());

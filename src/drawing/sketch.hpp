@@ -7,6 +7,10 @@
 
 namespace higherpair {
 
+// Sizes of symbols [units].
+inline constexpr double kPinRadius = 1;
+inline constexpr double kSlotHalf = 1.35;  // half the width of a slot
+
 /// What the shapes of a mechanism are made from; lengths in metres.
 struct Sketch {
   const Mechanism& mechanism;

@@ -9,11 +9,11 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNoise = 1e-10;     // values below this are rounding, in any unit a profile would have
-constexpr double kRounding = 1e-9;   // a spread below this share of the values is rounding as well
-constexpr double kMargin = 0.05;     // of the span of the values, above and below
-constexpr double kWhole = 1e-6;      // of a step: how near an end of the axis a tick may be to be on it
-constexpr int kLargestExponent = 5;  // 99 999 is written out
+constexpr double kNoise = 1e-10;       // values below this are rounding, in any unit a profile would have
+constexpr double kRounding = 1e-9;     // a spread below this share of the values is rounding as well
+constexpr double kValueMargin = 0.05;  // of the span of the values, above and below
+constexpr double kWhole = 1e-6;        // of a step: how near an end of the axis a tick may be to be on it
+constexpr int kLargestExponent = 5;    // 99 999 is written out
 constexpr int kSmallestExponent = -3;
 
 double round_step(double least) {
@@ -39,12 +39,12 @@ double degree_step(double least) {
   return 360 * std::ceil(round_step(least / 360));
 }
 
-constexpr std::array<const char*, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+constexpr std::array<const char*, 10> kRaisedDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 std::string raised(int number) {
   std::string text = number < 0 ? "⁻" : "";
   for (const char digit : std::to_string(std::abs(number))) {
-    text += kRaised[static_cast<std::size_t>(digit - '0')];
+    text += kRaisedDigits[static_cast<std::size_t>(digit - '0')];
   }
   return text;
 }
@@ -102,7 +102,7 @@ AxisRange padded_range(double lowest, double highest) {
   if (span < kRounding * largest) {
     return {lowest - 0.5 * largest, highest + 0.5 * largest};
   }
-  return {lowest - kMargin * span, highest + kMargin * span};
+  return {lowest - kValueMargin * span, highest + kValueMargin * span};
 }
 
 std::string printed_unit(std::string_view unit) {

@@ -15,15 +15,15 @@ namespace {
 
 // Multipliers are balances of forces that may be much larger: below this share of the largest they are
 // rounding.
-constexpr double kRounding = 1e-11;
+constexpr double kMultiplierRounding = 1e-11;
 
 // Longest piece: of a turning driver [rad], of a sliding one relative to the size. Forces of ordinary cams
 // are resolved on pieces between one and a quarter of this.
-constexpr double kLongestTurn = kPi / 6;
-constexpr double kLongestSlide = 0.25;
+constexpr double kLongestPieceTurn = kPi / 6;
+constexpr double kLongestPieceSlide = 0.25;
 
 // Shortest piece, relative to the longest; next to a pole or a root of the driver no piece converges.
-constexpr double kShortest = 0x1p-16;
+constexpr double kShortestPiece = 0x1p-16;
 // Events nearer to the end of a piece, relative to the longest, are at the end.
 constexpr double kAtEnd = 1e-9;
 
@@ -44,7 +44,7 @@ constexpr double kFloor = 0.1;
 constexpr double kGrown = 1e3;
 
 // Forces or their rates may be discontinuous there.
-bool is_break(const RunEvent& event) {
+bool breaks_forces(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint ||
          event.type == EventType::kConforming || event.type == EventType::kSecondContact ||
          event.type == EventType::kCurvatureJump || event.type == EventType::kCorner ||
@@ -176,7 +176,7 @@ private:
     for (std::size_t i = 0; i < to.size(); ++i) {
       const auto joint = static_cast<std::size_t>(run_.mechanism().drivers[i].joint);
       const bool turns = run_.mechanism().joints[joint].type == JointType::kRevolute;
-      const double longest = turns ? kLongestTurn : kLongestSlide * run_.plan().size;
+      const double longest = turns ? kLongestPieceTurn : kLongestPieceSlide * run_.plan().size;
       parts = std::max(parts, std::abs(to[i].position - from[i].position) / longest);
       changes = changes || from[i].position != to[i].position || from[i].velocity != to[i].velocity ||
                 from[i].acceleration != to[i].acceleration;
@@ -226,7 +226,7 @@ private:
       left_out_.reset();
       return;
     }
-    if (!fit.event && span.to - span.from <= kShortest * longest_) {
+    if (!fit.event && span.to - span.from <= kShortestPiece * longest_) {
       leave_out(span);
       return;
     }
@@ -295,7 +295,7 @@ private:
       const double scale = scales_[i % columns_.count()];
       fit.tail = std::max(fit.tail, scale > 0 ? last / scale : 0);
     }
-    fit.piece.noise *= std::max(1.0, 4 * fit.tail / kRounding);
+    fit.piece.noise *= std::max(1.0, 4 * fit.tail / kMultiplierRounding);
   }
 
   // Moves there; a break on the way that lies within the fit's piece is noted, the first one.
@@ -304,10 +304,11 @@ private:
     path_.motion(to, drivers_);
     move_to(run_, drivers_);
     for (const RunEvent& event : run_.events) {
-      if (!fit.event && is_break(event)) {
+      if (!fit.event && breaks_forces(event)) {
         const double at = place_of(event.share, to);
         const double near = kAtEnd * longest_;
-        const bool again = last_break_ == event.type && std::abs(at - last_break_at_) < kShortest * longest_;
+        const bool again =
+            last_break_ == event.type && std::abs(at - last_break_at_) < kShortestPiece * longest_;
         if (at > fit.piece.from + near && at < fit.piece.to - near && !again) {
           fit.event = at;
           last_break_ = event.type;
@@ -355,7 +356,7 @@ private:
     // The parts of a force are known as well as the largest of them.
     const double largest = *std::max_element(scales_.begin(), scales_.begin() + ForcePiece::kParts);
     std::fill(scales_.begin(), scales_.begin() + ForcePiece::kParts, largest);
-    fit.piece.noise = kRounding * largest;
+    fit.piece.noise = kMultiplierRounding * largest;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       fit.piece.known[i] = fit.piece.known[i] && columns_.is_known(i);
     }

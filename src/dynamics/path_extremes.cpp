@@ -17,8 +17,8 @@ constexpr double kFewestInStretch = 3;       // parts between two breaks
 constexpr double kInside = 1e-6;             // of a stretch: so far from its ends are its outer samples
 constexpr double kApart = 0.25;      // of the way between two samples: nearer to a singular position is none
 constexpr double kShortest = 1e-12;  // of the path: where a jump lies is known to that
-constexpr double kRounding = 1e-11;  // of the largest value of a quantity
-constexpr double kMarks = 24;        // places from which the run can go on again
+constexpr double kValueRounding = 1e-11;  // of the largest value of a quantity
+constexpr double kMarks = 24;             // places from which the run can go on again
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Something may jump there.
@@ -230,7 +230,7 @@ private:
     };
     PeakLimits limits;
     limits.shortest = kShortest * (path_.knots.back() - path_.knots.front());
-    limits.noise = std::max(kRounding * largest, blocks_[b].sought[k].noise);
+    limits.noise = std::max(kValueRounding * largest, blocks_[b].sought[k].noise);
     const auto peak = finder.largest(value, limits);
     if (!peak || is_stopped(start_)) {
       return std::nullopt;

@@ -12,7 +12,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostExchanges = 200;
-constexpr double kRounding = 1e-12;  // of the sum of a force's parts
+constexpr double kSumRounding = 1e-12;  // of the sum of a force's parts
 
 bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
@@ -46,7 +46,7 @@ std::optional<std::vector<double>> worst_place(const ContactForces& forces, std:
       const ForceSeries& column = piece.columns[contact * weights.size() + i];
       parts += std::abs(weights[i]) * (std::abs(column[0]) + spread(column));
     }
-    force[0] += piece.noise + kRounding * parts;
+    force[0] += piece.noise + kSumRounding * parts;
     const double before = lowest.value;
     find_lower(force, 1e-15 * parts, lowest);
     worst = lowest.value < before ? &piece : worst;
@@ -83,7 +83,7 @@ bool opens_at_singular(const ContactForces& forces, std::size_t contact, const s
     // What is left out is about as long as the piece beside it: 2 in t.
     const auto falls = [&](double end) {
       return value_at(force, end) + 2 * end * value_at(slope, end) <
-             -piece.noise - kRounding * (std::abs(force[0]) + spread(force));
+             -piece.noise - kSumRounding * (std::abs(force[0]) + spread(force));
     };
     return (piece.singular_from && falls(-1)) || (piece.singular_to && falls(1));
   });
@@ -203,7 +203,7 @@ std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces
   for (const Preload& preload : forces.preloads) {
     all.push_back(terms.size());
     terms.push_back(terms_of(preload, mechanism, size));
-    terms.back().nothing = kRounding * largest_of(forces, ForcePiece::kParts + terms.size() - 1);
+    terms.back().nothing = kSumRounding * largest_of(forces, ForcePiece::kParts + terms.size() - 1);
   }
   std::optional<std::vector<double>> best;
   double least = std::numeric_limits<double>::infinity();

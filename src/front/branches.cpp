@@ -7,6 +7,7 @@
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -20,10 +21,6 @@ namespace higherpair {
 namespace {
 
 constexpr double kTouch = 1e-7;  // of the sizes of two boundaries: a depth that is none
-
-double plus_zero(double value) {
-  return value == 0 ? 0.0 : value;
-}
 
 std::string remark_on(const CurveContact& contact) {
   if (contact.coincident) {

@@ -18,8 +18,8 @@ namespace {
 
 using Quantity = ChainColumn::Quantity;
 
-constexpr double kLeastTolerance = 1e-9;       // of DyadChain
-constexpr std::int64_t kMostRows = 1LL << 16;  // all of them are kept
+constexpr double kLeastTolerance = 1e-9;           // of DyadChain
+constexpr std::int64_t kMostKeptRows = 1LL << 16;  // all of them are kept
 
 struct NamedQuantity {
   std::string_view name;
@@ -126,12 +126,6 @@ bool set_numbers(const ChainRecipe& recipe, std::span<const double> numbers, Mec
   return true;
 }
 
-std::vector<double> numbers_of(const Mechanism& mechanism) {
-  std::vector<double> numbers;
-  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
-  return numbers;
-}
-
 bool same_rows(const std::vector<DriverMotion>& a, const std::vector<DriverMotion>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DriverMotion& x, const DriverMotion& y) {
     return x.position == y.position && x.velocity == y.velocity && x.acceleration == y.acceleration;
@@ -189,7 +183,7 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
     recipe.slots.push_back(*slot);
   }
   const auto schedule = schedule_of(model.data(), run);
-  if (!schedule || schedule->size() > kMostRows || units != model.units() ||
+  if (!schedule || schedule->size() > kMostKeptRows || units != model.units() ||
       !take_rows(*schedule, run.in_time, recipe) ||
       !DyadChain::of(recipe.mechanism, recipe.plan, recipe.rows, recipe.columns)) {
     return std::nullopt;

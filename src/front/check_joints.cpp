@@ -13,7 +13,7 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
-constexpr double kRounding = 1e-12;
+constexpr double kTravelRounding = 1e-12;
 constexpr double kRoundingOfJerk = 1e-11;
 constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
 constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
@@ -127,7 +127,7 @@ JointCheck joint_check(const CheckedPath& checked) {
   const auto joints = std::make_shared<CheckedJoints>(checked);
   JointCheck check;
   check.accelerations = {
-      joints->sought(2, kRounding),
+      joints->sought(2, kTravelRounding),
       [joints](const Run& run, double, std::span<double> out) { joints->fill_accelerations(run, out); }};
   check.jerks = {
       joints->sought(3, kRoundingOfJerk),

@@ -7,7 +7,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSame = 1e-9;  // of a value: equal but for rounding
+constexpr double kSameValue = 1e-9;  // of a value: equal but for rounding
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::optional<PathExtreme> peak_of(const PathRange& range) {
     return least ? least : greatest;
   }
   const double low = std::abs(least->value), high = std::abs(greatest->value);
-  const bool same = std::abs(low - high) <= kSame * std::max(low, high);
+  const bool same = std::abs(low - high) <= kSameValue * std::max(low, high);
   return (same ? least->at < greatest->at : low > high) ? least : greatest;
 }
 

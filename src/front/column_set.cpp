@@ -2,6 +2,7 @@
 
 #include "higherpair/front/row_blocks.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "number_texts.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 void append_number(double value, std::string& out) {
   char text[32];
@@ -110,7 +109,7 @@ void ColumnSet::fill(const RowSource& source, std::vector<double>& values) {
   const bool assembled = source.run.row.status != RowStatus::kNotAssemblable;
   for (const Block& block : blocks_) {
     std::fill(buffer_.begin() + static_cast<std::ptrdiff_t>(block.begin),
-              buffer_.begin() + static_cast<std::ptrdiff_t>(block.end), kUndefined);
+              buffer_.begin() + static_cast<std::ptrdiff_t>(block.end), kNoValue);
     if (assembled || block.anywhere) {
       block.fill(source, buffer_.data() + block.begin);
     }
@@ -118,7 +117,7 @@ void ColumnSet::fill(const RowSource& source, std::vector<double>& values) {
   values.resize(places_.size());
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const double value = places_[i].scale.apply(buffer_[places_[i].slot]);
-    values[i] = std::isfinite(value) ? value : kUndefined;
+    values[i] = std::isfinite(value) ? value : kNoValue;
   }
 }
 

@@ -30,6 +30,13 @@ struct RowSource {
   [[nodiscard]] RowStatus status() const { return opens ? RowStatus::kContactOpen : run.row.status; }
 };
 
+/// Writes a value where there is one.
+inline void put(const std::optional<double>& value, double* out) {
+  if (value) {
+    *out = *value;
+  }
+}
+
 /// A column as it is added: numbers come in SI units and are scaled.
 struct NewColumn {
   std::string name;

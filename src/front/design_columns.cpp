@@ -7,24 +7,24 @@
 namespace higherpair {
 namespace {
 
-struct Quantity {
+struct Ending {
   const char* ending;
   Dimension dimension;
 };
-constexpr std::array<Quantity, 9> kQuantities = {{{".x", dimension::kLength},
-                                                  {".y", dimension::kLength},
-                                                  {".vx", dimension::kVelocity},
-                                                  {".vy", dimension::kVelocity},
-                                                  {".ax", dimension::kAcceleration},
-                                                  {".ay", dimension::kAcceleration},
-                                                  {".angle", dimension::kAngle},
-                                                  {".omega", dimension::kAngularVelocity},
-                                                  {".alpha", dimension::kAngularAcceleration}}};
-constexpr std::size_t kOfPoints = 6;  // so many of them points have
+constexpr std::array<Ending, 9> kEndings = {{{".x", dimension::kLength},
+                                             {".y", dimension::kLength},
+                                             {".vx", dimension::kVelocity},
+                                             {".vy", dimension::kVelocity},
+                                             {".ax", dimension::kAcceleration},
+                                             {".ay", dimension::kAcceleration},
+                                             {".angle", dimension::kAngle},
+                                             {".omega", dimension::kAngularVelocity},
+                                             {".alpha", dimension::kAngularAcceleration}}};
+constexpr std::size_t kPointEndings = 6;  // so many of them points have
 
 std::optional<std::size_t> quantity_of(const std::string& name, const std::string& owner, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
-    if (name == owner + kQuantities[k].ending) return k;
+    if (name == owner + kEndings[k].ending) return k;
   }
   return std::nullopt;
 }
@@ -52,15 +52,15 @@ std::optional<std::size_t> extreme_row(std::span<const double> values, double si
 std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& units,
                                       const std::string& name) {
   const auto found = [&](std::size_t body, std::optional<std::size_t> point, std::size_t quantity) {
-    return BodyColumn{body, point, quantity, from_si(kQuantities[quantity].dimension, units).apply(1)};
+    return BodyColumn{body, point, quantity, from_si(kEndings[quantity].dimension, units).apply(1)};
   };
   for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
     const Body& body = mechanism.bodies[b];
-    if (const auto quantity = quantity_of(name, body.name, kQuantities.size())) {
+    if (const auto quantity = quantity_of(name, body.name, kEndings.size())) {
       return found(b, std::nullopt, *quantity);
     }
     for (std::size_t p = 0; p < body.points.size(); ++p) {
-      const auto quantity = quantity_of(name, body.name + "." + body.points[p].name, kOfPoints);
+      const auto quantity = quantity_of(name, body.name + "." + body.points[p].name, kPointEndings);
       if (quantity) return found(b, p, *quantity);
     }
   }
@@ -70,8 +70,9 @@ std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& u
 double column_slope(const BodyColumn& column, const Run& run, const Mechanism& derivative,
                     const RowSensitivity& of_row) {
   const BodyMotion& change = of_row.bodies[column.body];
-  if (column.quantity >= kOfPoints) {
-    return column.scale * std::array{change.theta, change.omega, change.alpha}[column.quantity - kOfPoints];
+  if (column.quantity >= kPointEndings) {
+    return column.scale *
+           std::array{change.theta, change.omega, change.alpha}[column.quantity - kPointEndings];
   }
   Vector2d p_B = Vector2d::Zero(), p_B_slope = p_B;
   if (column.point) {

@@ -2,6 +2,7 @@
 
 #include "design_gradient.hpp"
 #include "higherpair/design/optimise.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 // What dyads have to spare, of the size: on the very edge of their reach rounding loses the motion.
 constexpr double kSpare = 1e-7;
@@ -122,13 +121,12 @@ public:
         continue;
       }
       score.objectives.push_back(objective.path ? misses_[path++].squaredNorm() : measured(measure++));
-      if (objective.path && !rows_->started) score.objectives.back() = kUndefined;
+      if (objective.path && !rows_->started) score.objectives.back() = kNoValue;
     }
     std::size_t transmission = 0;
     for (const DesignTask::Constraint& constraint : task_.constraints) {
       if (constraint.transmission) {
-        score.constraints.push_back(rows_->started ? degrees(rows_->transmissions[transmission])
-                                                   : kUndefined);
+        score.constraints.push_back(rows_->started ? degrees(rows_->transmissions[transmission]) : kNoValue);
         ++transmission;
       } else {
         score.constraints.push_back(measured(measure++));
@@ -173,7 +171,7 @@ private:
   }
 
   [[nodiscard]] double measured(std::size_t k) const {
-    return k < rows_->measured.size() ? rows_->measured[k] : kUndefined;
+    return k < rows_->measured.size() ? rows_->measured[k] : kNoValue;
   }
 
   // Appends them to numbers_.
@@ -192,7 +190,7 @@ private:
       if (constraint.transmission) {
         const double sine = transmission < rows_->transmissions.size() && rows_->started
                                 ? rows_->transmissions[transmission]
-                                : kUndefined;
+                                : kNoValue;
         ++transmission;
         if (constraint.above) add(sine_of(*constraint.above) - sine);
         if (constraint.below) add(sine - sine_of(*constraint.below));

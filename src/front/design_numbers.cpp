@@ -32,12 +32,6 @@ bool is_all_numbers(const Mechanism& mechanism) {
   return whole_curves && endless;
 }
 
-std::vector<double> numbers_of(const Mechanism& mechanism) {
-  std::vector<double> numbers;
-  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
-  return numbers;
-}
-
 }  // namespace
 
 DesignNumbers::DesignNumbers(Model model, const DesignTask& task) : model_(std::move(model)), task_(&task) {

@@ -17,7 +17,7 @@ constexpr double kSharp = 1e-13;        // of the distance between rows: a step 
 constexpr std::size_t kMostBegins = 4;  // places tried as the first of a closed path
 constexpr double kClosed = 1e-6;        // of the way round: ends that are no farther apart are one point
 
-using Rows = std::vector<std::size_t>;
+using RowIndices = std::vector<std::size_t>;
 
 double squared(const Vector2d& a, const Vector2d& b) {
   return (a - b).squaredNorm();
@@ -25,7 +25,7 @@ double squared(const Vector2d& a, const Vector2d& b) {
 
 // The rows, not descending, that are nearest to the targets, by the sum of squares.
 struct Assignment {
-  Rows rows;
+  RowIndices rows;
   double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -34,7 +34,7 @@ template <class F>
 Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<double> best(places, kNone);
-  std::vector<Rows> from(targets, Rows(places, 0));
+  std::vector<RowIndices> from(targets, RowIndices(places, 0));
   for (std::size_t i = 0; i < targets; ++i) {
     double least = i == 0 ? 0 : kNone;
     std::size_t where = 0;
@@ -49,7 +49,7 @@ Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost
     }
   }
   const auto last = std::min_element(best.begin(), best.end());
-  Assignment assignment{Rows(targets), *last};
+  Assignment assignment{RowIndices(targets), *last};
   std::size_t k = static_cast<std::size_t>(last - best.begin());
   for (std::size_t i = targets; i-- > 0;) {
     assignment.rows[i] = k;
@@ -65,10 +65,10 @@ bool is_loop(std::span<const Vector2d> points) {
 }
 
 // Wherever the first target lies on a closed path, the others follow over one whole way round.
-Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
+RowIndices around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
   const std::size_t n = points.size() - 1;
   const auto far = [&](std::size_t k) { return squared(points[k % n], targets.front()); };
-  Rows begins;
+  RowIndices begins;
   for (std::size_t k = 0; k < n; ++k) {
     if (far(k) <= far(k + 1) && far(k) < far(k + n - 1)) begins.push_back(k);
   }
@@ -86,10 +86,10 @@ Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets)
     }
   }
   for (std::size_t& row : best.rows) row = (row + begin) % n;
-  return best.rows.empty() ? Rows(targets.size(), 0) : best.rows;
+  return best.rows.empty() ? RowIndices(targets.size(), 0) : best.rows;
 }
 
-Rows nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points) {
+RowIndices nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points) {
   if (path.closed && is_loop(points)) {
     return around(points, path.through);
   }
@@ -98,7 +98,7 @@ Rows nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> p
                     [&](std::size_t i, std::size_t k) { return squared(points[k], path.through[i]); })
         .rows;
   }
-  Rows rows;
+  RowIndices rows;
   for (const Vector2d& target : path.through) {
     const auto nearest = std::min_element(
         points.begin(), points.end(),
@@ -168,7 +168,8 @@ std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRo
                                      std::span<const std::size_t> timed_rows) {
   std::vector<PathMiss> misses(path.through.size());
   const bool refine = !path.timed && rows.missing == 0 && rows.positions.size() > 1;
-  const Rows nearest = path.timed ? Rows(timed_rows.begin(), timed_rows.end()) : nearest_rows(path, points);
+  const RowIndices nearest =
+      path.timed ? RowIndices(timed_rows.begin(), timed_rows.end()) : nearest_rows(path, points);
   for (std::size_t i = 0; i < misses.size(); ++i) {
     misses[i].p_W = points[nearest[i]];
     misses[i].driver = rows.positions[nearest[i]];

@@ -2,6 +2,7 @@
 
 #include "design_direct.hpp"
 #include "higherpair/io/row_path.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row) {
-  std::vector<double> positions;
-  for (const DriverMotion& driver : drivers_in(schedule, row)) positions.push_back(driver.position);
-  return positions;
-}
 
 // Of three places of equal distance, the largest value of the parabola through them; that of the last one
 // where the parabola has no vertex between them.
@@ -103,7 +96,7 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
   for (auto& points : rows.points) points.clear();
   rows.transmissions.assign(transmissions_.size(), 1);
   largest_.assign(linkage_.dyads(), {-std::numeric_limits<double>::infinity(), 0, false});
-  for (auto& gaps : before_) std::fill(gaps.begin(), gaps.end(), kUnknown);
+  for (auto& gaps : before_) std::fill(gaps.begin(), gaps.end(), kNoValue);
   std::optional<std::size_t> stood;
   std::size_t not_good = 0;
   for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -134,7 +127,7 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
 
 void PinnedRows::note_gaps(std::size_t place) {
   for (std::size_t g = 0; g < largest_.size(); ++g) {
-    const double gap = g < linkage_.known_gaps() ? linkage_.gap(g) : kUnknown;
+    const double gap = g < linkage_.known_gaps() ? linkage_.gap(g) : kNoValue;
     const Vertex vertex =
         places_[place].even ? vertex_of(before_[0][g], before_[1][g], gap) : Vertex{gap, false};
     if (vertex.value > largest_[g].gap) largest_[g] = {vertex.value, place, vertex.inside};

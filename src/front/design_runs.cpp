@@ -11,14 +11,6 @@
 namespace higherpair {
 namespace {
 
-std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row) {
-  std::vector<double> drivers;
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    drivers.push_back(schedule.state(row, i).si.position);
-  }
-  return drivers;
-}
-
 bool is_end(EventType type) {
   return type == EventType::kLimitPosition || type == EventType::kEnd || type == EventType::kOverlap;
 }

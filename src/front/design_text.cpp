@@ -14,15 +14,15 @@ namespace {
 
 using NewValue = ProfileDocument::NewValue;
 
-constexpr double kSamePlace = 1e-6;  // of the size: bodies that are no farther apart stand alike
-constexpr int kDigits = 6;           // of a pose, which is an estimate
+constexpr double kSamePose = 1e-6;  // of the size: bodies that are no farther apart stand alike
+constexpr int kPoseDigits = 6;      // of a pose, which is an estimate
 
 bool stand_alike(const Run& a, const Run& b) {
   for (std::size_t i = 0; i < a.at.state.bodies.size(); ++i) {
     const BodyMotion& one = a.at.state.bodies[i];
     const BodyMotion& other = b.at.state.bodies[i];
     const double turned = std::abs(nearest_turn(one.theta - other.theta, 0));
-    if ((one.X_WB.p_WB - other.X_WB.p_WB).norm() > kSamePlace * a.plan().size || turned > kSamePlace)
+    if ((one.X_WB.p_WB - other.X_WB.p_WB).norm() > kSamePose * a.plan().size || turned > kSamePose)
       return false;
   }
   return true;
@@ -35,9 +35,9 @@ std::vector<NewValue> poses_of(const Run& run, const Units& units) {
   const double length = from_si(dimension::kLength, units).apply(1);
   const double angle = from_si(dimension::kAngle, units).apply(1);
   const auto rounded = [](double value, double size) {
-    const double unit = std::pow(10.0, std::ceil(std::log10(size)) - kDigits);
+    const double unit = std::pow(10.0, std::ceil(std::log10(size)) - kPoseDigits);
     const double near = unit * std::round(value / unit);
-    return fmt::format("{:.{}g}", near == 0 ? 0.0 : near, kDigits + 3);
+    return fmt::format("{:.{}g}", near == 0 ? 0.0 : near, kPoseDigits + 3);
   };
   for (const Group& group : run.plan().groups) {
     const bool chosen = traits_of(group).two_modes || placing_contact(group) || traits_of(group).coupled;

@@ -15,25 +15,22 @@
 namespace higherpair {
 namespace {
 
-constexpr std::int64_t kLeastRows = 181, kMostRows = 721;  // that decide about a picture; paths are smooth
-constexpr double kMostScenes = 200;                        // of `every`
+constexpr std::int64_t kLeastDrawnRows = 181,
+                       kMostDrawnRows = 721;  // that decide about a picture; paths are smooth
+constexpr double kMostScenes = 200;           // of `every`
 
-tl::unexpected<Error> wrong(const Model& model, std::string what) {
-  return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(what)));
-}
-
-struct Rows {
+struct DrawnRows {
   std::vector<MotionRow> rows;
   std::vector<Reactions> reactions;  ///< the same, of a run with forces
   std::vector<double> drivers;       ///< of each row, in its unit
 };
 
-Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
+Result<DrawnRows> rows_of(const Model& model, const RunSettings& settings) {
   auto analysis = model.start(settings);
   if (!analysis) {
     return tl::unexpected(analysis.error());
   }
-  Rows rows;
+  DrawnRows rows;
   Row row;
   while (analysis->next(row)) {
     rows.rows.push_back(analysis->motion());
@@ -50,10 +47,10 @@ Result<Rows> rows_of(const Model& model, const RunSettings& settings) {
 }
 
 // As many rows as a picture needs.
-Result<Rows> rows_of_run(const Model& model, RunSettings settings) {
+Result<DrawnRows> rows_of_run(const Model& model, RunSettings settings) {
   const auto schedule = first_schedule(model.data());
   if (schedule && schedule->size() > 1 && model.profile().programs.front().positions.empty()) {
-    settings.samples = std::clamp(schedule->size(), kLeastRows, kMostRows);
+    settings.samples = std::clamp(schedule->size(), kLeastDrawnRows, kMostDrawnRows);
   }
   return rows_of(model, settings);
 }
@@ -77,7 +74,7 @@ Result<Scenes> scene_at(const Model& model, const RunSettings& settings, double 
   return scenes;
 }
 
-Result<Scenes> scenes_every(const Model& model, RunSettings settings, double step, const Rows& run,
+Result<Scenes> scenes_every(const Model& model, RunSettings settings, double step, const DrawnRows& run,
                             SceneMaker& maker) {
   const double from = run.drivers.front(), to = run.drivers.back();
   if (model.mechanism().drivers.size() > 1) {

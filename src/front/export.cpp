@@ -16,10 +16,6 @@ namespace {
 
 using Path = ExportSettings::Path;
 
-tl::unexpected<Error> wrong(const Model& model, std::string what) {
-  return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(what)));
-}
-
 std::string length_text(const Model& model, double metres) {
   return fmt::format("{:.6g} {}", from_si(dimension::kLength, model.units()).apply(metres),
                      name_of(model.units().length));

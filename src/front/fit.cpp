@@ -19,10 +19,6 @@ namespace {
 
 constexpr double kSameMotion = 1e-9;  // of a column's largest value: the new profile moves as was fitted
 
-Eigen::Index place(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-
 // The branch on which the profile stands.
 Result<int> branch_of_model(const Model& model) {
   RunSettings settings;
@@ -76,9 +72,9 @@ void unwrap_angles(FitData& data, const FitProblem& problem, const Eigen::Vector
 }
 
 // What a fit has found, as a report.
-class Reporter {
+class FitReporter {
 public:
-  Reporter(const FitProblem& problem, const FitSolution& solution)
+  FitReporter(const FitProblem& problem, const FitSolution& solution)
       : problem_(problem),
         data_(problem.data()),
         solution_(solution),
@@ -340,7 +336,7 @@ Result<FitReport> fit(const Model& model, const MeasuredTable& measured, const F
     return tl::unexpected(error_about(model.data(), ErrorKind::kMechanism,
                                       "the mechanism cannot be run through the rows of the table"));
   }
-  FitReport report = Reporter(problem, solution).report();
+  FitReport report = FitReporter(problem, solution).report();
   return verified_text(problem, solution, report).map([&](std::string text) {
     report.text = std::move(text);
     return std::move(report);

@@ -9,7 +9,7 @@ namespace higherpair {
 namespace {
 
 // Positions, velocities and accelerations in the names of columns.
-constexpr std::array<std::array<std::string_view, 3>, 3> kEndings = {
+constexpr std::array<std::array<std::string_view, 3>, 3> kMeasuredEndings = {
     {{"x", "y", "angle"}, {"vx", "vy", "omega"}, {"ax", "ay", "alpha"}}};
 constexpr std::array<std::string_view, 3> kOfJoints = {"position", "velocity", "acceleration"};
 
@@ -21,7 +21,8 @@ struct Part {
 std::optional<Part> part_of(std::string_view ending) {
   for (std::size_t order = 0; order < 3; ++order) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (kEndings[order][axis] == ending) return Part{static_cast<int>(axis), static_cast<int>(order)};
+      if (kMeasuredEndings[order][axis] == ending)
+        return Part{static_cast<int>(axis), static_cast<int>(order)};
     }
   }
   return std::nullopt;

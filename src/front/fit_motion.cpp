@@ -5,6 +5,8 @@
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/analysis/sensitivity.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/numeric/special_values.hpp"
+#include "path_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +16,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double kStep = 1e-3;        // of a variable's scale, for differences of the fourth order
-constexpr double kOffsetStep = 1e-3;  // of a driver's position [rad], and of what moves it by as much
-constexpr double kAgree = 1e-5;       // of the largest: derivatives by two ways that agree
+constexpr double kFourthOrderStep = 1e-3;  // of a variable's scale, for differences of the fourth order
+constexpr double kOffsetStep = 1e-3;       // of a driver's position [rad], and of what moves it by as much
+constexpr double kAgree = 1e-5;            // of the largest: derivatives by two ways that agree
 
 // The variables alone, each with finite bounds about its start.
 DesignTask ranges_of(const DesignTask& task) {
@@ -102,14 +103,6 @@ std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& 
     }
   }
   return rows;
-}
-
-std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers) {
-  std::vector<DriverMotion> motions;
-  for (const DriverState& driver : drivers) {
-    motions.push_back({driver.si.position, driver.si.velocity, driver.si.acceleration});
-  }
-  return motions;
 }
 
 std::vector<double> first_positions(const Model::Data& data) {
@@ -224,7 +217,7 @@ std::optional<Mechanism> FitMotion::mechanism_by(std::size_t variable,
     }
     return model->mechanism();
   };
-  auto derivative = mechanism_derivative(at, kStep * scales_[variable]);
+  auto derivative = mechanism_derivative(at, kFourthOrderStep * scales_[variable]);
   return same_drivers ? derivative : std::nullopt;
 }
 
@@ -255,9 +248,9 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
   }
   const FitColumns closed(candidate->run.mechanism(), data_);
   const double per_second = to_si(dimension::kTime, data_.model.units()).apply(1);
-  std::vector<FitTable> tables(
-      parameters.size(), FitTable::Constant(static_cast<Eigen::Index>(data_.rows()),
-                                            static_cast<Eigen::Index>(data_.columns.size()), kUndefined));
+  std::vector<FitTable> tables(parameters.size(),
+                               FitTable::Constant(static_cast<Eigen::Index>(data_.rows()),
+                                                  static_cast<Eigen::Index>(data_.columns.size()), kNoValue));
   bool made = true;
   for_each_row(*candidate, [&](std::size_t k, const auto& motions, const std::vector<double>& values) {
     const bool there = std::any_of(candidate->slots.begin(), candidate->slots.end(),
@@ -317,11 +310,12 @@ std::optional<std::vector<FitTable>> FitMotion::differences(std::span<const doub
     return true;
   };
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    const bool made = by(variables, kStep * scales_[i], [&](std::span<const double> from, double step) {
-      std::vector<double> x(from.begin(), from.end());
-      x[i] += step;
-      return table(x, offsets);
-    });
+    const bool made =
+        by(variables, kFourthOrderStep * scales_[i], [&](std::span<const double> from, double step) {
+          std::vector<double> x(from.begin(), from.end());
+          x[i] += step;
+          return table(x, offsets);
+        });
     if (!made) return std::nullopt;
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "fit_problem.hpp"
 
 #include "fit_columns.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +16,7 @@ namespace {
 
 using Kind = FitUnknown::Kind;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kPlaces = 36;  // at which an unknown zero of a driver is tried
-
-Eigen::Index place(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 }  // namespace
 
@@ -80,8 +76,8 @@ void FitProblem::add_unknowns() {
     }
     if (frame.scale) add(Kind::kScale, f, fmt::format("frame of {}: scale", frame.point), "1");
   }
-  low_ = Eigen::VectorXd::Constant(size(), -kInfinity);
-  high_ = Eigen::VectorXd::Constant(size(), kInfinity);
+  low_ = Eigen::VectorXd::Constant(size(), -kInf);
+  high_ = Eigen::VectorXd::Constant(size(), kInf);
   for (std::size_t i = 0; i < variables.size(); ++i) {
     low_(place(i)) = variables[i].range.low;
     high_(place(i)) = variables[i].range.high;
@@ -277,7 +273,7 @@ Eigen::VectorXd FitProblem::start() const {
 
 std::optional<Eigen::VectorXd> FitProblem::start_from(std::span<const double> variables) const {
   std::optional<Eigen::VectorXd> best;
-  double least = kInfinity;
+  double least = kInf;
   const auto try_at = [&](double share) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
     std::copy(variables.begin(), variables.end(), x.begin());

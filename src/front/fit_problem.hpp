@@ -10,6 +10,11 @@
 
 namespace higherpair {
 
+/// The place in a vector of Eigen.
+[[nodiscard]] inline Eigen::Index place(std::size_t i) {
+  return static_cast<Eigen::Index>(i);
+}
+
 /// The numbers that a fit looks for: the variables of the profile, then what is not known of the measurement.
 struct FitUnknown {
   enum class Kind { kVariable, kWhere, kOffset, kPlaceX, kPlaceY, kTurn, kScale };

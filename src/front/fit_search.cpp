@@ -11,20 +11,16 @@ namespace higherpair {
 namespace {
 
 constexpr double kHuberBend = 1.345, kTukeyEnd = 4.685;
-constexpr double kOfDeviation = 1.4826;  // of normal noise: standard deviation over median of sizes
-constexpr double kRounding = 1e-13;      // of the largest value of a column: what no noise is smaller than
-constexpr double kSettled = 1e-6;        // noise and weights that change by less
+constexpr double kOfDeviation = 1.4826;   // of normal noise: standard deviation over median of sizes
+constexpr double kNoiseRounding = 1e-13;  // of the largest value of a column: what no noise is smaller than
+constexpr double kSettled = 1e-6;         // noise and weights that change by less
 constexpr int kMostRounds = 60, kMostIterations = 100;
-constexpr int kHuberRounds = 3;  // before Tukey's loss, which forgets what is far off at once
-constexpr int kStarts = 12;      // where all variables have bounds
-constexpr int kCandidates = 10;  // random ones of which the best is where a search begins
-constexpr double kSame = 1e-4;   // of a range: ends of two searches are one
+constexpr int kHuberRounds = 3;     // before Tukey's loss, which forgets what is far off at once
+constexpr int kBoundedStarts = 12;  // where all variables have bounds
+constexpr int kCandidates = 10;     // random ones of which the best is where a search begins
+constexpr double kSameEnd = 1e-4;   // of a range: ends of two searches are one
 
 using Sizes = std::vector<double>;
-
-Eigen::Index place(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 // The sizes of all residuals of a column, ascending.
 Sizes sizes_in(const FitProblem& problem, const Eigen::VectorXd& residuals, std::size_t column) {
@@ -106,7 +102,7 @@ private:
     const bool bounded = std::all_of(variables.begin(), variables.end(), [](const auto& variable) {
       return std::isfinite(variable.range.low) && std::isfinite(variable.range.high);
     });
-    return problem_.data().task.starts.value_or(bounded ? kStarts : 1);
+    return problem_.data().task.starts.value_or(bounded ? kBoundedStarts : 1);
   }
 
   // Each by itself, so that the number of threads makes no difference.
@@ -148,7 +144,7 @@ private:
 
   [[nodiscard]] bool is_same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
-      if (std::abs(a(i) - b(i)) > kSame * range(i)) return false;
+      if (std::abs(a(i) - b(i)) > kSameEnd * range(i)) return false;
     }
     return true;
   }
@@ -218,7 +214,7 @@ private:
           loss_ == FitLoss::kSquares
               ? std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, sizes.size())))
               : kOfDeviation * median_of(sizes);
-      noise.push_back(std::max(share * estimate, kRounding * problem_.largest(c)));
+      noise.push_back(std::max(share * estimate, kNoiseRounding * problem_.largest(c)));
     }
     return noise;
   }

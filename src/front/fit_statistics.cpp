@@ -1,5 +1,6 @@
 #include "fit_statistics.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/singular_values.hpp"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ namespace {
 constexpr double kRank = 1e-8;   // of the largest singular value: columns scaled to length 1
 constexpr double kPart = 1e-5;   // of a direction: an unknown with a smaller part has none
 constexpr double kAlike = 1e-4;  // changes that are alike
-constexpr double kUndefined = FitReport::kUndefined;
-
-Eigen::Index place(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 // A basis of the directions in which as many unknowns as possible have no part: reduced row echelon form.
 Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
@@ -143,8 +139,8 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
 FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solution) {
   const auto n = static_cast<std::size_t>(problem.size());
   FitStatistics statistics;
-  statistics.errors = Eigen::VectorXd::Constant(problem.size(), kUndefined);
-  statistics.correlation = Eigen::MatrixXd::Constant(problem.size(), problem.size(), kUndefined);
+  statistics.errors = Eigen::VectorXd::Constant(problem.size(), kNoValue);
+  statistics.correlation = Eigen::MatrixXd::Constant(problem.size(), problem.size(), kNoValue);
   statistics.at_bound.assign(n, false);
   statistics.determined.assign(n, true);
   const auto jacobian = problem.jacobian(solution.x);
@@ -199,7 +195,7 @@ FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solut
       statistics.correlation(free[k], free[l]) = k == l ? 1
                                                  : product > 0
                                                      ? covariance(place(k), place(l)) / std::sqrt(product)
-                                                     : kUndefined;
+                                                     : kNoValue;
     }
     if (determined[k]) statistics.errors(free[k]) = std::sqrt(covariance(place(k), place(k)));
   }

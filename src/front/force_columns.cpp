@@ -3,16 +3,6 @@
 #include <optional>
 
 namespace higherpair {
-namespace {
-
-void put(const std::optional<double>& value, double* out) {
-  if (value) {
-    *out = *value;
-  }
-}
-
-}  // namespace
-
 void add_force_columns(ColumnSet& set, const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];

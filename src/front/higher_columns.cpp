@@ -13,7 +13,7 @@ Dimension per_time(Dimension dimension, int order) {
   return dimension;
 }
 
-double* put(const std::optional<Vector2d>& v, double* out) {
+double* put_known(const std::optional<Vector2d>& v, double* out) {
   if (v) {
     out[0] = v->x();
     out[1] = v->y();
@@ -57,13 +57,14 @@ void add_driver_jerks(ColumnSet& set, const Profile& profile) {
 
 double* put_body(const Run& run, const JerkRow& jerks, std::size_t index, double* out) {
   const std::optional<BodyJerk>& jerk = jerks.bodies[index];
-  out = put(jerk ? std::optional(jerk->j_WB) : std::nullopt, out);
+  out = put_known(jerk ? std::optional(jerk->j_WB) : std::nullopt, out);
   if (jerk) {
     *out = jerk->angular;
   }
   ++out;
   for (const NamedPoint& point : run.mechanism().bodies[index].points) {
-    out = put(jerk ? std::optional(point_jerk(run.row.bodies[index], *jerk, point.p_B)) : std::nullopt, out);
+    out = put_known(jerk ? std::optional(point_jerk(run.row.bodies[index], *jerk, point.p_B)) : std::nullopt,
+                    out);
   }
   return out;
 }
@@ -134,10 +135,10 @@ void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int orde
       const BodyDerivatives& body = (*bodies)[i];
       for (int k = 3; k <= order; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        out = put(body.p_WB[at], out);
+        out = put_known(body.p_WB[at], out);
         *out++ = body.theta[at];
         for (const NamedPoint& point : source.run.mechanism().bodies[i].points) {
-          out = put(point_derivative(body, point.p_B, k), out);
+          out = put_known(point_derivative(body, point.p_B, k), out);
         }
       }
     }

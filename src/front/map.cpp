@@ -3,6 +3,7 @@
 #include "higherpair/analysis/mapped_contacts.hpp"
 #include "higherpair/contact/contact_map.hpp"
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-double plus_zero(double value) {
-  return value == 0 ? 0.0 : value;
-}
 
 // From the coordinates of the pair to those of the joints.
 class Converter {

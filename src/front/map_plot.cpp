@@ -1,4 +1,5 @@
 #include "higherpair/front/plot.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-
 // The parts of a branch on which the bodies are free of each other, or the others, which reach up to them.
 PlotSeries part_of(const MapBranchReport& branch, const std::string& unit, bool free) {
   PlotSeries part;
@@ -20,7 +19,7 @@ PlotSeries part_of(const MapBranchReport& branch, const std::string& unit, bool 
     const bool at_change = (i > 0 && differs(i - 1)) || (i + 1 < branch.rows.size() && differs(i + 1));
     const bool inside = branch.rows[i].free == free || (!free && at_change);
     part.x.push_back(branch.rows[i].driver);
-    part.y.push_back(inside ? branch.rows[i].position : kUndefined);
+    part.y.push_back(inside ? branch.rows[i].position : kNoValue);
   }
   return part;
 }

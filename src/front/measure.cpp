@@ -2,6 +2,8 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "higherpair/numeric/special_values.hpp"
+#include "measure_series.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -14,9 +16,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSamePlace = 1e-9;  // of the span of all rows: a row as near to a place is there
 
 std::string where_column(const Mechanism& mechanism, bool in_time) {
   return in_time ? "time" : driver_column(mechanism, 0);
@@ -82,7 +81,7 @@ std::string place_objection(const DriverSchedule& schedule, const Measure& measu
     last = std::max(last, place);
   }
   const double nearest = std::min(measure.at - low, high - measure.at);
-  if (nearest <= kSamePlace * std::max(last - first, std::abs(measure.at))) {
+  if (nearest <= kAtPlace * std::max(last - first, std::abs(measure.at))) {
     return "";
   }
   const std::string next = std::isinf(low) ? fmt::format("the rows begin at {}", high)
@@ -270,7 +269,7 @@ Measured MeasureSet::value(std::size_t measure) const {
       break;
     case MeasureKind::kAt: {
       const double span = std::max(high_where_ - low_where_, std::abs(measures_[measure].at));
-      of_row(state.low <= kSamePlace * span ? state.best.value : kUndefined);
+      of_row(state.low <= kAtPlace * span ? state.best.value : kNoValue);
       break;
     }
     default:

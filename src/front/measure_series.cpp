@@ -8,9 +8,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kRounding = 1e-15;   // of a value: what scaling may make of two neighbours, generously
-constexpr double kSamePlace = 1e-9;   // of the span of all rows, as in MeasureSet
-constexpr std::size_t kParallel = 8;  // comparisons that do not wait for each other
+constexpr double kScalingRounding = 1e-15;  // of a value: what scaling may make of two neighbours, generously
+constexpr std::size_t kParallel = 8;        // comparisons that do not wait for each other
 
 }  // namespace
 
@@ -69,7 +68,7 @@ public:
 
 private:
   [[nodiscard]] double scaled(double value) const { return series_.scale.apply(value); }
-  static double margin(double value) { return kRounding * std::abs(value); }
+  static double margin(double value) { return kScalingRounding * std::abs(value); }
 
   template <class Is>
   [[nodiscard]] double first(const Is& is) const {
@@ -91,7 +90,7 @@ Measured at_place(const Series& series, double at) {
                                         [&](double a, double b) { return off(a) < off(b); });
   const auto [low, high] = std::minmax_element(series.where.begin(), series.where.end());
   const double span = std::max(*high - *low, std::abs(at));
-  if (!(off(*nearest) <= kSamePlace * span)) {
+  if (!(off(*nearest) <= kAtPlace * span)) {
     return {};
   }
   const auto row = static_cast<std::size_t>(nearest - series.where.begin());

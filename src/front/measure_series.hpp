@@ -7,6 +7,9 @@
 
 namespace higherpair {
 
+/// Of the span of all rows: a row as near to a place is there.
+inline constexpr double kAtPlace = 1e-9;
+
 struct Extremes {
   double low = 0;
   double high = 0;

@@ -111,6 +111,10 @@ Error error_about(const Model::Data& model, ErrorKind kind, std::string message)
   return {kind, {about(model.name, std::move(message))}};
 }
 
+tl::unexpected<Error> wrong(const Model& model, std::string what) {
+  return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(what)));
+}
+
 Setting::Setting(std::string path_of_key, double number)
     : path(std::move(path_of_key)), value(fmt::format("{}", number)) {}
 

@@ -36,6 +36,9 @@ struct Model::Data : std::enable_shared_from_this<Model::Data> {
 /// An error of one diagnostic about the model as a whole.
 [[nodiscard]] Error error_about(const Model::Data& model, ErrorKind kind, std::string message);
 
+/// The same of what a user has asked of a model.
+[[nodiscard]] tl::unexpected<Error> wrong(const Model& model, std::string what);
+
 /// The rows of `analyze`, of which the first counts. Fails where the mechanism has no driver.
 [[nodiscard]] Result<DriverSchedule> first_schedule(const Model::Data& model);
 

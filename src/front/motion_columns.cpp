@@ -28,16 +28,10 @@ Coordinate coordinate_of(bool turns) {
                : Coordinate{dimension::kLength, dimension::kVelocity, dimension::kAcceleration};
 }
 
-double* put(const Vector2d& v, double* out) {
+double* put_vector(const Vector2d& v, double* out) {
   *out++ = v.x();
   *out++ = v.y();
   return out;
-}
-
-void put(const std::optional<double>& value, double* out) {
-  if (value) {
-    *out = *value;
-  }
 }
 
 void add_time(ColumnSet& set, const Profile& profile, const Units& units) {
@@ -86,9 +80,9 @@ void add_point(ColumnSet& set, std::size_t body, const std::string& name, const 
            {name + ".ay", dimension::kAcceleration}},
           [body, p_B](const RowSource& source, double* out) {
             const PointMotion motion = point_motion(source.run.row.bodies[body], p_B);
-            out = put(motion.p_W, out);
+            out = put_vector(motion.p_W, out);
             if (source.run.row.has_rates[body]) {
-              put(motion.a_W, put(motion.v_W, out));
+              put_vector(motion.a_W, put_vector(motion.v_W, out));
             }
           });
 }
@@ -106,12 +100,12 @@ void add_body(ColumnSet& set, std::size_t index, const Body& body) {
            {name + ".alpha", dimension::kAngularAcceleration}},
           [index](const RowSource& source, double* out) {
             const BodyMotion& motion = source.run.row.bodies[index];
-            out = put(motion.X_WB.p_WB, out);
+            out = put_vector(motion.X_WB.p_WB, out);
             *out++ = motion.theta;
             if (source.run.row.has_rates[index]) {
-              out = put(motion.v_WB, out);
+              out = put_vector(motion.v_WB, out);
               *out++ = motion.omega;
-              out = put(motion.a_WB, out);
+              out = put_vector(motion.a_WB, out);
               *out = motion.alpha;
             }
           });
@@ -163,7 +157,7 @@ void put_linkage(const ContactDetails& details, double* out) {
   put(details.side2.rho, out++);
   for (const ContactSide* side : {&details.side1, &details.side2}) {
     if (side->center_W) {
-      put(*side->center_W, out);
+      put_vector(*side->center_W, out);
     }
     out += 2;
   }
@@ -193,7 +187,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
           [index](const RowSource& source, double* out) {
             const ContactMotion& motion = source.run.row.contacts[index];
             if (!motion.touches) return;
-            *put((motion.at.p1_W + motion.at.p2_W) / 2, out) = motion.phi;
+            *put_vector((motion.at.p1_W + motion.at.p2_W) / 2, out) = motion.phi;
           });
   std::vector<NewColumn> columns;
   for (const char* length : {"rho1", "rho2", "c1x", "c1y", "c2x", "c2y"}) {

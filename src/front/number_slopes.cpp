@@ -11,7 +11,7 @@ namespace higherpair {
 namespace {
 
 // Steps of a number, of its scale: the first with which a mechanism's numbers are smooth.
-constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
+constexpr std::array kSlopeSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
 constexpr int kReach = 4;  // steps to either side
 
 // Change of a number of the mechanism over all steps, of the mechanism's largest: less is rounding.
@@ -78,7 +78,7 @@ bool has_exact_slope(const Column& column) {
 NumberSlopes::NumberSlopes(const PathColumns& columns, NumberModels& models) : columns_(columns) {
   const Mechanism& mechanism = columns.start().mechanism();
   std::optional<Mechanism> derivative;
-  for (const double share : kSteps) {
+  for (const double share : kSlopeSteps) {
     step_ = share * models.scale();
     derivative = mechanism_derivative(
         [&](double h) -> std::optional<Mechanism> {

@@ -15,7 +15,7 @@ constexpr int kMostExponent = 300;
 constexpr int kConstantDigits = 12;
 
 // A digit below 32 ends its number, the others say that more follow. None means anything in JSON or HTML.
-constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view kBase64Digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 using Whole = std::int64_t;
 
@@ -40,8 +40,8 @@ std::string text_of(const std::vector<Whole>& numbers) {
   std::string text;
   for (const Whole number : numbers) {
     std::uint64_t rest = unsigned_of(number);
-    for (; rest >= 32; rest /= 32) text += kDigits[32 + rest % 32];
-    text += kDigits[rest];
+    for (; rest >= 32; rest /= 32) text += kBase64Digits[32 + rest % 32];
+    text += kBase64Digits[rest];
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #include "path_results.hpp"
 
 #include "check_parts.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
 
 #include <algorithm>
@@ -12,13 +13,11 @@
 namespace higherpair {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Of what lengths and the drivers' speed make of a column's dimension: smaller values are rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kResultRounding = 1e-12;
 
 // Of the spread of a column: extremes that differ by less are equal.
-constexpr double kSame = 1e-9;
+constexpr double kSameResult = 1e-9;
 
 // Of the whole path: so far to either side of an extreme the column is looked at, and by so much of its
 // spread it may be lower there if it is smooth.
@@ -47,7 +46,8 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
       rate = std::max(rate, turns ? velocity : velocity / size);
     }
   }
-  return from_si(of, columns.units()).apply(kRounding * std::pow(size, of.length) * std::pow(rate, -of.time));
+  return from_si(of, columns.units())
+      .apply(kResultRounding * std::pow(size, of.length) * std::pow(rate, -of.time));
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::size_t column_slot(const std::vector<Column>& columns, std::string_view nam
 
 // One extreme of a column, as a largest value of sign times the column.
 struct PathResults::Extreme {
-  double value = -kInfinity;  // of sign times the column
+  double value = -kInf;  // of sign times the column
   std::vector<ExtremePlace> places;
   std::optional<double> rival;  // as value
   std::optional<PathPlace> rival_where;
@@ -99,7 +99,7 @@ public:
       const bool peak = std::isfinite(level(k)) && !(level(before) > level(k)) && !(level(after) > level(k));
       if (!peak || (at >= at_[before] && at <= at_[after])) continue;
       const double open = std::max(level(k) - level(before), level(k) - level(after));
-      if (level(k) + (std::isfinite(open) ? open : kInfinity) >= least) candidates.push_back(k);
+      if (level(k) + (std::isfinite(open) ? open : kInf) >= least) candidates.push_back(k);
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [&](std::size_t a, std::size_t b) { return level(a) > level(b); });
@@ -123,8 +123,8 @@ private:
     std::vector<DriverMotion> drivers;
     std::vector<double> values;
     PeakLimits limits;
-    limits.shortest = kRounding * (at_.back() - at_.front());
-    limits.noise = std::max(noise, kRounding * std::abs(peak.value));
+    limits.shortest = kResultRounding * (at_.back() - at_.front());
+    limits.noise = std::max(noise, kResultRounding * std::abs(peak.value));
     raise(
         [&](double at) {
           columns_.path().path.motion(at, drivers);
@@ -151,12 +151,12 @@ PathResults::PathResults(Analysis& analysis, PathColumns& columns, std::span<con
 
 void PathResults::take_rows(Analysis& analysis, std::span<const Measure> measures) {
   MeasureSet set({measures.begin(), measures.end()}, analysis.columns());
-  low_.assign(analysis.columns().size(), kInfinity);
-  high_.assign(analysis.columns().size(), -kInfinity);
+  low_.assign(analysis.columns().size(), kInf);
+  high_.assign(analysis.columns().size(), -kInf);
   Row row;
   std::int64_t first = -1, last = -1;
   std::vector<std::int64_t> at(measures.size(), 0);
-  std::vector<double> off(measures.size(), kInfinity);
+  std::vector<double> off(measures.size(), kInf);
   while (analysis.next(row)) {
     set.add(row);
     for (std::size_t i = 0; i < row.values.size(); ++i) {
@@ -227,9 +227,9 @@ void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
       result.column = results_[m].column;
     }
     const double spread = high_[result.column] - low_[result.column];
-    result.constant =
-        columns_.path().path.knots.size() > 1 &&
-        spread <= std::max(rounding_of(columns_, result.column), kRounding * std::abs(high_[result.column]));
+    result.constant = columns_.path().path.knots.size() > 1 &&
+                      spread <= std::max(rounding_of(columns_, result.column),
+                                         kResultRounding * std::abs(high_[result.column]));
     results_[m] = std::move(result);
   }
 }
@@ -255,7 +255,7 @@ PathResult PathResults::extreme_result(const Measure& measure, std::size_t colum
   }
   if (high && low) {  // the larger absolute value; the other sign is a rival
     if (low->value > high->value) std::swap(high, low);
-    const double same = kSame * (high->value + std::abs(low->value));
+    const double same = kSameResult * (high->value + std::abs(low->value));
     if (low->value >= high->value - same) {
       high->places.insert(high->places.end(), low->places.begin(), low->places.end());
     } else if (!low->places.empty() && (!high->rival || low->value > *high->rival)) {
@@ -290,7 +290,7 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
   }
   extreme.jumps = jumps_at(column, *found, spread);
   const double noise = rounding_of(columns_, column);
-  const double same = std::max(kSame * spread, noise);
+  const double same = std::max(kSameResult * spread, noise);
   const double worth = std::abs(extreme.value) + spread;  // everything: rivals are named however small
   for (const Peak& peak : sampled->others(column, sign, found->at, extreme.value - worth, noise)) {
     if (peak.value >= extreme.value - same) {
@@ -311,8 +311,8 @@ bool PathResults::jumps_at(std::size_t column, const PathExtreme& found, double 
   if (end || knots.size() == 1) {
     return false;
   }
-  const double fall =
-      std::max({kSmoothFall * spread, rounding_of(columns_, column), kRounding * std::abs(found.value)});
+  const double fall = std::max(
+      {kSmoothFall * spread, rounding_of(columns_, column), kResultRounding * std::abs(found.value)});
   PathWalk walk(columns_);
   std::vector<double> values;
   for (const double at : {found.at - beside, found.at, found.at + beside}) {

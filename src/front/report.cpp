@@ -42,7 +42,7 @@ std::size_t driver_column(const std::vector<Column>& columns, const std::string&
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-void note(std::vector<Extremes>& extremes, const Row& row, double driver) {
+void note(std::vector<ColumnExtremes>& extremes, const Row& row, double driver) {
   for (std::size_t k = 0; k < extremes.size(); ++k) {
     const double value = row.values[k];
     if (std::isnan(value)) {

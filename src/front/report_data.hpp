@@ -11,7 +11,7 @@
 namespace higherpair {
 
 /// The smallest and the largest value of a column over all rows of a run, and where they are.
-struct Extremes {
+struct ColumnExtremes {
   struct Value {
     double value = std::numeric_limits<double>::quiet_NaN();
     double driver = 0;  ///< position of the driver ReportData::driver
@@ -23,12 +23,12 @@ struct Extremes {
 /// What a report tells of a run.
 struct ReportData {
   std::vector<Column> columns;
-  std::int64_t size = 0;             ///< rows of the whole run
-  std::size_t driver = 0;            ///< of Mechanism::drivers, the one by which places are named
-  std::vector<Row> rows;             ///< that the page holds
-  std::vector<MotionRow> motions;    ///< the same
-  std::vector<Reactions> reactions;  ///< the same, of a run with forces
-  std::vector<Extremes> extremes;    ///< of columns, over the whole run
+  std::int64_t size = 0;                 ///< rows of the whole run
+  std::size_t driver = 0;                ///< of Mechanism::drivers, the one by which places are named
+  std::vector<Row> rows;                 ///< that the page holds
+  std::vector<MotionRow> motions;        ///< the same
+  std::vector<Reactions> reactions;      ///< the same, of a run with forces
+  std::vector<ColumnExtremes> extremes;  ///< of columns, over the whole run
   /// Of columns: what is small against it by kNoise is rounding.
   std::vector<double> scales;
   std::vector<Event> events;
@@ -46,8 +46,8 @@ struct Fact {
   std::string name;
   double value = 0;
   std::string unit;
-  std::string column;               ///< to be looked at
-  std::vector<Extremes::Value> at;  ///< where; empty: everywhere
+  std::string column;                     ///< to be looked at
+  std::vector<ColumnExtremes::Value> at;  ///< where; empty: everywhere
 };
 
 [[nodiscard]] std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data);

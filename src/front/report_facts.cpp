@@ -9,11 +9,11 @@ namespace {
 
 struct Found {
   const Column& column;
-  const Extremes& extremes;
+  const ColumnExtremes& extremes;
   double noise = 0;
 
   [[nodiscard]] double range() const { return extremes.high.value - extremes.low.value; }
-  [[nodiscard]] const Extremes::Value& largest() const {
+  [[nodiscard]] const ColumnExtremes::Value& largest() const {
     return std::abs(extremes.low.value) > std::abs(extremes.high.value) ? extremes.low : extremes.high;
   }
   [[nodiscard]] bool is_constant() const {
@@ -60,7 +60,7 @@ public:
 
 private:
   void add(const std::string& of, const std::string& name, const Found& found, double value,
-           std::vector<Extremes::Value> at) {
+           std::vector<ColumnExtremes::Value> at) {
     if (found.is_constant()) {
       if (found.rounded(value) == 0 && column_is_rate(found.column)) return;
       at.clear();

@@ -1,3 +1,4 @@
+#include "higherpair/drawing/scene.hpp"
 #include "packed_series.hpp"
 #include "report_data.hpp"
 #include "report_parts.hpp"
@@ -9,10 +10,8 @@
 namespace higherpair {
 namespace {
 
-constexpr int kPlaceDigits = 8;
 constexpr int kValueDigits = 10;
-constexpr double kValueSteps = 4e10;   // of the largest value of a column
-constexpr double kMillimetres = 1000;  // in a metre
+constexpr double kValueSteps = 4e10;  // of the largest value of a column
 
 void write_values(JsonWriter& json, const ReportData& data, std::size_t column) {
   std::vector<double> values;
@@ -85,7 +84,7 @@ void write_facts(JsonWriter& json, const Mechanism& mechanism, const ReportData&
     json.open('{').key("of").string(fact.of).key("name").string(fact.name);
     json.key("value").number(fact.value, kValueDigits).key("unit").string(fact.unit);
     json.key("column").string(fact.column).key("at").open('[');
-    for (const Extremes::Value& at : fact.at) {
+    for (const ColumnExtremes::Value& at : fact.at) {
       json.open('{')
           .key("value")
           .number(at.value, kValueDigits)

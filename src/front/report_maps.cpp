@@ -1,5 +1,6 @@
 #include "higherpair/front/map.hpp"
 #include "higherpair/front/plot.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
 
@@ -11,10 +12,9 @@
 namespace higherpair {
 namespace {
 
-constexpr std::int64_t kSamples = 181;  // of a map
-constexpr double kWidth = 560;          // of its picture [px]
-constexpr double kSteps = 1e5;          // of an axis
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t kMapSamples = 181;  // of a map
+constexpr double kWidth = 560;             // of its picture [px]
+constexpr double kAxisSteps = 1e5;         // of an axis
 
 // Of a joint's coordinate in every row.
 std::optional<std::size_t> column_of(const Model& model, const ReportData& data, const std::string& joint) {
@@ -52,7 +52,7 @@ std::optional<double> position_on(const MapBranchReport& branch, double driver) 
 }
 
 struct MapPlace {
-  double driver = kUndefined, position = kUndefined;
+  double driver = kNoValue, position = kNoValue;
   int branch = 0;  ///< from 1
 };
 
@@ -95,12 +95,12 @@ void write_map(JsonWriter& json, const Model& model, const ReportData& data, con
     }
     x.push_back(place.driver);
     y.push_back(place.position);
-    branch.push_back(place.branch > 0 ? place.branch : kUndefined);
+    branch.push_back(place.branch > 0 ? place.branch : kNoValue);
   }
   const auto step = [](const std::vector<double>& values) {
     double largest = 0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
-    return largest > 0 ? largest / kSteps : 1;
+    return largest > 0 ? largest / kAxisSteps : 1;
   };
   json.open('{').key("contact").string(map.contact).key("picture").string(plots_svg({plot}, kWidth));
   json.key("x");
@@ -116,7 +116,7 @@ void write_map(JsonWriter& json, const Model& model, const ReportData& data, con
 
 void write_maps(JsonWriter& json, const Model& model, const ReportData& data) {
   json.key("maps").open('[');
-  if (auto maps = map_of(model, {kSamples, 1e-9})) {
+  if (auto maps = map_of(model, {kMapSamples, 1e-9})) {
     maps->title.clear();
     const std::vector<PlotData> plots = plots_of(*maps);
     std::size_t drawn = 0;

@@ -5,6 +5,9 @@
 
 namespace higherpair {
 
+/// Significant digits of places in the picture.
+inline constexpr int kPlaceDigits = 8;
+
 // Parts of the object that a report's page is made from: members of it, each with its key.
 
 /// `scene`, `closed`, `count`, `places` and `moving`: shapes, and where they are in every row.

@@ -1,4 +1,5 @@
 #include "higherpair/front/polygon.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
 
@@ -12,11 +13,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSteps = 1e5;   // of the longest vector: rounding of what is drawn and listed
-constexpr double kUsual = 0.95;  // share of the rows that a picture has room for
-constexpr double kRoom = 1.2;    // and some more
-constexpr int kDigits = 6;
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kVectorSteps = 1e5;  // of the longest vector: rounding of what is drawn and listed
+constexpr double kUsual = 0.95;       // share of the rows that a picture has room for
+constexpr double kRoom = 1.2;         // and some more
+constexpr int kVectorDigits = 6;
 
 // The x and y of a vector in every row.
 struct Track {
@@ -89,7 +89,7 @@ private:
     return moving.points.emplace_back(name, undefined()).second;
   }
   [[nodiscard]] Track undefined() const {
-    return {std::vector(rows_, kUndefined), std::vector(rows_, kUndefined)};
+    return {std::vector(rows_, kNoValue), std::vector(rows_, kNoValue)};
   }
   static void set(Track& track, std::size_t row, const Vector2d& at) {
     track.x[row] = at.x();
@@ -154,7 +154,7 @@ void write_view(JsonWriter& json, const MovingPolygon& polygon, double limit) {
     }
   }
   json.key("view").open('[');
-  for (const double number : {low.x(), low.y(), high.x(), high.y()}) json.number(number, kDigits);
+  for (const double number : {low.x(), low.y(), high.x(), high.y()}) json.number(number, kVectorDigits);
   json.close(']');
 }
 
@@ -201,7 +201,7 @@ void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {
     json.key("to").integer(static_cast<long long>(vectors.number_of(part.to))).close('}');
   }
   json.close(']');
-  vectors.write(json, limit / kSteps);
+  vectors.write(json, limit / kVectorSteps);
   json.close('}');
 }
 

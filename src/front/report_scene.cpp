@@ -1,5 +1,6 @@
 #include "higherpair/drawing/scene.hpp"
 #include "higherpair/front/drawing.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
 
@@ -10,13 +11,10 @@
 namespace higherpair {
 namespace {
 
-constexpr int kPlaceDigits = 8;
 constexpr double kPlaceStep = 1e-8;    // of the picture: places of bodies
 constexpr double kAngleStep = 1e-8;    // [rad]
 constexpr double kShapeStep = 1e-6;    // of the picture: what is drawn in one row alone
-constexpr double kMillimetres = 1000;  // in a metre
-constexpr double kSamePlace = 1e-6;    // of the picture, and [rad]: first and last row show one picture
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSamePicture = 1e-6;  // of the picture, and [rad]: first and last row show one picture
 
 void write(JsonWriter& json, std::span<const double> numbers) {
   json.open('[');
@@ -70,12 +68,12 @@ struct RowScene {
 };
 
 bool same_place(const RowScene& a, const RowScene& b, const Box& view) {
-  const double near = kSamePlace * view.size().norm();
+  const double near = kSamePicture * view.size().norm();
   return a.defined && b.defined &&
          std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
                     [&](const Scene::Place& p, const Scene::Place& q) {
                       return std::hypot(p.x - q.x, p.y - q.y) <= near &&
-                             std::abs(std::remainder(p.theta - q.theta, 2 * kPi)) <= kSamePlace;
+                             std::abs(std::remainder(p.theta - q.theta, 2 * kPi)) <= kSamePicture;
                     });
 }
 
@@ -91,7 +89,7 @@ void write_moving(JsonWriter& json, const std::vector<RowScene>& rows, std::size
     std::vector<double> series;
     for (const RowScene& row : rows) {
       const auto numbers = numbers_in(row);
-      series.push_back(i < numbers.size() ? numbers[i] : kUndefined);
+      series.push_back(i < numbers.size() ? numbers[i] : kNoValue);
     }
     write_packed(json, series, step);
   }
@@ -104,7 +102,7 @@ void write_places(JsonWriter& json, const std::vector<RowScene>& rows, double st
     const auto write = [&](double Scene::Place::*member, double rounding) {
       std::vector<double> series;
       for (const RowScene& row : rows) {
-        series.push_back(row.defined ? row.places[body].*member : kUndefined);
+        series.push_back(row.defined ? row.places[body].*member : kNoValue);
       }
       write_packed(json, series, rounding);
     };

@@ -20,7 +20,7 @@ namespace higherpair {
 namespace {
 
 // So many blocks are under way or wait for one before them.
-constexpr std::size_t kBlocksPerThread = 2;
+constexpr std::size_t kRowBlocksPerThread = 2;
 
 struct Block {
   RowBlock rows;
@@ -150,7 +150,7 @@ void run_blocks(Analysis& analysis, int threads, const std::function<BlockTexts(
   };
   const auto hand_over = [&](const Passed& block) { run.hand_over(*block); };
   on_threads(threads, [&] {
-    tbb::parallel_pipeline(kBlocksPerThread * static_cast<std::size_t>(threads),
+    tbb::parallel_pipeline(kRowBlocksPerThread * static_cast<std::size_t>(threads),
                            tbb::make_filter<void, Passed>(tbb::filter_mode::serial_in_order, begin) &
                                tbb::make_filter<Passed, Passed>(tbb::filter_mode::parallel, work_out) &
                                tbb::make_filter<Passed, void>(tbb::filter_mode::serial_in_order, hand_over));

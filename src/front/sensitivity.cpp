@@ -2,6 +2,7 @@
 
 #include "arena.hpp"
 #include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "number_slopes.hpp"
 #include "path_results.hpp"
 #include "sensitivity_numbers.hpp"
@@ -18,8 +19,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-
 // Change of a result by a change of a number over its whole scale, of the largest value of its column: less
 // is rounding.
 constexpr double kNoSlope = 1e-10;
@@ -27,7 +26,6 @@ constexpr double kNoSlope = 1e-10;
 // Slopes at places where a column is equally large that differ by less are equal, of the larger one.
 constexpr double kSameSlope = 1e-7;
 
-constexpr double kStep = 2e-4;          // of differences, of the scale of the number
 constexpr double kKink = 0.75;          // of the bend with two steps: with one step as much is a kink
 constexpr double kKinkOf = 1e-3;        // of the slope: less is no kink
 constexpr double kKinkRounding = 1e-8;  // of the result: nor is less than that
@@ -154,9 +152,9 @@ private:
       case NumberSlopes::State::kNoInfluence:
         return std::vector<double>(count, 0.0);
       case NumberSlopes::State::kExact:
-        return slopes_[number]->at(stop.run, stop.place).value_or(std::vector<double>(count, kUndefined));
+        return slopes_[number]->at(stop.run, stop.place).value_or(std::vector<double>(count, kNoValue));
       default:
-        return std::vector<double>(count, kUndefined);
+        return std::vector<double>(count, kNoValue);
     }
   }
 
@@ -279,7 +277,7 @@ private:
 
   void take_differences(std::size_t i, const std::vector<std::size_t>& open,
                         SensitivityReport& report) const {
-    const double h = kStep * models_[i]->scale();
+    const double h = kDifferenceStep * models_[i]->scale();
     std::array<std::vector<double>, 5> values;
     for (int k = -2; k <= 2 && !stopped(); ++k) {
       values[static_cast<std::size_t>(k + 2)] = results_with(i, k * h);
@@ -295,7 +293,7 @@ private:
 
   // With one number changed; NaN where it cannot be run so.
   [[nodiscard]] std::vector<double> results_with(std::size_t number, double h) const {
-    std::vector<double> values(measures_.size(), kUndefined);
+    std::vector<double> values(measures_.size(), kNoValue);
     const auto model = models_[number]->at(h);
     auto analysis = model ? model->start(run_) : Result<Analysis>(tl::unexpected(model.error()));
     if (analysis) {

@@ -6,6 +6,9 @@
 
 namespace higherpair {
 
+/// Steps of differences, of the scale of the number.
+inline constexpr double kDifferenceStep = 2e-4;
+
 /// The numbers by which a report differentiates: see SensitivitySettings::by.
 [[nodiscard]] Result<std::vector<ProfileNumber>> numbers_for(const Model& model,
                                                              const std::vector<std::string>& by);

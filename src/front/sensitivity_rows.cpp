@@ -1,6 +1,7 @@
 // Derivatives of whole columns, row by row.
 #include "arena.hpp"
 #include "higherpair/front/sensitivity.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "number_slopes.hpp"
 #include "sensitivity_numbers.hpp"
 
@@ -13,9 +14,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double kStep = 2e-4;  // of differences, of the scale of the number
 
 // Columns of forces and of the jerk are worked out only where a glob means nothing else.
 Result<RunSettings> settings_for_columns(const Model& model, RunSettings settings) {
@@ -36,7 +34,7 @@ Result<RunSettings> settings_for_columns(const Model& model, RunSettings setting
 // The same run with one number changed by some steps to either side, row by row.
 class SteppedRuns {
 public:
-  SteppedRuns(NumberModels& models, const RunSettings& settings) : h_(kStep * models.scale()) {
+  SteppedRuns(NumberModels& models, const RunSettings& settings) : h_(kDifferenceStep * models.scale()) {
     for (const double k : {-2.0, -1.0, 1.0, 2.0}) {
       const auto model = models.at(k * h_);
       auto analysis = model ? model->start(settings) : Result<Analysis>(tl::unexpected(model.error()));
@@ -50,7 +48,7 @@ public:
 
   // Of the next row, of all columns.
   [[nodiscard]] std::vector<double> next(std::size_t columns) {
-    std::vector<double> slopes(columns, kUndefined);
+    std::vector<double> slopes(columns, kNoValue);
     std::array<Row, 4> rows;
     for (std::size_t k = 0; k < analyses_.size(); ++k) {
       if (!analyses_[k].next(rows[k])) return slopes;
@@ -138,7 +136,7 @@ private:
   [[nodiscard]] bool take_row(const Run& run, const Row& row,
                               const std::function<bool(const RowSlopes&)>& take) {
     const PathPlace place{static_cast<double>(row.number), columns_->parameter_of(row.number)};
-    std::vector<double> values, slopes(numbers_.size() * slots_.size(), kUndefined);
+    std::vector<double> values, slopes(numbers_.size() * slots_.size(), kNoValue);
     for (const std::size_t slot : slots_) values.push_back(row.values[slot]);
     in_parallel([&](std::size_t i) {
       const std::vector<double> all = slopes_at(i, run, place);
@@ -150,7 +148,7 @@ private:
   [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place) {
     const std::size_t count = columns_->columns().size();
     const std::vector<double> differences =
-        runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kUndefined);
+        runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kNoValue);
     switch (slopes_[i]->state()) {
       case NumberSlopes::State::kNoInfluence:
         return std::vector<double>(count, 0.0);
@@ -159,7 +157,7 @@ private:
       default:
         return differences;
     }
-    std::vector<double> slopes = slopes_[i]->at(run, place).value_or(std::vector<double>(count, kUndefined));
+    std::vector<double> slopes = slopes_[i]->at(run, place).value_or(std::vector<double>(count, kNoValue));
     for (std::size_t c = 0; c < count; ++c) {
       if (!has_exact_slope(columns_->columns()[c])) slopes[c] = differences[c];
     }

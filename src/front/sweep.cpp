@@ -1,6 +1,7 @@
 #include "higherpair/front/sweep.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "sweep_data.hpp"
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 // Before a sweep is run so many variants are read, or as many as can be in this time.
 constexpr std::int64_t kTried = 1000;
 constexpr std::chrono::seconds kTrying{2};
@@ -100,7 +100,7 @@ private:
   void add_not_started(std::string cause, SweepBlock& block) const {
     begin_row(block);
     const std::size_t empty = data_.columns.size() - variables_.size() - 2;
-    block.values.insert(block.values.end(), empty, kUndefined);
+    block.values.insert(block.values.end(), empty, kNoValue);
     end_row(kNotStarted, std::move(cause), block);
   }
 
@@ -125,7 +125,7 @@ private:
     measures_->clear();
     std::array<std::int64_t, kNotStarted> counts{};
     RowStatus worst = RowStatus::kOk;
-    double worst_at = kUndefined;
+    double worst_at = kNoValue;
     while (analysis.next(row_)) {
       measures_->add(row_);
       const auto status = static_cast<std::size_t>(row_.status);
@@ -155,7 +155,7 @@ private:
   void put_results(SweepBlock& block, const Value& value) const {
     for (std::size_t i = 0; i < data_.task.results.size(); ++i) {
       const Measured measured = value(i);
-      block.values.push_back(std::isfinite(measured.value) ? measured.value : kUndefined);
+      block.values.push_back(std::isfinite(measured.value) ? measured.value : kNoValue);
       if (data_.task.results[i].where) block.values.push_back(measured.where);
     }
   }

@@ -10,8 +10,8 @@ namespace {
 constexpr double kSameArc = 1e-12;        // of the size: a span this near to an arc is that arc
 constexpr double kStraight = 2e-8;        // smaller bulges are lines: no program sees the turn
 constexpr double kLongestTurn = kPi / 2;  // of one arc, and of what a biarc is tried on
-constexpr int kProbes = 16;               // of the distance, on each biarc
-constexpr int kMostHalvings = 24;
+constexpr int kArcProbes = 16;            // of the distance, on each biarc
+constexpr int kArcHalvings = 24;
 
 // An arc from a point with a tangent to another point.
 class Arc {
@@ -106,7 +106,7 @@ private:
       return (p - middle).dot(t) < 0 ? first.distance(p) : second.distance(p);
     };
     const bool forward = (middle - a.p).dot(a.t) > 0 && (b.p - middle).dot(b.t) > 0;
-    if (halvings == kMostHalvings || (forward && worst(span, from, to, from_biarc) <= kSure * tolerance_)) {
+    if (halvings == kArcHalvings || (forward && worst(span, from, to, from_biarc) <= kSure * tolerance_)) {
       vertices_.push_back({a.p, first.bulge()});
       vertices_.push_back({middle, second.bulge()});
       return;
@@ -119,8 +119,8 @@ private:
   template <class Distance>
   static double worst(const Span& span, double from, double to, const Distance& distance) {
     double most = 0;
-    for (int k = 1; k < kProbes; ++k) {
-      most = std::max(most, distance(span.at(from + (to - from) * k / kProbes).p_B));
+    for (int k = 1; k < kArcProbes; ++k) {
+      most = std::max(most, distance(span.at(from + (to - from) * k / kArcProbes).p_B));
     }
     return most;
   }

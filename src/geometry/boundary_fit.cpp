@@ -84,7 +84,6 @@ using boundary_fit::to_own_frame;
 
 // Of the two directions in which points spread, as shares: below, it is rounding; above, none is the longer.
 constexpr double kOneLine = 1e-13, kNoDirection = 1 - 1e-9;
-constexpr double kRounding = 1e-15;  // of a distance in normalised points
 
 SingularValues spread_of(const std::vector<Vector2d>& points) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
@@ -219,7 +218,7 @@ BoundaryFitResult fit_circle(std::span<const Vector2d> points) {
     return true;
   };
   LeastSquaresOptions options;
-  options.rounding = kRounding;
+  options.rounding = boundary_fit::kFitRounding;
   const LeastSquaresFit found = least_squares(problem, Eigen::Vector3d(start.A, 0, start.t), options);
   const PrattCircle circle = circle_of(found.x);
   if (found.end != LeastSquaresEnd::kConverged || circle.A == 0) {

@@ -7,6 +7,9 @@
 
 namespace higherpair::boundary_fit {
 
+/// Of a distance in normalised points.
+inline constexpr double kFitRounding = 1e-15;
+
 /// Points about their centroid, of size 1: 〈|p|²〉 = 1.
 struct Normalised {
   std::vector<Vector2d> points;

@@ -18,8 +18,7 @@ using boundary_fit::monomials;
 using boundary_fit::Normalised;
 using boundary_fit::slope;
 
-constexpr double kRounding = 1e-15;   // of a distance in normalised points
-constexpr double kOneLine = 1e-7;     // spread across a line below which a conic through points means nothing
+constexpr double kNearLine = 1e-7;    // spread across a line below which a conic through points means nothing
 constexpr double kDifference = 1e-6;  // step of coefficients of size 1
 constexpr double kFarPoint =
     1e6;  // of the points' size: beyond are no centre and no axes; below 1 over it, too
@@ -69,7 +68,7 @@ LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Famil
     return J.allFinite();
   };
   LeastSquaresOptions options;
-  options.rounding = kRounding;
+  options.rounding = boundary_fit::kFitRounding;
   return least_squares(problem, start, options);
 }
 
@@ -346,7 +345,7 @@ BoundaryFitResult fit_conic(std::span<const Vector2d> points, ConicForm form) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = from->points[i];
   const Eigen::VectorXd spread = singular_values(triangular_factor(rows)).values;
-  if (spread(1) <= kOneLine * spread(0)) {
+  if (spread(1) <= kNearLine * spread(0)) {
     return tl::unexpected(BoundaryFitError::kOneLine);
   }
   if (form == ConicForm::kParabola) {

@@ -9,7 +9,7 @@ namespace higherpair {
 namespace {
 
 // The end 2i is the begin of the piece i, 2i + 1 its end.
-using End = std::size_t;
+using EndIndex = std::size_t;
 
 struct Cell {
   std::int64_t x = 0;
@@ -36,21 +36,21 @@ public:
           {far_, places_.back().cwiseAbs().maxCoeff(), places_[places_.size() - 2].cwiseAbs().maxCoeff()});
     }
     width_ = std::max(2 * tolerance, far_ * 1e-15);  // so that the numbers of cells are exact
-    for (End end = 0; end < places_.size(); ++end) {
+    for (EndIndex end = 0; end < places_.size(); ++end) {
       cells_[cell(places_[end])].push_back(end);
     }
   }
 
-  [[nodiscard]] const Vector2d& place(End end) const { return places_[end]; }
+  [[nodiscard]] const Vector2d& place(EndIndex end) const { return places_[end]; }
 
   // The other ends at the place of this one.
-  [[nodiscard]] std::vector<End> others_at(End end) const {
-    std::vector<End> found;
+  [[nodiscard]] std::vector<EndIndex> others_at(EndIndex end) const {
+    std::vector<EndIndex> found;
     const Cell center = cell(places_[end]);
     for (const std::int64_t dx : {-1, 0, 1}) {
       for (const std::int64_t dy : {-1, 0, 1}) {
         const auto at = cells_.find({center.x + dx, center.y + dy});
-        for (const End other : at == cells_.end() ? std::vector<End>{} : at->second) {
+        for (const EndIndex other : at == cells_.end() ? std::vector<EndIndex>{} : at->second) {
           if (other != end && (places_[other] - places_[end]).norm() <= tolerance_) {
             found.push_back(other);
           }
@@ -71,18 +71,18 @@ private:
   double width_ = 1;
   double far_ = 0;
   std::vector<Vector2d> places_;
-  std::unordered_map<Cell, std::vector<End>, CellHash> cells_;
+  std::unordered_map<Cell, std::vector<EndIndex>, CellHash> cells_;
 };
 
-constexpr End kNone = static_cast<End>(-1);
+constexpr EndIndex kNone = static_cast<EndIndex>(-1);
 
-End other_end(End end) {
+EndIndex other_end(EndIndex end) {
   return end ^ 1U;
 }
 
 // The way from an end on over pieces that are not used yet: the ends at which it enters them.
-std::vector<End> way_from(End end, const std::vector<End>& partner, std::vector<char>& used) {
-  std::vector<End> way;
+std::vector<EndIndex> way_from(EndIndex end, const std::vector<EndIndex>& partner, std::vector<char>& used) {
+  std::vector<EndIndex> way;
   while (end != kNone && used[end / 2] == 0) {
     used[end / 2] = 1;
     way.push_back(end);
@@ -96,12 +96,12 @@ std::vector<End> way_from(End end, const std::vector<End>& partner, std::vector<
 tl::expected<std::vector<Contour>, JoinFault> join(const std::vector<ContourPiece>& pieces,
                                                    double tolerance) {
   const Ends ends(pieces, tolerance);
-  std::vector<End> partner(2 * pieces.size(), kNone);
-  for (End end = 0; end < partner.size(); ++end) {
-    const std::vector<End> others = ends.others_at(end);
+  std::vector<EndIndex> partner(2 * pieces.size(), kNone);
+  for (EndIndex end = 0; end < partner.size(); ++end) {
+    const std::vector<EndIndex> others = ends.others_at(end);
     if (others.size() > 1) {
       JoinFault fault = {ends.place(end), {static_cast<int>(end / 2)}};
-      for (const End other : others) {
+      for (const EndIndex other : others) {
         fault.pieces.push_back(static_cast<int>(other / 2));
       }
       return tl::unexpected(fault);
@@ -110,23 +110,23 @@ tl::expected<std::vector<Contour>, JoinFault> join(const std::vector<ContourPiec
   }
   std::vector<Contour> contours;
   std::vector<char> used(pieces.size(), 0);
-  for (End piece = 0; piece < pieces.size(); ++piece) {
+  for (EndIndex piece = 0; piece < pieces.size(); ++piece) {
     if (used[piece] != 0) {
       continue;
     }
     // Forwards to an end or round; then what comes before, if it is open.
-    std::vector<End> way = way_from(2 * piece, partner, used);
-    const End last = other_end(way.back());
+    std::vector<EndIndex> way = way_from(2 * piece, partner, used);
+    const EndIndex last = other_end(way.back());
     Contour contour;
     contour.closed = partner[last] == way.front();
-    const End before = partner[way.front()];
+    const EndIndex before = partner[way.front()];
     if (!contour.closed && before != kNone) {
-      std::vector<End> back = way_from(before, partner, used);
+      std::vector<EndIndex> back = way_from(before, partner, used);
       std::reverse(back.begin(), back.end());
       std::transform(back.begin(), back.end(), back.begin(), other_end);
       way.insert(way.begin(), back.begin(), back.end());
     }
-    for (const End end : way) {
+    for (const EndIndex end : way) {
       const ContourPiece& one = pieces[end / 2];
       contour.pieces.push_back(end % 2 == 0 ? one : reversed(one));
       contour.sources.push_back(static_cast<int>(end / 2));

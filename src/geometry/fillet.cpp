@@ -6,11 +6,9 @@
 namespace higherpair {
 namespace {
 
-using Fault = FilletFault;
-
-constexpr double kSmooth = 1e-7;      // a turn that is none [rad]
-constexpr double kBack = kPi - 1e-6;  // a turn back [rad]
-constexpr double kRounding = 1e-9;    // of a piece's length: a rounding may use it up
+constexpr double kSmooth = 1e-7;          // a turn that is none [rad]
+constexpr double kBack = kPi - 1e-6;      // a turn back [rad]
+constexpr double kLengthRounding = 1e-9;  // of a piece's length: a rounding may use it up
 constexpr int kHalvings = 12;
 
 // Centres of circles of one radius that are tangent to a piece on one side: a line, or a circle.
@@ -99,7 +97,7 @@ std::optional<Rounding> rounding(const ContourPiece& a, const ContourPiece& b, d
     const double end = part_at(a, center);
     const double begin = part_at(b, center);
     // The nearest to the corner takes the least away.
-    if (end > kRounding && end < 1 && begin > 0 && begin < 1 - kRounding && end - begin > most) {
+    if (end > kLengthRounding && end < 1 && begin > 0 && begin < 1 - kLengthRounding && end - begin > most) {
       most = end - begin;
       const ContourPiece before = cut(a, 0, end);
       const ContourPiece after = cut(b, begin, 1);
@@ -126,21 +124,21 @@ tl::expected<Contour, FilletFault> with_fillets(const std::vector<ContourPiece>&
     const PieceEnd end = end_of(pieces[i]);
     const Vector2d t = begin_of(pieces[(i + 1) % count]).t_B;
     const double turn = std::atan2(cross(end.t_B, t), end.t_B.dot(t));
-    const auto fault = [&](Fault::Kind kind) {
-      return tl::unexpected(Fault{kind, static_cast<int>(i), end.p_B});
+    const auto fault = [&](FilletFault::Kind kind) {
+      return tl::unexpected(FilletFault{kind, static_cast<int>(i), end.p_B});
     };
     if (std::abs(turn) <= kSmooth) {
       continue;
     }
     if (std::abs(turn) > kBack) {
-      return fault(Fault::Kind::kCusp);
+      return fault(FilletFault::Kind::kCusp);
     }
     if (!is_plain(a) || !is_plain(b) || &a == &b) {
-      return fault(Fault::Kind::kOther);
+      return fault(FilletFault::Kind::kOther);
     }
     const auto round = rounding(a, b, turn, radius);
     if (!round) {
-      return fault(Fault::Kind::kTooLarge);
+      return fault(FilletFault::Kind::kTooLarge);
     }
     a = round->before;
     b = round->after;

@@ -8,15 +8,15 @@ namespace {
 
 // Where 1 + κ d, by which the span is longer in its offset, is least and largest, at four times as many
 // places as show the shape.
-struct Stretch {
+struct OffsetStretch {
   SpanPoint least;
   SpanPoint largest;
 };
 
-Stretch stretch_of(const Span& span, double distance) {
+OffsetStretch stretch_of(const Span& span, double distance) {
   const int probes = 4 * span.parts();
   const Bounds range = span.range();
-  Stretch stretch = {span.at(range.low), span.at(range.low)};
+  OffsetStretch stretch = {span.at(range.low), span.at(range.low)};
   for (int k = 1; k <= probes; ++k) {
     const SpanPoint point = span.at(range.low + range.width() * k / probes);
     if (point.kappa * distance < stretch.least.kappa * distance) {
@@ -30,13 +30,13 @@ Stretch stretch_of(const Span& span, double distance) {
 }
 
 // An arc about its own centre becomes that point.
-bool vanishes(const Stretch& stretch, double distance) {
+bool vanishes(const OffsetStretch& stretch, double distance) {
   constexpr double kNothing = 1e-9;
   return std::abs(1 + stretch.least.kappa * distance) <= kNothing &&
          std::abs(1 + stretch.largest.kappa * distance) <= kNothing;
 }
 
-std::optional<OffsetFault> cusp(const Stretch& stretch, double distance) {
+std::optional<OffsetFault> cusp(const OffsetStretch& stretch, double distance) {
   constexpr double kLeast = 1e-6;
   if (1 + stretch.least.kappa * distance > kLeast) {
     return std::nullopt;
@@ -59,7 +59,7 @@ tl::expected<std::vector<SpanPtr>, OffsetFault> offset_spans(const Boundary& bou
       spans.push_back(conic_span(*make_circle(span->at(range.low).p_B, distance), range.low, range.high));
       continue;
     }
-    const Stretch stretch = stretch_of(*span, distance);
+    const OffsetStretch stretch = stretch_of(*span, distance);
     if (!vanishes(stretch, distance)) {
       if (const auto fault = cusp(stretch, distance)) {
         return tl::unexpected(*fault);

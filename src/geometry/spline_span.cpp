@@ -13,7 +13,6 @@
 namespace higherpair {
 namespace {
 
-using Fault = SplineFault;
 using Points = std::vector<Vector2d>;
 
 constexpr double kSharpest = 150 * kPi / 180;  // a turn of the way at a point beyond which it turns back
@@ -37,7 +36,7 @@ Vector2d step(const Points& points, std::size_t i) {
   return points[(i + 1) % points.size()] - points[i];
 }
 
-std::optional<Fault> fault_of_steps(const Points& points, bool closed) {
+std::optional<SplineFault> fault_of_steps(const Points& points, bool closed) {
   const std::size_t steps = step_count(points, closed);
   const double same = kSamePlace * size_of(points);
   double largest = 0;
@@ -45,10 +44,10 @@ std::optional<Fault> fault_of_steps(const Points& points, bool closed) {
     const double distance = step(points, i).norm();
     const std::size_t next = (i + 1) % points.size();
     if (!(distance > same)) {
-      return Fault{Fault::Kind::kRepeated, static_cast<int>(i), static_cast<int>(next)};
+      return SplineFault{SplineFault::Kind::kRepeated, static_cast<int>(i), static_cast<int>(next)};
     }
     if (next == 0 && distance > kWidest * largest) {
-      return Fault{Fault::Kind::kOpen, static_cast<int>(i), 0, distance, distance / largest};
+      return SplineFault{SplineFault::Kind::kOpen, static_cast<int>(i), 0, distance, distance / largest};
     }
     largest = std::max(largest, distance);
   }
@@ -56,7 +55,7 @@ std::optional<Fault> fault_of_steps(const Points& points, bool closed) {
     const Vector2d before = step(points, i);
     const Vector2d after = step(points, (i + 1) % points.size());
     if (std::abs(std::atan2(cross(before, after), before.dot(after))) > kSharpest) {
-      return Fault{Fault::Kind::kTurnsBack, static_cast<int>((i + 1) % points.size())};
+      return SplineFault{SplineFault::Kind::kTurnsBack, static_cast<int>((i + 1) % points.size())};
     }
   }
   return std::nullopt;
@@ -129,7 +128,8 @@ std::vector<double> arc_lengths(const std::vector<double>& t, const Eigen::Matri
 }
 
 // Where the spline is much slower than its parameter wants it, or goes against the way of the points.
-std::optional<Fault> fault_of_curve(const Span& span, const Points& points, const std::vector<double>& t) {
+std::optional<SplineFault> fault_of_curve(const Span& span, const Points& points,
+                                          const std::vector<double>& t) {
   constexpr int kProbes = 4;
   constexpr double kSlow = 0.05;
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
@@ -139,7 +139,7 @@ std::optional<Fault> fault_of_curve(const Span& span, const Points& points, cons
       const SpanPoint point = span.at(t[i] + dt * (k + 0.5) / kProbes);
       const bool forward = point.speed * perp(point.n_B).dot(chord) > -0.5 * point.speed * chord.norm();
       if (!(point.speed * dt > kSlow * chord.norm()) || !forward) {
-        return Fault{Fault::Kind::kCusp, static_cast<int>(i)};
+        return SplineFault{SplineFault::Kind::kCusp, static_cast<int>(i)};
       }
     }
   }
@@ -157,7 +157,7 @@ tl::expected<SpanPtr, SplineFault> spline_span(const std::vector<Vector2d>& give
     points.pop_back();
   }
   if (points.size() < static_cast<std::size_t>(options.degree) + 1) {
-    return tl::unexpected(Fault{Fault::Kind::kTooFew});
+    return tl::unexpected(SplineFault{SplineFault::Kind::kTooFew});
   }
   if (const auto fault = fault_of_steps(points, options.closed)) {
     return tl::unexpected(*fault);

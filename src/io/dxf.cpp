@@ -22,9 +22,9 @@ std::string_view value_of(const DxfGroup& group, int code, std::string_view othe
   return pair == group.pairs.end() ? otherwise : pair->value;
 }
 
-class Reader {
+class DxfReader {
 public:
-  Reader(std::string_view text, std::optional<Unit> unit, Unit otherwise)
+  DxfReader(std::string_view text, std::optional<Unit> unit, Unit otherwise)
       : pairs_(text), unit_(unit), otherwise_(otherwise) {}
 
   tl::expected<DxfDrawing, DxfFault> read() {
@@ -171,7 +171,7 @@ tl::expected<DxfDrawing, DxfFault> read_dxf(std::string_view text, std::optional
   if (text.starts_with("AC10")) {
     return tl::unexpected(DxfFault{1, "this is a DWG: save the drawing as ASCII DXF"});
   }
-  return Reader(text, unit, otherwise).read();
+  return DxfReader(text, unit, otherwise).read();
 }
 
 }  // namespace higherpair::io_detail

@@ -20,7 +20,7 @@ using io_detail::trimmed;
 using io_detail::visible;
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostMistakes = 5;
+constexpr std::size_t kMostTableMistakes = 5;
 
 bool is_missing(std::string_view field) {
   std::string lower;
@@ -28,14 +28,14 @@ bool is_missing(std::string_view field) {
   return lower.empty() || lower == "nan" || lower == "na" || lower == "null";
 }
 
-class Reader {
+class MeasuredReader {
 public:
-  Reader(const std::string& source, const std::vector<std::string>& names) : names_(names) {
+  MeasuredReader(const std::string& source, const std::vector<std::string>& names) : names_(names) {
     table_.source = source;
   }
 
   void line(std::string_view text, int number) {
-    if (mistakes_.size() >= kMostMistakes) return;
+    if (mistakes_.size() >= kMostTableMistakes) return;
     if (separator_ == 0) {
       separator_ = io_detail::separator_of(trimmed(text));
       if (has_no_header(text)) {
@@ -155,7 +155,7 @@ tl::expected<MeasuredTable, Diagnostics> read_measured_text(std::string_view tex
     return tl::unexpected(
         Diagnostics{{{source, mistake->mark.line, mistake->mark.column}, mistake->message}});
   }
-  Reader reader(source, names);
+  MeasuredReader reader(source, names);
   io_detail::for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
   return reader.finish();
 }

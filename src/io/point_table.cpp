@@ -17,9 +17,9 @@ constexpr std::size_t kMostMistakes = 5;
 
 using Fields = std::vector<std::string_view>;
 
-class Reader {
+class PointReader {
 public:
-  Reader(const PointColumns& columns, const Units& units) : columns_(columns), units_(units) {}
+  PointReader(const PointColumns& columns, const Units& units) : columns_(columns), units_(units) {}
 
   void line(std::string_view text, int number) {
     if (mistakes_.size() >= kMostMistakes) return;
@@ -147,7 +147,7 @@ int decimals_of(std::string_view number) {
 tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view text,
                                                                const PointColumns& columns,
                                                                const Units& units) {
-  Reader reader(columns, units);
+  PointReader reader(columns, units);
   for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
   return reader.finish();
 }

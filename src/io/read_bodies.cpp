@@ -5,7 +5,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-void read_points(Reading& reading, const Item& item, Body& body) {
+void read_named_points(Reading& reading, const Item& item, Body& body) {
   for_each_named(reading, item, "[x, y]", [&](const std::string& name, const Item& entry) {
     const auto point = as_vector(reading, entry, dimension::kLength);
     body.points.push_back({name, point.value_or(Vector2d::Zero())});
@@ -48,7 +48,7 @@ void refuse_what_moves(TableReader& table) {
 }
 
 void read_body(TableReader& table, Body& body, LateCurves& late) {
-  if (const auto points = table.take("points")) read_points(table.reading(), *points, body);
+  if (const auto points = table.take("points")) read_named_points(table.reading(), *points, body);
   if (const auto curves = table.take("curves")) read_curves(table.reading(), *curves, body, late);
   if (body.name == "ground") {
     refuse_what_moves(table);

@@ -9,7 +9,7 @@ namespace higherpair::io_detail {
 namespace {
 
 constexpr Expected kAngle = {dimension::kAngle};
-constexpr Expected kSize = {dimension::kLength, Sign::kPositive};
+constexpr Expected kPieceSize = {dimension::kLength, Sign::kPositive};
 
 // What was read, unless there was a mistake since.
 class Mistakes {
@@ -56,7 +56,7 @@ std::optional<Bounds> read_roll(TableReader& table, const InvoluteTooth* tooth) 
 
 InvoluteTooth read_tooth(TableReader& table) {
   InvoluteTooth tooth;
-  tooth.module = table.need_quantity("module", kSize);
+  tooth.module = table.need_quantity("module", kPieceSize);
   const auto teeth = table.need("teeth", "a number of teeth");
   const auto count = teeth ? as_integer(table.reading(), *teeth) : std::nullopt;
   if (count && *count < 3) report(table.reading(), *teeth, "must be at least 3");
@@ -83,7 +83,7 @@ std::optional<ContourPiece> arc_piece(TableReader& table) {
   const Mistakes mistakes(table.reading());
   ArcPiece arc;
   arc.center = table.need_vector("center", dimension::kLength);
-  arc.radius = table.need_quantity("radius", kSize);
+  arc.radius = table.need_quantity("radius", kPieceSize);
   arc.from = table.need_quantity("from", kAngle);
   const double to = table.need_quantity("to", kAngle);
   if (!mistakes.none()) {
@@ -135,7 +135,7 @@ std::optional<ContourPiece> involute_piece(TableReader& table) {
   } else {
     refuse_tooth_keys(table);
     const auto radius = table.need("base_radius", "the radius of the base circle (or module and teeth)");
-    const auto value = radius ? as_quantity(table.reading(), *radius, kSize) : std::nullopt;
+    const auto value = radius ? as_quantity(table.reading(), *radius, kPieceSize) : std::nullopt;
     involute.base_radius = value ? value->si : 1;
     involute.start = table.quantity("start", kAngle);
     roll = read_roll(table, nullptr);

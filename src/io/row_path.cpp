@@ -89,6 +89,14 @@ std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_
   return drivers;
 }
 
+std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row) {
+  std::vector<double> positions;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    positions.push_back(schedule.state(row, i).si.position);
+  }
+  return positions;
+}
+
 RowPath path_of(const DriverSchedule& schedule) {
   if (schedule.is_timed()) {
     return path_in_time(schedule);

@@ -49,13 +49,13 @@ constexpr std::array<UnitRow, 19> kUnitTable = {{
     {Unit::kPoundForce, "lbf", dimension::kForce, 44'482'216'152'605, 10'000'000'000'000},
 }};
 
-constexpr bool rows_follow_the_enum() {
+constexpr bool units_follow_the_enum() {
   for (std::size_t i = 0; i < kUnitTable.size(); ++i) {
     if (static_cast<std::size_t>(kUnitTable[i].unit) != i) return false;
   }
   return true;
 }
-static_assert(rows_follow_the_enum());
+static_assert(units_follow_the_enum());
 
 const UnitRow& row_of(Unit unit) {
   return kUnitTable[static_cast<std::size_t>(unit)];

@@ -5,7 +5,7 @@
 namespace higherpair {
 namespace {
 
-struct Chain {
+struct SliderChain {
   LinkageStatus status = LinkageStatus::kNotAssemblable;
   double theta_leg = 0;
   double r1 = 0;
@@ -27,11 +27,11 @@ SliderLoop<double> slider_loop(const SliderCrank& linkage) {
   return make_slider_loop(linkage.r2, linkage.r3, linkage.r4);
 }
 
-Chain solve(const RrpLoop<double>& loop, double theta1, const AngleMotion& arm, AssemblyMode mode) {
+SliderChain solve(const RrpLoop<double>& loop, double theta1, const AngleMotion& arm, AssemblyMode mode) {
   const Rotation<double> u_arm = Rotation<double>::from_angle(arm.theta - theta1);
   const RrpPosition<double> position = rrp_position(loop, u_arm, sign(mode));
 
-  Chain chain;
+  SliderChain chain;
   chain.status = status_at_angle(position.reach, arm.theta, theta1);
   if (chain.status == LinkageStatus::kNotAssemblable) return chain;
   chain.theta_leg = absolute_angle(position.u_leg, theta1);
@@ -49,7 +49,7 @@ DriverRange range_of(const RrpLoop<double>& loop, double theta1) {
 
 SliderCrankMotion slider_crank_by_crank(const SliderCrank& linkage, const AngleMotion& link2,
                                         AssemblyMode mode) {
-  const Chain chain = solve(crank_loop(linkage), linkage.theta1, link2, mode);
+  const SliderChain chain = solve(crank_loop(linkage), linkage.theta1, link2, mode);
   SliderCrankMotion motion{chain.status, link2.theta, chain.theta_leg, chain.r1, std::nullopt};
   if (chain.status == LinkageStatus::kOk) {
     const RrpRates<double>& rates = chain.rates;
@@ -61,7 +61,7 @@ SliderCrankMotion slider_crank_by_crank(const SliderCrank& linkage, const AngleM
 
 SliderCrankMotion slider_crank_by_coupler(const SliderCrank& linkage, const AngleMotion& link3,
                                           AssemblyMode mode) {
-  const Chain chain = solve(coupler_loop(linkage), linkage.theta1, link3, mode);
+  const SliderChain chain = solve(coupler_loop(linkage), linkage.theta1, link3, mode);
   SliderCrankMotion motion{chain.status, chain.theta_leg, link3.theta, chain.r1, std::nullopt};
   if (chain.status == LinkageStatus::kOk) {
     const RrpRates<double>& rates = chain.rates;

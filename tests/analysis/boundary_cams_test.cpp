@@ -14,7 +14,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMm = 1e-3;
+constexpr double kMillimetre = 1e-3;
 
 // A cam that turns about the origin and a follower that slides along x or turns about a pivot.
 struct CamMechanism {
@@ -43,7 +43,8 @@ struct Lift {
 
 // Two circles about O and about a point at the distance a on x, joined by tangents; sizes [m].
 struct TangentCam {
-  double base = 20 * kMm, nose = 8 * kMm, distance = 25 * kMm, roller = 10 * kMm;
+  double base = 20 * kMillimetre, nose = 8 * kMillimetre, distance = 25 * kMillimetre,
+         roller = 10 * kMillimetre;
 
   [[nodiscard]] double tangent() const { return std::acos((base - nose) / distance); }
 
@@ -97,7 +98,8 @@ double normalised(double angle) {
 }
 
 void expect_tangent_cam(const TangentCam& cam, double samples, double from) {
-  const CamMechanism made = radial(cam.boundary(), *make_circle(Vector2d::Zero(), cam.roller), 60 * kMm);
+  const CamMechanism made =
+      radial(cam.boundary(), *make_circle(Vector2d::Zero(), cam.roller), 60 * kMillimetre);
   auto run = start_run(made.mechanism, {from});
   ASSERT_TRUE(run) << run.error().reason;
   std::vector<double> jumps;
@@ -180,9 +182,11 @@ private:
 };
 
 TEST(BoundaryCams, AKindOfCurveIsOneClass) {
-  const Boundary oval = *Boundary::make({std::make_shared<LameOval>(30 * kMm, 18 * kMm)}, true, 1e-12);
-  for (const double offset : {0.0, 6 * kMm}) {
-    const CamMechanism made = radial(oval, *make_circle(Vector2d::Zero(), 9 * kMm), 60 * kMm, offset);
+  const Boundary oval =
+      *Boundary::make({std::make_shared<LameOval>(30 * kMillimetre, 18 * kMillimetre)}, true, 1e-12);
+  for (const double offset : {0.0, 6 * kMillimetre}) {
+    const CamMechanism made =
+        radial(oval, *make_circle(Vector2d::Zero(), 9 * kMillimetre), 60 * kMillimetre, offset);
     auto run = start_run(made.mechanism, {0.3});
     ASSERT_TRUE(run) << run.error().reason;
     const auto joint_at = [&](double u) {
@@ -203,16 +207,18 @@ TEST(BoundaryCams, AKindOfCurveIsOneClass) {
       // The roller's centre is farther from every other point of the oval.
       const Vector2d centre(here.position, offset);
       for (const Boundary::Sample& sample : oval.samples()) {
-        EXPECT_GE((Rotation<double>::from_angle(u) * sample.point.p_B - centre).norm(), 9 * kMm - 1e-12);
+        EXPECT_GE((Rotation<double>::from_angle(u) * sample.point.p_B - centre).norm(),
+                  9 * kMillimetre - 1e-12);
       }
     }
   }
 }
 
 TEST(BoundaryCams, AWholeConicAsABoundaryMovesAsTheConicDoes) {
-  const Curve ellipse = *make_ellipse(Vector2d(3 * kMm, 1 * kMm), {30 * kMm, 12 * kMm}, 0.4);
-  const Curve roller = *make_circle(Vector2d::Zero(), 9 * kMm);
-  const CamMechanism made = radial(boundary_of(ellipse, 1), roller, 60 * kMm, 2 * kMm);
+  const Curve ellipse =
+      *make_ellipse(Vector2d(3 * kMillimetre, 1 * kMillimetre), {30 * kMillimetre, 12 * kMillimetre}, 0.4);
+  const Curve roller = *make_circle(Vector2d::Zero(), 9 * kMillimetre);
+  const CamMechanism made = radial(boundary_of(ellipse, 1), roller, 60 * kMillimetre, 2 * kMillimetre);
   Mechanism whole = made.mechanism;
   whole.contacts[0].by_boundary = false;
   whole.contacts[0].first.curve = 0;

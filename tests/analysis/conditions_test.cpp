@@ -66,20 +66,6 @@ Placed placed(const std::string& name) {
   return {system, at};
 }
 
-std::vector<std::string> shipped_names() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
-    if (file.path().extension() == ".toml") names.push_back(file.path().stem());
-  }
-  // Boundaries are none of their conics: flank_round_trip_test and boundary_cams_test hold them.
-  std::erase_if(names, [](const std::string& name) {
-    const auto& contacts = shipped(name).mechanism.contacts;
-    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.by_boundary; });
-  });
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 void expect_jacobian_of_differences(const ConditionSystem& system, const Coordinates<double>& at) {
   Eigen::VectorXd values, alone, before, after;
   Eigen::MatrixXd J;
@@ -132,7 +118,8 @@ TEST_P(Conditions, HaveTheJacobianOfDifferencesBesideTheSolution) {
   expect_jacobian_of_differences(system, at);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Conditions, ::testing::ValuesIn(shipped_names()),
+INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Conditions,
+                         ::testing::ValuesIn(testing::shipped_without_boundaries()),
                          [](const auto& name) { return name.param; });
 
 TEST(ConditionSystems, LabelTheirRowsInTheOrderOfJointsContactsDriversAndIdleBodies) {

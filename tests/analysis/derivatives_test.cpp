@@ -2,6 +2,7 @@
 // worked out otherwise, and against differences of the next lower derivative.
 #include "higherpair/analysis/derivatives.hpp"
 
+#include "analysis/run_testing.hpp"
 #include "higherpair/analysis/jerk.hpp"
 #include "io/profile_testing.hpp"
 
@@ -14,6 +15,8 @@
 namespace higherpair {
 namespace {
 
+using testing::shipped;
+
 Run started(const Profile& profile) {
   std::vector<double> drivers;
   for (const DriverProgram& program : profile.programs) {
@@ -25,10 +28,6 @@ Run started(const Profile& profile) {
   auto run = start_run(profile.mechanism, drivers);
   EXPECT_TRUE(run) << run.error().reason;
   return *std::move(run);
-}
-
-Profile shipped(const std::string& name) {
-  return read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml").value();
 }
 
 std::size_t body_index(const Run& run, const std::string& name) {

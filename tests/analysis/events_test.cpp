@@ -1,3 +1,4 @@
+#include "analysis/run_testing.hpp"
 #include "equal_discs.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
@@ -16,9 +17,7 @@
 namespace higherpair {
 namespace {
 
-Profile shipped(const std::string& name) {
-  return read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml").value();
-}
+using testing::shipped;
 
 // Runs over a turn in so many equal steps and gathers the events of one type.
 std::vector<RunEvent> events_of(const Mechanism& mechanism, EventType type, int steps) {

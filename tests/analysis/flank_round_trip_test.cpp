@@ -1,3 +1,4 @@
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/analysis/jerk.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/cam/flank.hpp"
@@ -15,9 +16,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMm = 1e-3;
-constexpr double kDegree = kPi / 180;
+using testing::kDegree;
 
+constexpr double kMm = 1e-3;
 MotionLaw rise_and_return(LawType type, double rise) {
   LawDescription description;
   description.segments = {{type, 120 * kDegree, rise},
@@ -66,12 +67,12 @@ CamAndFollower cam_with(const MotionLaw& law, const Curve& follower_curve, bool 
   return {m, motion};
 }
 
-struct Worst {
+struct RoundTripError {
   double s = 0, v = 0, a = 0, j = 0;
 };
 
-Worst round_trip(const CamAndFollower& made, double scale) {
-  Worst worst;
+RoundTripError round_trip(const CamAndFollower& made, double scale) {
+  RoundTripError worst;
   auto run = start_run(made.mechanism, {0.1});
   EXPECT_TRUE(run) << run.error().reason;
   if (!run) {
@@ -96,7 +97,7 @@ Worst round_trip(const CamAndFollower& made, double scale) {
 }
 
 void expect_round_trip(const CamAndFollower& made, double scale, const std::string& what) {
-  const Worst worst = round_trip(made, scale);
+  const RoundTripError worst = round_trip(made, scale);
   EXPECT_LT(worst.s, 1e-13) << what;
   EXPECT_LT(worst.v, 1e-12) << what;
   EXPECT_LT(worst.a, 1e-10) << what;

@@ -1,4 +1,5 @@
 // The shipped profiles with gears and belts move as their comments say.
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
 #include "higherpair/io/profile_reader.hpp"
@@ -11,6 +12,8 @@
 
 namespace higherpair {
 namespace {
+
+using testing::kDegree;
 
 constexpr double kRounding = 1e-14;  // of lengths up to 0.36 m and their squares
 
@@ -58,7 +61,6 @@ TEST(GearProfiles, AnInvolutePairKeepsItsRatioAlongTheLineOfAction) {
   Mechanism mechanism =
       read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + "involute_pair.toml")->mechanism;
   use_boundaries(mechanism);
-  constexpr double kDegree = kPi / 180;
   auto run = start_run(mechanism, {-19.5 * kDegree}).value();
   const double base = 0.020 * std::cos(20 * kDegree);
   for (int i = 0; i <= 288; ++i) {
@@ -83,7 +85,6 @@ TEST(GearProfiles, AnInvolutePairMeetsFromTipToTip) {
   // Path of contact of 20 and 40 teeth, as angles of the first wheel.
   const GearPair pair = close_pair({0.002, 20, 20 * kPi / 180, 0}, {0.002, 40, 20 * kPi / 180, 0});
   const PathOfContact path = path_of_contact(pair);
-  constexpr double kDegree = kPi / 180;
   const double first = -4.5 * kDegree - path.approach / base_radius(pair.first);
   const double last = -4.5 * kDegree + path.recess / base_radius(pair.first);
   EXPECT_NEAR(first / kDegree, -19.922, 5e-4);

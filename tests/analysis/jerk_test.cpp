@@ -1,5 +1,6 @@
 #include "higherpair/analysis/jerk.hpp"
 
+#include "analysis/run_testing.hpp"
 #include "higherpair/contact/jerk.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "io/cam_lever_tappet.hpp"
@@ -13,9 +14,7 @@
 namespace higherpair {
 namespace {
 
-Profile shipped(const std::string& name) {
-  return read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/" + name + ".toml").value();
-}
+using testing::shipped;
 
 // A four-bar whose coupler drives a slider by a rod, and a lever with a slot on the crank's pin.
 constexpr const char* kLinkages = R"(

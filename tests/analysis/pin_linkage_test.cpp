@@ -16,12 +16,6 @@ namespace {
 
 using testing::shipped;
 
-std::vector<double> numbers_of(const Mechanism& mechanism) {
-  std::vector<double> numbers;
-  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
-  return numbers;
-}
-
 Mechanism with_numbers(Mechanism mechanism, const std::vector<double>& numbers) {
   for_each_number(mechanism, [&, k = std::size_t{0}](double& number) mutable { number = numbers[k++]; });
   return mechanism;

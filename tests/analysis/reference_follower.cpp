@@ -15,7 +15,7 @@ namespace {
 using Real = long double;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using Vector2 = Eigen::Matrix<Real, 2, 1>;
+using RealVector = Eigen::Matrix<Real, 2, 1>;
 
 constexpr Real kHalfTurn = std::numbers::pi_v<Real>;
 constexpr Real kLongestStep = 0.02L;  // in radians and sizes of the mechanism
@@ -24,22 +24,22 @@ constexpr Real kLargestBend = 0.02L;  // of the tangent in a step
 constexpr Real kSmallStep = 1e-6L;    // one that may go across a turning point
 constexpr int kMostSteps = 200000;
 
-Vector2 heading(Real angle) {
+RealVector heading(Real angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-Vector2 left_of(const Vector2& v) {
+RealVector left_of(const RealVector& v) {
   return {-v.y(), v.x()};
 }
 
-Vector2 turned(Real angle, const Vector2& v) {
+RealVector turned(Real angle, const RealVector& v) {
   return std::cos(angle) * v + std::sin(angle) * left_of(v);
 }
 
 // A point of y² = 2 ℓ x - q x² by the heading m of the outward normal there, and the radius of curvature.
 //     D² = cos² m + q sin² m,   y = ℓ sin m / D,   x = ℓ (D + cos m) / (q D),   ρ = ℓ / D³
 struct ConicPoint {
-  Vector2 p = Vector2::Zero();
+  RealVector p = RealVector::Zero();
   Real rho = 0;
   bool exists = true;
 };
@@ -161,14 +161,14 @@ public:
 
 private:
   [[nodiscard]] static Eigen::Index column(int body) { return 3 * (static_cast<Eigen::Index>(body) - 1); }
-  [[nodiscard]] Vector2 origin(int body) const {
-    return body == 0 ? Vector2(Vector2::Zero()) : Vector2(at_.segment<2>(column(body)));
+  [[nodiscard]] RealVector origin(int body) const {
+    return body == 0 ? RealVector(RealVector::Zero()) : RealVector(at_.segment<2>(column(body)));
   }
   [[nodiscard]] Real theta(int body) const { return body == 0 ? 0 : at_[column(body) + 2]; }
-  [[nodiscard]] Vector2 in_ground(int body, const Vector2& p_B) const {
+  [[nodiscard]] RealVector in_ground(int body, const RealVector& p_B) const {
     return origin(body) + turned(theta(body), p_B);
   }
-  [[nodiscard]] Vector2 point(const PointRef& ref) const {
+  [[nodiscard]] RealVector point(const PointRef& ref) const {
     const Body& owner = mechanism_.bodies[static_cast<std::size_t>(ref.body)];
     return in_ground(ref.body, owner.points[static_cast<std::size_t>(ref.point)].p_B.cast<Real>());
   }
@@ -188,14 +188,14 @@ private:
   void by_angle(int body, Real value) {
     if (body != 0) by(column(body) + 2, value);
   }
-  void by_point(int body, const Vector2& p_W, const Vector2& e, Real sign) {
+  void by_point(int body, const RealVector& p_W, const RealVector& e, Real sign) {
     if (body == 0) return;
     by(column(body), sign * e.x());
     by(column(body) + 1, sign * e.y());
     by_angle(body, sign * e.dot(left_of(p_W - origin(body))));
   }
-  void by_foot(const Face& face, const Vector2& p_W, Real rho, Real normal, Eigen::Index index,
-               const Vector2& e, Real sign);
+  void by_foot(const Face& face, const RealVector& p_W, Real rho, Real normal, Eigen::Index index,
+               const RealVector& e, Real sign);
   void add_along(const Joint& joint, bool along, Real target, Real by_share);
   void add_angle(const Joint& joint, Real target, Real by_share);
   void add_joint(std::size_t index);
@@ -203,7 +203,7 @@ private:
   void add_meeting(const Touch& touch, Real normal, Eigen::Index index);
   void add_face(const Touch& touch, Real normal, Eigen::Index index, bool line_first);
   void add_rolling(const Touch& touch, Real normal, Eigen::Index index);
-  [[nodiscard]] Vector2 foot(const Face& face, const ConicPoint& at) const {
+  [[nodiscard]] RealVector foot(const Face& face, const ConicPoint& at) const {
     return in_ground(face.body, face.curve->vertex_B.cast<Real>() + turned(face.axis, at.p));
   }
   [[nodiscard]] Real miss(const Touch& touch, Real normal) const;
@@ -293,10 +293,10 @@ void Conditions::guess_normal(std::size_t contact) {
 // e·(P2 - P1), e along the joint's line or to its left.
 void Conditions::add_along(const Joint& joint, bool along, Real target, Real by_share) {
   const int A = joint.first.body;
-  const Vector2 direction = turned(theta(A), joint.direction_A.cast<Real>());
-  const Vector2 e = along ? direction : left_of(direction);
-  const Vector2 p1 = point(joint.first);
-  const Vector2 p2 = point(joint.second);
+  const RealVector direction = turned(theta(A), joint.direction_A.cast<Real>());
+  const RealVector e = along ? direction : left_of(direction);
+  const RealVector p1 = point(joint.first);
+  const RealVector p2 = point(joint.second);
   row(e.dot(p2 - p1) - target);
   by_point(joint.second.body, p2, e, 1);
   by_point(A, p1, e, -1);
@@ -315,9 +315,9 @@ void Conditions::add_joint(std::size_t index) {
   const Joint& joint = mechanism_.joints[index];
   switch (joint.type) {
     case JointType::kRevolute: {
-      const Vector2 p1 = point(joint.first);
-      const Vector2 p2 = point(joint.second);
-      for (const Vector2& e : {Vector2(1, 0), Vector2(0, 1)}) {
+      const RealVector p1 = point(joint.first);
+      const RealVector p2 = point(joint.second);
+      for (const RealVector& e : {RealVector(1, 0), RealVector(0, 1)}) {
         row(e.dot(p2 - p1));
         by_point(joint.second.body, p2, e, 1);
         by_point(joint.first.body, p1, e, -1);
@@ -354,8 +354,8 @@ void Conditions::add_driver(std::size_t index) {
 }
 
 // d(e·p) for the point of a curve that has the contact's normal: with the body, and along the curve.
-void Conditions::by_foot(const Face& face, const Vector2& p_W, Real rho, Real normal, Eigen::Index index,
-                         const Vector2& e, Real sign) {
+void Conditions::by_foot(const Face& face, const RealVector& p_W, Real rho, Real normal, Eigen::Index index,
+                         const RealVector& e, Real sign) {
   by_point(face.body, p_W, e, sign);
   const Real along = sign * rho * e.dot(left_of(heading(normal + face.flip)));
   by(index, along);
@@ -363,7 +363,7 @@ void Conditions::by_foot(const Face& face, const Vector2& p_W, Real rho, Real no
 }
 
 void Conditions::add_meeting(const Touch& touch, Real normal, Eigen::Index index) {
-  std::array<Vector2, 2> p_W;
+  std::array<RealVector, 2> p_W;
   std::array<Real, 2> rho{};
   const std::array<const Face*, 2> faces{&touch.first, &touch.second};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -373,7 +373,7 @@ void Conditions::add_meeting(const Touch& touch, Real normal, Eigen::Index index
     p_W[i] = foot(face, at);
     rho[i] = at.rho;
   }
-  for (const Vector2& e : {Vector2(1, 0), Vector2(0, 1)}) {
+  for (const RealVector& e : {RealVector(1, 0), RealVector(0, 1)}) {
     row(e.dot(p_W[1] - p_W[0]));
     by_foot(touch.second, p_W[1], rho[1], normal, index, e, 1);
     by_foot(touch.first, p_W[0], rho[0], normal, index, e, -1);
@@ -389,9 +389,9 @@ void Conditions::add_face(const Touch& touch, Real normal, Eigen::Index index, b
   by_angle(line.body, -1);
   const ConicPoint at = conic_point(*other.curve, heading_on(other, normal));
   exists_ = exists_ && at.exists;
-  const Vector2 p_W = foot(other, at);
-  const Vector2 foot_W = in_ground(line.body, line.curve->vertex_B.cast<Real>());
-  const Vector2 e = heading(theta(line.body) + line.axis);
+  const RealVector p_W = foot(other, at);
+  const RealVector foot_W = in_ground(line.body, line.curve->vertex_B.cast<Real>());
+  const RealVector e = heading(theta(line.body) + line.axis);
   row(e.dot(p_W - foot_W));
   by_foot(other, p_W, at.rho, normal, index, e, 1);
   by_point(line.body, foot_W, e, -1);
@@ -408,10 +408,10 @@ void Conditions::add_rolling(const Touch& touch, Real normal, Eigen::Index index
     if (is_line(*face)) {
       const Face& other = face == &touch.first ? touch.second : touch.first;
       const ConicPoint at = conic_point(*other.curve, heading_on(other, normal));
-      const Vector2 p_W = foot(other, at);
-      const Vector2 foot_W = in_ground(face->body, face->curve->vertex_B.cast<Real>());
+      const RealVector p_W = foot(other, at);
+      const RealVector foot_W = in_ground(face->body, face->curve->vertex_B.cast<Real>());
       // The outward normal of the line is against its axis; as that of the second body against the contact's.
-      const Vector2 t = left_of(heading(theta(face->body) + face->axis + (sign > 0 ? kHalfTurn : 0)));
+      const RealVector t = left_of(heading(theta(face->body) + face->axis + (sign > 0 ? kHalfTurn : 0)));
       residual[count_ - 1] += sign * t.dot(p_W - foot_W);
       by_foot(other, p_W, at.rho, normal, index, t, sign);
       by_point(face->body, foot_W, t, -sign);

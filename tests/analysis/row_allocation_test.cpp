@@ -16,7 +16,7 @@ namespace {
 
 using testing::allocation_count;
 
-constexpr int kRows = 3600;
+constexpr int kTurnRows = 3600;
 
 class RowAllocation : public ::testing::TestWithParam<const char*> {
 protected:
@@ -27,7 +27,7 @@ protected:
 
 TEST_P(RowAllocation, RowsOfTheTableAndTheirTextMakeNone) {
   RunSettings settings;
-  settings.samples = kRows;
+  settings.samples = kTurnRows;
   const Model model = Model::from(profile.mechanism, profile.units, profile.programs).value();
   Analysis analysis = model.start(settings).value();
   Row row;
@@ -35,7 +35,7 @@ TEST_P(RowAllocation, RowsOfTheTableAndTheirTextMakeNone) {
   text.reserve(1 << 16);
   std::size_t made = 0;
   std::size_t events = 0;
-  for (int k = 0; k < kRows; ++k) {
+  for (int k = 0; k < kTurnRows; ++k) {
     const std::size_t before = allocation_count();
     ASSERT_TRUE(analysis.next(row));
     text.clear();
@@ -50,8 +50,8 @@ TEST_P(RowAllocation, RowsOfTheTableAndTheirTextMakeNone) {
 
 TEST_P(RowAllocation, MovingTheMechanismMakesNone) {
   std::size_t made = 0;
-  for (int k = 0; k < kRows; ++k) {
-    const std::vector<DriverMotion> drivers{{2 * kPi * k / kRows, 1, 0.5}};
+  for (int k = 0; k < kTurnRows; ++k) {
+    const std::vector<DriverMotion> drivers{{2 * kPi * k / kTurnRows, 1, 0.5}};
     const std::size_t before = allocation_count();
     move_to(run, drivers);
     // An event has a text.
@@ -69,8 +69,8 @@ TEST(ForceAllocation, BalancingDyadsAndPairsMakesNone) {
     higherpair::Run run = start_run(profile.mechanism, {start}).value();
     InverseDynamics dynamics(run);
     std::size_t made = 0;
-    for (int k = 0; k < kRows; ++k) {
-      const std::vector<DriverMotion> drivers{{start + 2 * kPi * k / kRows, 1, 0.5}};
+    for (int k = 0; k < kTurnRows; ++k) {
+      const std::vector<DriverMotion> drivers{{start + 2 * kPi * k / kTurnRows, 1, 0.5}};
       move_to(run, drivers);
       const std::size_t before = allocation_count();
       const Reactions& reactions = dynamics.solve(run);
@@ -92,8 +92,8 @@ TEST(ChainAllocation, FurtherVariantsOfALinkageTakeNone) {
     const std::string path = std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml";
     const Profile profile = read_profile_file(path).value();
     std::vector<DriverMotion> rows;
-    for (int k = 0; k < kRows; ++k) {
-      rows.push_back({2 * kPi * k / kRows, 1, 0});
+    for (int k = 0; k < kTurnRows; ++k) {
+      rows.push_back({2 * kPi * k / kTurnRows, 1, 0});
     }
     Mechanism mechanism = profile.mechanism;
     auto chain =

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,6 +86,20 @@ inline Profile shipped(const std::string& name, const Settings& settings = {}) {
     return {};
   }
   return *profile;
+}
+
+/// Names of all shipped profiles whose contacts are those of whole conics.
+inline std::vector<std::string> shipped_without_boundaries() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
+    if (file.path().extension() == ".toml") names.push_back(file.path().stem());
+  }
+  std::erase_if(names, [](const std::string& name) {
+    const auto& contacts = shipped(name).mechanism.contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.by_boundary; });
+  });
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 inline Profile profile_of(const std::string& text, const Settings& settings = {}) {

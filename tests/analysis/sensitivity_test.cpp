@@ -196,21 +196,8 @@ TEST_P(Sensitivities, AreTheDifferencesBetweenRunsWithOtherDimensions) {
   EXPECT_GT(compared, 2);
 }
 
-std::vector<std::string> shipped_names() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
-    if (file.path().extension() == ".toml") names.push_back(file.path().stem());
-  }
-  // Boundaries are none of their conics: flank_round_trip_test and boundary_cams_test hold them.
-  std::erase_if(names, [](const std::string& name) {
-    const auto& contacts = shipped(name).mechanism.contacts;
-    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.by_boundary; });
-  });
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Sensitivities, ::testing::ValuesIn(shipped_names()),
+INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Sensitivities,
+                         ::testing::ValuesIn(testing::shipped_without_boundaries()),
                          [](const auto& name) { return name.param; });
 
 // The slider of a crank r and a rod l is at x = r cos u + w, w = √(l² - r² sin² u).

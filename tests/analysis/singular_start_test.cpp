@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using testing::RunTable;
 using testing::Settings;
 
-RunTable analyze(const char* text, const Settings& settings = {}) {
+RunTable analyze_text(const char* text, const Settings& settings = {}) {
   return testing::analyze(testing::profile_of(text, settings));
 }
 
@@ -48,7 +48,7 @@ samples = 25
 TEST(SingularStarts, AtTheLimitOfAContactGoOnTheBranchOfThePose) {
   for (const double side : {1.0, -1.0}) {
     const RunTable motion =
-        analyze(kKnifeAtItsLimit, {side > 0 ? "bodies.follower.pose.y=9" : "bodies.follower.pose.y=8"});
+        analyze_text(kKnifeAtItsLimit, {side > 0 ? "bodies.follower.pose.y=9" : "bodies.follower.pose.y=8"});
     ASSERT_EQ(motion.size(), 25U) << motion.failure();
     EXPECT_EQ(motion.status(0), RowStatus::kSingular);
     EXPECT_NEAR(motion.value(0, "slide.position"), 10 * std::sqrt(0.75), 1e-13);
@@ -64,7 +64,7 @@ TEST(SingularStarts, AtTheLimitOfAContactGoOnTheBranchOfThePose) {
 }
 
 TEST(SingularStarts, AtTheLimitOfAContactCanGoOneWayOnly) {
-  const RunTable motion = analyze(kKnifeAtItsLimit, {"driver.end=80", "driver.samples=3"});
+  const RunTable motion = analyze_text(kKnifeAtItsLimit, {"driver.end=80", "driver.samples=3"});
   ASSERT_EQ(motion.size(), 3U) << motion.failure();
   EXPECT_EQ(motion.status(0), RowStatus::kSingular);
   EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 2U);
@@ -75,12 +75,12 @@ TEST(SingularStarts, AtTheLimitOfAContactCanGoOneWayOnly) {
 
 TEST(SingularStarts, OfAContactThatIsApproachedGoOnTheSideOfThePose) {
   for (const char* approach : {"contacts.touch.approach=-", "contacts.touch.approach=nearest"}) {
-    const RunTable motion = analyze(kKnifeAtItsLimit, {approach});
+    const RunTable motion = analyze_text(kKnifeAtItsLimit, {approach});
     ASSERT_EQ(motion.size(), 25U) << motion.failure();
     EXPECT_EQ(motion.status(0), RowStatus::kSingular);
     EXPECT_GT(motion.value(6, "slide.position"), 10);
   }
-  EXPECT_THAT(analyze(kKnifeAtItsLimit, {"driver.start=90"}).failure(), HasSubstr("do not touch"));
+  EXPECT_THAT(analyze_text(kKnifeAtItsLimit, {"driver.start=90"}).failure(), HasSubstr("do not touch"));
 }
 
 // The arm of a roller points to the centre of a disc that turns about it, or both discs turn about their own
@@ -91,7 +91,7 @@ TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
   const Settings concentric{"bodies.cam.curves.edge.center.0=0", "bodies.follower.curves.edge.center.0=0",
                             "bodies.follower.pose.angle=77", "driver.samples=5"};
   for (const auto& [settings, angle] : {std::pair{arm, 180.0}, std::pair{concentric, 77.0}}) {
-    const RunTable motion = analyze(testing::kEqualDiscs, settings);
+    const RunTable motion = analyze_text(testing::kEqualDiscs, settings);
     ASSERT_EQ(motion.size(), 5U) << motion.failure();
     EXPECT_EQ(motion.count(RowStatus::kSingular), 5U);
     EXPECT_TRUE(motion.events().empty());
@@ -107,8 +107,8 @@ TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
 TEST(SingularStarts, OfContactsThatTheDriverOpensAreRefused) {
   // An eccentric disc and a roller about its own pivot touch in single positions only.
   const RunTable motion =
-      analyze(testing::kEqualDiscs, {"bodies.follower.curves.edge.center.0=0", "driver.start=0",
-                                     "bodies.ground.points.Q.0=45", "bodies.follower.pose.x=45"});
+      analyze_text(testing::kEqualDiscs, {"bodies.follower.curves.edge.center.0=0", "driver.start=0",
+                                          "bodies.ground.points.Q.0=45", "bodies.follower.pose.x=45"});
   EXPECT_THAT(motion.failure(), HasSubstr("more drivers than freedom"));
 }
 
@@ -116,8 +116,9 @@ TEST(SingularStarts, OfContactsThatTheDriverOpensAreRefused) {
 TEST(SingularStarts, WhereContactsCrossGoStraightOn) {
   for (const std::string samples : {"2", "3", "5", "6", "9", "37", "361", "3601"}) {
     SCOPED_TRACE(samples);
-    const RunTable motion = analyze(testing::kEqualDiscs, {"bodies.follower.pose.angle=0", "driver.start=0",
-                                                           "driver.samples=" + samples});
+    const RunTable motion =
+        analyze_text(testing::kEqualDiscs,
+                     {"bodies.follower.pose.angle=0", "driver.start=0", "driver.samples=" + samples});
     ASSERT_EQ(motion.failure(), "");
     EXPECT_EQ(motion.status(0), RowStatus::kSingular);
     for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -134,7 +135,7 @@ TEST(SingularStarts, RowsBesideACrossingOfContactsAreNotSingular) {
   for (const double delta : beside) positions.push_back(180 - delta);
   positions.push_back(180);
   for (const double delta : beside) positions.push_back(180 + delta);
-  const RunTable motion = analyze(
+  const RunTable motion = analyze_text(
       testing::kEqualDiscs,
       {"bodies.follower.pose.angle=170", fmt::format("driver.positions=[{}]", fmt::join(positions, ","))});
   ASSERT_EQ(motion.size(), positions.size()) << motion.failure();
@@ -180,7 +181,7 @@ samples = 7
 TEST(SingularStarts, AndEndsOfAStrokeAreRowsAndTheLimitIsSaidOnce) {
   for (const Settings& settings : {Settings{}, Settings{"driver.end=50", "driver.samples=8"},
                                    Settings{"driver.start=110", "driver.end=50", "driver.samples=7"}}) {
-    const RunTable motion = analyze(kDrivenPiston, settings);
+    const RunTable motion = analyze_text(kDrivenPiston, settings);
     ASSERT_EQ(motion.failure(), "");
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double x = motion.value(k, "driver");
@@ -228,7 +229,7 @@ joint = "p1"
 end = 70
 )";
   for (const char* samples : {"driver.samples=2", "driver.samples=8", "driver.samples=71"}) {
-    const RunTable motion = analyze(kChain, {samples});
+    const RunTable motion = analyze_text(kChain, {samples});
     std::vector<double> limits;
     for (const RunEvent& event : motion.events()) {
       if (event.type == EventType::kLimitPosition) limits.push_back(event.driver * 180 / kPi);
@@ -240,7 +241,7 @@ end = 70
 
 // A block on the line x = 20 in the slot of a crank: it runs off to infinity where both are parallel.
 TEST(LimitPositions, OfTwoSlidesAreWhereTheyAreParallel) {
-  const RunTable motion = analyze(R"(
+  const RunTable motion = analyze_text(R"(
 [bodies.ground]
 points = { O = [0, 0], Q = [20, 0] }
 [bodies.crank]
@@ -289,12 +290,12 @@ start = 0
 end = -4
 samples = 5
 )";
-  const RunTable from_limit = analyze(kArmOnASlide);
+  const RunTable from_limit = analyze_text(kArmOnASlide);
   ASSERT_EQ(from_limit.size(), 5U) << from_limit.failure();
   EXPECT_EQ(from_limit.status(0), RowStatus::kSingular);
   EXPECT_NEAR(from_limit.value(0, "arm.angle"), 90, 1e-10);
   EXPECT_NEAR(from_limit.value(4, "arm.angle"), 180 - std::asin(0.6) * 180 / kPi, 1e-11);
-  const RunTable beyond = analyze(
+  const RunTable beyond = analyze_text(
       kArmOnASlide, {"driver.start=-4", "driver.end=4", "driver.samples=9", "bodies.arm.pose.angle=120"});
   for (std::size_t k = 5; k < 9; ++k) EXPECT_EQ(beyond.status(k), RowStatus::kNotAssemblable);
 }
@@ -330,7 +331,7 @@ samples = 3
          {"driver.samples=2", "driver.samples=3", "driver.samples=7", "driver.samples=121"}) {
       Settings all = settings;
       all.emplace_back(samples);
-      const RunTable motion = analyze(kRhombus, all);
+      const RunTable motion = analyze_text(kRhombus, all);
       ASSERT_EQ(motion.failure(), "");
       for (std::size_t k = 0; k < motion.size(); ++k) {
         EXPECT_NEAR(motion.value(k, "rocker.angle"), motion.value(k, "driver"), 1e-9);
@@ -366,7 +367,7 @@ end = -4
 samples = 9
 )";
   for (const char* angle : {"bodies.arm.pose.angle=93", "bodies.arm.pose.angle=120"}) {
-    const RunTable motion = analyze(kArmOnACart, {angle});
+    const RunTable motion = analyze_text(kArmOnACart, {angle});
     ASSERT_EQ(motion.size(), 9U) << motion.failure();
     for (std::size_t k = 0; k < 4; ++k) {
       // The tip on the ellipse: (20 cos a)²/400 + (y + 20 sin a)²/100 = 1 with y = -10 + driver.
@@ -389,7 +390,7 @@ samples = 9
 TEST(LimitPositions, OfAContactAreSingularRows) {
   const std::vector<double> positions{0, 30, 59, 60, 45, 60, 61, 60, 30, 60, 59.999};
   const RunTable motion =
-      analyze(kKnifeAtItsLimit, {fmt::format("driver.positions=[{}]", fmt::join(positions, ","))});
+      analyze_text(kKnifeAtItsLimit, {fmt::format("driver.positions=[{}]", fmt::join(positions, ","))});
   ASSERT_EQ(motion.size(), positions.size()) << motion.failure();
   for (std::size_t k = 0; k < motion.size(); ++k) {
     SCOPED_TRACE(fmt::format("row {}, {}", k, positions[k]));
@@ -473,7 +474,7 @@ end = 780
   for (const char* samples : {"2", "3", "5", "9", "13", "37", "361"}) {
     for (const char* start : {"driver.start=60", "driver.start=60.5"}) {
       SCOPED_TRACE(samples);
-      const RunTable motion = analyze(kDrivenByABelt, {start, std::string("driver.samples=") + samples});
+      const RunTable motion = analyze_text(kDrivenByABelt, {start, std::string("driver.samples=") + samples});
       ASSERT_EQ(motion.failure(), "");
       for (std::size_t k = 0; k < motion.size(); ++k) {
         EXPECT_NEAR(motion.value(k, "follower.angle"), motion.value(k, "driver"), 1e-7);
@@ -492,7 +493,7 @@ end = 780
 TEST(DeadPoints, WithTwoDriversLeaveTheirRatesToBoth) {
   for (const char* end : {"359.9", "359.9998", "360"}) {
     SCOPED_TRACE(end);
-    const RunTable motion = analyze(kTwoDrivers, {std::string("drivers.crank.end=") + end});
+    const RunTable motion = analyze_text(kTwoDrivers, {std::string("drivers.crank.end=") + end});
     ASSERT_EQ(motion.size(), 3U) << motion.failure();
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR(motion.value(k, "pointer.omega"), 7, 1e-13);

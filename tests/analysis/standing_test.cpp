@@ -2,6 +2,8 @@
 // behind or before them do not.
 #include "higherpair/analysis/standing.hpp"
 
+#include "analysis/run_testing.hpp"
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
@@ -12,11 +14,7 @@
 namespace higherpair {
 namespace {
 
-Mechanism shipped(const std::string& name) {
-  return read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + name + ".toml")
-      .value()
-      .mechanism;
-}
+using testing::kDegree;
 
 // From `from` to `to` in so many equal rows, through the last of them.
 Run moved(Run run, double from, double to, int rows) {
@@ -26,12 +24,10 @@ Run moved(Run run, double from, double to, int rows) {
   return run;
 }
 
-constexpr double kDegree = kPi / 180;
-
 class GoingOn : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(GoingOn, IsTheSameOverFewRowsAndOverMany) {
-  const auto start = start_run(shipped(GetParam()), {0}).value();
+  const auto start = start_run(testing::shipped(GetParam()).mechanism, {0}).value();
   double from = 0;
   auto few = start;
   auto many = start;
@@ -48,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, GoingOn,
                                            "scotch_yoke", "knife_edge", "planetary_gear"));
 
 TEST(StandingElsewhere, IsNotTheSame) {
-  const Mechanism mechanism = shipped("four_bar");
+  const Mechanism mechanism = testing::shipped("four_bar").mechanism;
   const auto start = start_run(mechanism, {0}).value();
   const auto run = moved(start, 0, 1, 3);
   EXPECT_FALSE(go_on_alike(run, moved(start, 0, 1 + 1e-13, 3)));             // another row
@@ -59,7 +55,7 @@ TEST(StandingElsewhere, IsNotTheSame) {
 }
 
 TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
-  const auto start = start_run(shipped("four_bar"), {0}).value();
+  const auto start = start_run(testing::shipped("four_bar").mechanism, {0}).value();
   const auto run = moved(start, 0, 1, 3);
   auto other = run;
   other.at.outputs.front().sense = -other.at.outputs.front().sense;
@@ -70,7 +66,7 @@ TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
 TEST(StandingBeyondALimit, IsTheSameWhereverItWasLost) {
   const double from = 0;
   const double beyond = 150 * kDegree;
-  const auto start = start_run(shipped("lock_up"), {from}).value();
+  const auto start = start_run(testing::shipped("lock_up").mechanism, {from}).value();
   const auto few = moved(start, from, beyond, 1);
   const auto many = moved(start, from, beyond, 400);
   ASSERT_FALSE(few.at.held);

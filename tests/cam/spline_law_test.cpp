@@ -169,7 +169,7 @@ TEST(SplineLaw, ManyPointsAreFitted) {
   EXPECT_NEAR(law.extremes(1).greatest, 1, 1e-9);
 }
 
-std::string fault(LawDescription description) {
+std::string spline_fault(LawDescription description) {
   const auto law = MotionLaw::make(description);
   if (law) return "none";
   const LawFault& what = law.error();
@@ -177,18 +177,18 @@ std::string fault(LawDescription description) {
 }
 
 TEST(SplineLaw, RefusesWhatIsNoTable) {
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}}}), ": a spline needs at least 3 points, found 2");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}, {2, 0}}, .ends = SplineEnds::kPeriodic}),
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}}}), ": a spline needs at least 3 points, found 2");
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}, {2, 0}}, .ends = SplineEnds::kPeriodic}),
             ": a spline needs at least 4 points, found 3");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}, {1, 3}}}),
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}, {1, 3}}}),
             "2.: has the same x as the point before, 1: give each x once");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}, {0.5, 3}}}),
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}, {0.5, 3}}}),
             "2.: x must grow from point to point: 0.5 comes after 1");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, std::numeric_limits<double>::infinity()}, {2, 3}}}),
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, std::numeric_limits<double>::infinity()}, {2, 3}}}),
             "1.: is not finite");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}, {2, 3}}, .degree = 4}), "degree: must be 3 or 5");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}, {2, 3}}, .smoothing = -1}), "smoothing: must be >= 0");
-  EXPECT_EQ(fault({.points = {{0, 0}, {1, 2}, {2, 3}}, .ends = SplineEnds::kPeriodic, .period = 2}),
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}, {2, 3}}, .degree = 4}), "degree: must be 3 or 5");
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}, {2, 3}}, .smoothing = -1}), "smoothing: must be >= 0");
+  EXPECT_EQ(spline_fault({.points = {{0, 0}, {1, 2}, {2, 3}}, .ends = SplineEnds::kPeriodic, .period = 2}),
             "period: must be longer than the points are apart");
 }
 

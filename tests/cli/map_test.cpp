@@ -15,15 +15,15 @@ using higherpair::testing::shipped_profile;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-struct Answer {
+struct MapAnswer {
   std::string text;  ///< standard output and error
   int code = 0;
 };
 
-Answer map_of(const std::string& arguments) {
+MapAnswer map_of(const std::string& arguments) {
   const std::string command = std::string(HIGHERPAIR_PROGRAM) + " map " + arguments + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
-  Answer answer;
+  MapAnswer answer;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
     answer.text += static_cast<char>(c);
   }
@@ -32,7 +32,7 @@ Answer map_of(const std::string& arguments) {
 }
 
 nlohmann::json json_of(const std::string& arguments) {
-  const Answer answer = map_of(arguments + " --json -");
+  const MapAnswer answer = map_of(arguments + " --json -");
   EXPECT_EQ(answer.code, 0) << answer.text;
   return nlohmann::json::parse(answer.text);
 }
@@ -98,7 +98,7 @@ TEST(Map, HoldsTheFlatFacedFollowersClosedForm) {
 }
 
 TEST(Map, AsCsvHasAHeadWithUnitsAndOneRowASample) {
-  const Answer answer = map_of(shipped_profile("flat_faced_translating.toml") + " --samples 5 --csv -");
+  const MapAnswer answer = map_of(shipped_profile("flat_faced_translating.toml") + " --samples 5 --csv -");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(
       answer.text,
@@ -112,7 +112,7 @@ TEST(Map, TakesAsManyRowsAsTheProfile) {
 }
 
 TEST(Map, AsTextSaysWhichBranchTheMechanismIsOn) {
-  const Answer answer = map_of(shipped_profile("lock_up.toml"));
+  const MapAnswer answer = map_of(shipped_profile("lock_up.toml"));
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, HasSubstr("contact touch: 6 branches, cam_pivot from 0 to 360 deg"));
   EXPECT_THAT(answer.text, HasSubstr("* the mechanism is on branch"));
@@ -141,26 +141,27 @@ TEST(Map, MarksTheSecondContactsOfAnOvalInARing) {
 }
 
 TEST(Map, IsRefusedWhereNoContactHasOne) {
-  const Answer rolling = map_of(shipped_profile("rolling_ellipses.toml"));
+  const MapAnswer rolling = map_of(shipped_profile("rolling_ellipses.toml"));
   EXPECT_EQ(rolling.code, 3);
   EXPECT_THAT(rolling.text, HasSubstr("contacts.roll: it rolls"));
-  const Answer linkage = map_of(shipped_profile("four_bar.toml"));
+  const MapAnswer linkage = map_of(shipped_profile("four_bar.toml"));
   EXPECT_EQ(linkage.code, 3);
   EXPECT_THAT(linkage.text, HasSubstr("the mechanism has no contact to map"));
-  const Answer coupled = map_of(shipped_profile("roller_body.toml"));
+  const MapAnswer coupled = map_of(shipped_profile("roller_body.toml"));
   EXPECT_EQ(coupled.code, 3);
   EXPECT_THAT(coupled.text, HasSubstr("solved together"));
 }
 
 TEST(Map, SaysWhyADistanceThatNeverChangesHasNone) {
-  const Answer answer =
+  const MapAnswer answer =
       map_of(shipped_profile("lock_up.toml") + " --set bodies.follower.curves.disc.center='[0,0]' --json -");
   EXPECT_EQ(answer.code, 3);
   EXPECT_THAT(answer.text, HasSubstr("joint does not change their distance"));
 }
 
 TEST(Map, OfAMechanismThatCannotStartIsDrawnAllTheSame) {
-  const Answer answer = map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
+  const MapAnswer answer =
+      map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, HasSubstr("the mechanism stands on no branch"));
   EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null --quiet").text,

@@ -18,7 +18,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string profile(const std::string& name) {
+std::string report_profile(const std::string& name) {
   return shipped_profile(name + ".toml");
 }
 
@@ -32,7 +32,7 @@ class Report : public ProgramTest {
 protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    has_page_ = run(profile("knife_edge") + " -o " + quoted(page_)).code == 0;
+    has_page_ = run(report_profile("knife_edge") + " -o " + quoted(page_)).code == 0;
     fs::remove(page_);
   }
 
@@ -45,7 +45,7 @@ protected:
 
 TEST_F(Report, SaysWhatIsMissingWhereThePageWasNotBuilt) {
   if (has_page_) GTEST_SKIP() << "this build has the page";
-  const Outcome outcome = run(profile("knife_edge") + to_page());
+  const Outcome outcome = run(report_profile("knife_edge") + to_page());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("built without the page"), HasSubstr("HIGHERPAIR_REPORT=ON")));
   EXPECT_FALSE(fs::exists(page_));
@@ -53,7 +53,7 @@ TEST_F(Report, SaysWhatIsMissingWhereThePageWasNotBuilt) {
 
 TEST_F(Report, WritesOnePageThatAsksForNothing) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
-  EXPECT_EQ(run(profile("knife_edge") + to_page()).code, 0);
+  EXPECT_EQ(run(report_profile("knife_edge") + to_page()).code, 0);
   const std::string page = read_file(page_);
   EXPECT_THAT(page,
               AllOf(HasSubstr("<!doctype html>"), HasSubstr("default-src 'none'"), HasSubstr("</html>")));
@@ -62,30 +62,31 @@ TEST_F(Report, WritesOnePageThatAsksForNothing) {
 
 TEST_F(Report, EscapesWhatTheProfileSays) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
-  EXPECT_EQ(run(profile("knife_edge") + to_page() + " --set 'title=\"</script><b>x\"'").code, 0);
+  EXPECT_EQ(run(report_profile("knife_edge") + to_page() + " --set 'title=\"</script><b>x\"'").code, 0);
   EXPECT_THAT(read_file(page_), AllOf(HasSubstr("\\u003c/script>\\u003cb>x"), Not(HasSubstr("<b>x"))));
 }
 
 TEST_F(Report, WritesTheMotionInTimeAndWithOtherNumbersOfRows) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
-  EXPECT_EQ(run(profile("eccentric_disc_oscillating_roller") + to_page() + " --time --samples 11").code, 0);
+  EXPECT_EQ(
+      run(report_profile("eccentric_disc_oscillating_roller") + to_page() + " --time --samples 11").code, 0);
   EXPECT_THAT(read_file(page_), AllOf(HasSubstr("\"name\":\"time\""), HasSubstr("\"size\":11,")));
 }
 
 TEST_F(Report, ThinsALongRunButKnowsItsExtremes) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
-  const Outcome outcome = run(profile("knife_edge") + to_page() + " --samples 20001");
+  const Outcome outcome = run(report_profile("knife_edge") + to_page() + " --samples 20001");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err,
               HasSubstr("the page holds one in 14 of 20001 rows; its extremes and events are of all"));
   EXPECT_LT(fs::file_size(page_), 2U << 20U);
   EXPECT_THAT(read_file(page_), HasSubstr("\"size\":20001,"));
-  EXPECT_THAT(run(profile("knife_edge") + to_page()).err, Not(HasSubstr("the page holds")));
+  EXPECT_THAT(run(report_profile("knife_edge") + to_page()).err, Not(HasSubstr("the page holds")));
 }
 
 TEST_F(Report, IsWrittenThoughThePathIsNotGood) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
-  const Outcome outcome = run(profile("lock_up") + to_page());
+  const Outcome outcome = run(report_profile("lock_up") + to_page());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
   EXPECT_TRUE(fs::exists(page_));
@@ -93,12 +94,12 @@ TEST_F(Report, IsWrittenThoughThePathIsNotGood) {
 
 TEST_F(Report, IsNotWrittenForWhatCannotBeStarted) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
-  EXPECT_EQ(run(profile("lock_up") + to_page() + " --set driver.start=180").code, 3);
+  EXPECT_EQ(run(report_profile("lock_up") + to_page() + " --set driver.start=180").code, 3);
   EXPECT_FALSE(fs::exists(page_));
 }
 
 TEST_F(Report, RefusesPlacesThatCannotHoldAPage) {
-  const std::string knife = profile("knife_edge");
+  const std::string knife = report_profile("knife_edge");
   const auto refuses = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;

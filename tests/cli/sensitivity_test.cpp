@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-std::string shipped(const std::string& name) {
+std::string shipped_toml(const std::string& name) {
   return shipped_profile(name + ".toml");
 }
 
@@ -33,7 +33,7 @@ protected:
 TEST_F(SensitivityCommand, PrintsTablesThatFitAScreen) {
   for (const char* profile : {"toleranced_linkage", "eccentric_disc_oscillating_roller", "watt_sixbar",
                               "ellipse_cam_roller", "tolerance_study"}) {
-    const Outcome outcome = run(shipped(profile));
+    const Outcome outcome = run(shipped_toml(profile));
     EXPECT_EQ(outcome.code, 0) << profile << outcome.err;
     EXPECT_THAT(outcome.err, IsEmpty());
     std::istringstream lines(outcome.out);
@@ -46,14 +46,14 @@ TEST_F(SensitivityCommand, PrintsTablesThatFitAScreen) {
 
 TEST_F(SensitivityCommand, RanksDimensionsAndNamesThoseWithoutInfluence) {
   const Outcome outcome =
-      run(shipped("flat_faced_translating") + " --results follower.y:max --by 'bodies.*' --top 1");
+      run(shipped_toml("flat_faced_translating") + " --results follower.y:max --by 'bodies.*' --top 1");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("max of follower.y"), HasSubstr("mm/unit"), HasSubstr("% per %"),
                                  HasSubstr("more: --top"), HasSubstr("without influence on any of these")));
 }
 
 TEST_F(SensitivityCommand, PrintsBandsAndWhichToleranceToTighten) {
-  const std::string profile = shipped("toleranced_linkage");
+  const std::string profile = shipped_toml("toleranced_linkage");
   EXPECT_THAT(run(profile).out, AllOf(HasSubstr("worst case"), HasSubstr("statistical, 99.73 %"),
                                       HasSubstr("wanted within +-0.5: kept"), HasSubstr("share")));
   const Outcome outcome = run(profile + " --set tolerances.results.swing.within=0.1");
@@ -62,7 +62,7 @@ TEST_F(SensitivityCommand, PrintsBandsAndWhichToleranceToTighten) {
 }
 
 TEST_F(SensitivityCommand, ChecksBandsByVariants) {
-  const std::string arguments = shipped("toleranced_linkage") + " --samples 37 --variants 500";
+  const std::string arguments = shipped_toml("toleranced_linkage") + " --samples 37 --variants 500";
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
@@ -72,7 +72,7 @@ TEST_F(SensitivityCommand, ChecksBandsByVariants) {
 }
 
 TEST_F(SensitivityCommand, WritesJson) {
-  const Outcome outcome = run(shipped("toleranced_linkage") + " --samples 19 --variants 100 --json -");
+  const Outcome outcome = run(shipped_toml("toleranced_linkage") + " --samples 19 --variants 100 --json -");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("good"), true);
@@ -92,7 +92,7 @@ TEST_F(SensitivityCommand, WritesJson) {
 }
 
 TEST_F(SensitivityCommand, WritesCsv) {
-  const Outcome outcome = run(shipped("flat_faced_translating") + " --results follower.y:max --csv -");
+  const Outcome outcome = run(shipped_toml("flat_faced_translating") + " --results follower.y:max --csv -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               StartsWith("result,column,of,value,unit,at[deg],number,number_value,number_unit,down,up,kind,"
@@ -100,7 +100,7 @@ TEST_F(SensitivityCommand, WritesCsv) {
 }
 
 TEST_F(SensitivityCommand, WritesTheDerivativesOfColumnsRowByRow) {
-  const std::string arguments = shipped("flat_faced_translating") +
+  const std::string arguments = shipped_toml("flat_faced_translating") +
                                 " --samples 5 --results follower.y:max --by bodies.cam.curves.disc.radius";
   const Outcome outcome = run(arguments + " --rows -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -111,7 +111,7 @@ TEST_F(SensitivityCommand, WritesTheDerivativesOfColumnsRowByRow) {
 }
 
 TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsNotGood) {
-  const Outcome outcome = run(shipped("lock_up"));
+  const Outcome outcome = run(shipped_toml("lock_up"));
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.out, HasSubstr("the path is not good"));
   EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
@@ -126,7 +126,7 @@ TEST_F(SensitivityCommand, SaysWhatIsWrong) {
     EXPECT_THAT(outcome.out, IsEmpty());
     return outcome.err;
   };
-  const std::string linkage = "toleranced_linkage.toml", cam = shipped("flat_faced_translating");
+  const std::string linkage = "toleranced_linkage.toml", cam = shipped_toml("flat_faced_translating");
   EXPECT_THAT(message(linkage + " --results rocker.angel:max"), HasSubstr("did you mean `rocker.angle`"));
   EXPECT_THAT(message(linkage + " --results rocker.angle"), HasSubstr("expected COLUMN:OF"));
   EXPECT_THAT(message(linkage + " --by bodies.krank"), HasSubstr("no number of the profile has such a path"));
@@ -143,7 +143,7 @@ TEST_F(SensitivityCommand, SaysWhatIsWrong) {
 }
 
 TEST_F(SensitivityCommand, StopsWhenInterrupted) {
-  const Outcome outcome = run(shipped("toleranced_linkage") +
+  const Outcome outcome = run(shipped_toml("toleranced_linkage") +
                               " --variants 10000000 --json late.json & program=$!; sleep 1; "
                               "kill -INT $program; wait $program");
   EXPECT_EQ(outcome.code, 130);

@@ -14,14 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-struct Outcome {
+struct Verdict {
   int code = -1;
   std::string out;
 };
 
-Outcome verify(const std::string& arguments) {
+Verdict verify(const std::string& arguments) {
   std::FILE* pipe = popen((std::string(HIGHERPAIR_PROGRAM) + " verify " + arguments + " 2>&1").c_str(), "r");
-  Outcome outcome;
+  Verdict outcome;
   for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
     outcome.out += static_cast<char>(c);
   }
@@ -57,7 +57,7 @@ private:
 };
 
 TEST(Verify, HoldsForEveryReferenceThatIsShipped) {
-  const Outcome outcome = verify("--json -");
+  const Verdict outcome = verify("--json -");
   ASSERT_EQ(outcome.code, 0) << outcome.out;
   const auto json = nlohmann::json::parse(outcome.out);
   std::size_t files = 0;
@@ -75,7 +75,7 @@ TEST(Verify, HoldsForEveryReferenceThatIsShipped) {
 }
 
 TEST(Verify, PrintsValueErrorAndTime) {
-  const Outcome outcome = verify("");
+  const Verdict outcome = verify("");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("ok     Watt six-bar\n"));
   EXPECT_THAT(outcome.out, HasSubstr("wheel_pivot.velocity[deg/s]"));
@@ -87,7 +87,7 @@ TEST(Verify, PrintsValueErrorAndTime) {
 TEST(Verify, FailsWhereOneDigitOfATableIsWrong) {
   // The rocker turns exactly as fast as the coupler, 20 rad/s, at the first position.
   const ChangedTable table("four_bar_plus.csv", ",20.0,", ",20.00000001,");
-  const Outcome outcome = verify(reference("four_bar_plus.toml") + " " + table.path());
+  const Verdict outcome = verify(reference("four_bar_plus.toml") + " " + table.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.out, HasSubstr("FAILED"));
   EXPECT_THAT(outcome.out, HasSubstr("expected 20.00000001"));
@@ -96,7 +96,7 @@ TEST(Verify, FailsWhereOneDigitOfATableIsWrong) {
 
 TEST(Verify, FailsWhereTheRunHasNoSuchColumnOrRow) {
   const ChangedTable column("geneva_wheel.csv", "wheel_pivot.velocity", "no_pivot.velocity");
-  const Outcome outcome = verify(reference("geneva_wheel.toml") + " " + column.path());
+  const Verdict outcome = verify(reference("geneva_wheel.toml") + " " + column.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.out, HasSubstr("there is no column no_pivot.velocity[deg/s]"));
   EXPECT_THAT(verify(reference("geneva_wheel.toml") + " " + reference("pin_in_slot.csv")).out,
@@ -110,11 +110,11 @@ TEST(Verify, ReadsTheProgramsOwnTables) {
       fs::temp_directory_path() / ("higherpair-verify-own-" + std::to_string(getpid()) + ".csv");
   const std::string run = std::string(HIGHERPAIR_PROGRAM) + " analyze --quiet " + profile;
   ASSERT_EQ(WEXITSTATUS(std::system((run + " --csv " + table.string()).c_str())), 4);
-  const Outcome same = verify(profile + " " + table.string());
+  const Verdict same = verify(profile + " " + table.string());
   EXPECT_EQ(same.code, 0) << same.out;
   EXPECT_THAT(same.out, ::testing::Not(HasSubstr("residual")));
   ASSERT_EQ(std::system(("sed -i s/not_assemblable/singular/ " + table.string()).c_str()), 0);
-  const Outcome other = verify(profile + " " + table.string());
+  const Verdict other = verify(profile + " " + table.string());
   EXPECT_EQ(other.code, 4);
   EXPECT_THAT(other.out, HasSubstr("status is not_assemblable, expected singular"));
   fs::remove(table);
@@ -122,7 +122,7 @@ TEST(Verify, ReadsTheProgramsOwnTables) {
 
 TEST(Verify, FailsWhereTheTableIsNoTable) {
   const ChangedTable table("geneva_wheel.csv", "-45.0,", "-45.0x,");
-  const Outcome outcome = verify(reference("geneva_wheel.toml") + " " + table.path());
+  const Verdict outcome = verify(reference("geneva_wheel.toml") + " " + table.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.out, HasSubstr("table row 1: '-45.0x' is no number"));
 }

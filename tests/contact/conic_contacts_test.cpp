@@ -3,6 +3,7 @@
 #include "contact/contact_scan.hpp"
 #include "contact/oracle_case.hpp"
 #include "contact/random_pair.hpp"
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/support.hpp"
 
@@ -13,9 +14,8 @@
 namespace higherpair {
 namespace {
 
+using testing::kDegree;
 using testing::OracleCase;
-
-constexpr double kDegree = kPi / 180;
 
 class ContactsOracle : public ::testing::TestWithParam<OracleCase> {};
 

@@ -1,5 +1,6 @@
 #include "higherpair/contact/contact_map.hpp"
 
+#include "contact/freedoms.hpp"
 #include "higherpair/contact/tracker.hpp"
 
 #include <algorithm>
@@ -10,13 +11,9 @@
 namespace higherpair {
 namespace {
 
-using ::testing::SizeIs;
+using testing::pivot;
 
-OneFreedom pivot(double x, double y) {
-  OneFreedom freedom;
-  freedom.p_WO = {x, y};
-  return freedom;
-}
+using ::testing::SizeIs;
 
 OneFreedom slide(double x, double y, double angle) {
   OneFreedom freedom;

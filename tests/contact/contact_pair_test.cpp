@@ -8,17 +8,12 @@
 namespace higherpair {
 namespace {
 
+using testing::noise;
 using testing::OracleCase;
 
 class ContactOracle : public ::testing::TestWithParam<OracleCase> {};
 
 // The answers' own sensitivity to one rounding of the inputs is added to every tolerance.
-double noise(const nlohmann::json& row, std::size_t i) {
-  return row.at("noise").is_null() || row.at("noise").at(i).is_null()
-             ? 1e-6
-             : 20 * row.at("noise").at(i).get<double>();
-}
-
 // The normal 1e-3 rad and the follower 1e-3 away from the answer: the solver has to find back.
 TEST_P(ContactOracle, IsFoundFromAGuessNearby) {
   const OracleCase& reference = GetParam();

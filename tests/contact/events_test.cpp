@@ -1,5 +1,6 @@
 #include "higherpair/contact/events.hpp"
 
+#include "contact/freedoms.hpp"
 #include "higherpair/contact/finder.hpp"
 
 #include <cmath>
@@ -9,11 +10,7 @@
 namespace higherpair {
 namespace {
 
-OneFreedom pivot(double x, double y) {
-  OneFreedom freedom;
-  freedom.p_WO = Vector2d(x, y);
-  return freedom;
-}
+using testing::pivot;
 
 ContactTrack track_at(const ContactPair& pair, double u, double q) {
   const FindResult found = find_nearest_contact(pair, u, q);

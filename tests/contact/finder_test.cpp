@@ -1,6 +1,7 @@
 #include "higherpair/contact/finder.hpp"
 
 #include "contact/oracle_case.hpp"
+#include "geometry/geometry_testing.hpp"
 
 #include <cmath>
 
@@ -9,11 +10,10 @@
 namespace higherpair {
 namespace {
 
+using testing::kDegree;
 using testing::OracleCase;
 
 class FinderOracle : public ::testing::TestWithParam<OracleCase> {};
-
-constexpr double kDegree = kPi / 180;
 
 TEST_P(FinderOracle, FindsTheContactByMovingTheFollowerUntilItTouches) {
   const OracleCase& reference = GetParam();

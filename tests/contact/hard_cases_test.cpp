@@ -1,3 +1,4 @@
+#include "contact/freedoms.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/tracker.hpp"
@@ -11,11 +12,7 @@
 namespace higherpair {
 namespace {
 
-OneFreedom pivot(double x, double y) {
-  OneFreedom freedom;
-  freedom.p_WO = Vector2d(x, y);
-  return freedom;
-}
+using testing::pivot;
 
 Curve disc(double x, double y, double radius) {
   return make_circle(Vector2d(x, y), radius).value();

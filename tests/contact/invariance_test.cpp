@@ -63,14 +63,14 @@ struct Case {
 
 constexpr int kRows = 40;
 
-double step_of(const RandomCase& one) {
+double degree_of(const RandomCase& one) {
   return (one.pair.motion1.turns ? 1.0 : one.size) * kPi / 180;
 }
 
 // How far the track is from limits and conforming contact over the range.
 bool is_healthy(ContactTrack track, const RandomCase& one) {
   for (int k = 0; k <= kRows; ++k) {
-    if (follow_to(track, one.u + k * step_of(one)).status != TrackStatus::kOk) return false;
+    if (follow_to(track, one.u + k * degree_of(one)).status != TrackStatus::kOk) return false;
     const double lever = velocity_per_q(one.pair.motion2, track.at.p2_W).norm();
     const testing::ContactLaws laws(one.pair, track.at);
     const double extent = testing::length_scale(one.pair, track.at);
@@ -110,7 +110,7 @@ void expect_changed(const Case& c, const Change& change, double tolerance) {
   const double per_u = change.rate_factor(original.motion1);
   const double per_q = change.rate_factor(original.motion2);
   for (int k = 0; k <= kRows; ++k) {
-    const double at = c.one.u + k * step_of(c.one);
+    const double at = c.one.u + k * degree_of(c.one);
     ASSERT_EQ(follow_to(here, at).status, TrackStatus::kOk);
     ASSERT_EQ(follow_to(there, change.coordinate(original.motion1, at)).status, TrackStatus::kOk);
     const double q = change.coordinate(original.motion2, here.at.q);
@@ -186,8 +186,8 @@ TEST(Invariance, FewRowsAndManyRowsAgreeWhereTheyCoincide) {
     ContactTrack few = c.start;
     ContactTrack many = c.start;
     for (int k = 1; k <= 5; ++k) {
-      const double from = c.one.u + (k - 1) * 8 * step_of(c.one);
-      const double to = c.one.u + k * 8 * step_of(c.one);
+      const double from = c.one.u + (k - 1) * 8 * degree_of(c.one);
+      const double to = c.one.u + k * 8 * degree_of(c.one);
       ASSERT_EQ(follow_to(few, to).status, TrackStatus::kOk);
       for (int i = 1; i <= 1000; ++i) {
         ASSERT_EQ(follow_to(many, i == 1000 ? to : from + (to - from) * i / 1000).status, TrackStatus::kOk);
@@ -201,7 +201,7 @@ TEST(Invariance, FewRowsAndManyRowsAgreeWhereTheyCoincide) {
 TEST(Invariance, GoingBackReturnsToTheStart) {
   for (const Case& c : healthy_cases(106, 120)) {
     ContactTrack track = c.start;
-    ASSERT_EQ(follow_to(track, c.one.u + kRows * step_of(c.one)).status, TrackStatus::kOk);
+    ASSERT_EQ(follow_to(track, c.one.u + kRows * degree_of(c.one)).status, TrackStatus::kOk);
     ASSERT_EQ(follow_to(track, c.one.u).status, TrackStatus::kOk);
     EXPECT_LE(std::abs(track.at.q - c.start.at.q), kRounding * (q_unit(c.one) + std::abs(track.at.q)));
     EXPECT_LE(std::abs(track.phi - c.start.phi), 100 * kRounding);

@@ -1,5 +1,6 @@
 #include "higherpair/contact/jerk.hpp"
 
+#include "contact/freedoms.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/rolling.hpp"
@@ -14,14 +15,9 @@
 namespace higherpair {
 namespace {
 
+using testing::pivot;
 using testing::RandomCase;
 using testing::RandomPairs;
-
-OneFreedom pivot(double x, double y) {
-  OneFreedom freedom;
-  freedom.p_WO = Vector2d(x, y);
-  return freedom;
-}
 
 // Third derivative of sqrt(m) from m and its derivatives.
 double third_derivative_of_root(double m, double m1, double m2, double m3) {

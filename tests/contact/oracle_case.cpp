@@ -7,6 +7,12 @@
 
 namespace higherpair::testing {
 
+double noise(const nlohmann::json& row, std::size_t i) {
+  return row.at("noise").is_null() || row.at("noise").at(i).is_null()
+             ? 1e-6
+             : 20 * row.at("noise").at(i).get<double>();
+}
+
 Vector2d vector_of(const nlohmann::json& xy) {
   return {xy.at(0).get<double>(), xy.at(1).get<double>()};
 }

@@ -1,3 +1,4 @@
+#include "contact/freedoms.hpp"
 #include "contact/support_curves.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/contact_map.hpp"
@@ -21,12 +22,7 @@ namespace {
 
 using testing::EllipseBySupport;
 using testing::LobedCurve;
-
-OneFreedom pivot(double x, double y) {
-  OneFreedom freedom;
-  freedom.p_WO = Vector2d(x, y);
-  return freedom;
-}
+using testing::pivot;
 
 OneFreedom slide(double x, double y) {
   OneFreedom freedom = pivot(x, y);
@@ -212,7 +208,7 @@ TEST(ALobedCamWithARoller, KeepsTheRollerTangent) {
 
 // The normals of a piece end: beyond them it has no points.
 TEST(AnOpenPiece, HasPointsForItsOwnNormalsOnly) {
-  const testing::Involute involute(0.02, {0.5, 2});
+  const testing::InvoluteBySupport involute(0.02, {0.5, 2});
   const PlacedCurve<double> placed =
       place(make_curve(involute), Pose<double>{Rotation<double>::from_angle(0.3), Vector2d(0.01, 0)});
   EXPECT_TRUE(has_point(placed, unit_vector(0.3 + 1)));

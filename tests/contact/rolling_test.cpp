@@ -1,5 +1,7 @@
 #include "higherpair/contact/rolling.hpp"
 
+#include "contact/freedoms.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,11 +9,7 @@
 namespace higherpair {
 namespace {
 
-OneFreedom pivot(double x, double y) {
-  OneFreedom freedom;
-  freedom.p_WO = Vector2d(x, y);
-  return freedom;
-}
+using testing::pivot;
 
 // Equal ellipses a = 5, c = 3 about foci 10 apart: q = -2 atan(4 tan(u/2)), through both change points.
 TEST(Rolling, TurnsEqualEllipsesAboutTheirFociThroughTheChangePoints) {

@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-using testing::Involute;
+using testing::InvoluteBySupport;
 using testing::LobedCurve;
 using testing::Racetrack;
 
@@ -47,8 +47,8 @@ void expect_positions(std::vector<double> expected, const std::vector<double>& f
 // -L sin φ = r1 + r2, whatever u. Along it h1 + h2 = L cos φ, h1 = r1 (φ - u), h2 = r2 (φ + π - q).
 TEST(SubdivisionOfInvolutes, HasOneContactWhichRunsAlongTheLineOfAction) {
   const double r1 = 0.31, r2 = 0.47, L = 1.1;
-  const Involute driver(r1, {0.05, 3.0});
-  const Involute follower(r2, {0.05, 1.9});
+  const InvoluteBySupport driver(r1, {0.05, 3.0});
+  const InvoluteBySupport follower(r2, {0.05, 1.9});
   OneFreedom motion2;
   motion2.p_WO = {L, 0};
   const double phi = -std::asin((r1 + r2) / L);

@@ -82,9 +82,9 @@ private:
 };
 
 /// An involute of the circle of radius r about the origin, h = r φ: its normals touch the circle (h′ = r).
-class Involute final : public SupportCurve {
+class InvoluteBySupport final : public SupportCurve {
 public:
-  Involute(double r, const Bounds& phi) : r_(r), pieces_{{PieceKind::kArc, phi, {}}} {}
+  InvoluteBySupport(double r, const Bounds& phi) : r_(r), pieces_{{PieceKind::kArc, phi, {}}} {}
 
   [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
   [[nodiscard]] SupportValue at(std::size_t, double phi) const override {

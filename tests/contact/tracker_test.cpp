@@ -1,6 +1,7 @@
 #include "higherpair/contact/tracker.hpp"
 
 #include "contact/oracle_case.hpp"
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/contact/finder.hpp"
 
 #include <cmath>
@@ -10,9 +11,9 @@
 namespace higherpair {
 namespace {
 
+using testing::kDegree;
+using testing::noise;
 using testing::OracleCase;
-
-constexpr double kDegree = kPi / 180;
 
 class TrackerOracle : public ::testing::TestWithParam<OracleCase> {};
 
@@ -21,12 +22,6 @@ ContactTrack started(const OracleCase& reference) {
   const FindResult found = find_nearest_contact(reference.pair, u, reference.data.at("start").at("q2_near"));
   EXPECT_EQ(found.status, FindStatus::kFound);
   return start_track(reference.pair, found.at, found.branch);
-}
-
-double noise(const nlohmann::json& row, std::size_t i) {
-  return row.at("noise").is_null() || row.at("noise").at(i).is_null()
-             ? 1e-6
-             : 20 * row.at("noise").at(i).get<double>();
 }
 
 TEST_P(TrackerOracle, FollowsTheContactThroughAllRows) {

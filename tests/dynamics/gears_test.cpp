@@ -11,7 +11,7 @@ namespace {
 
 using testing::Analysis;
 
-constexpr double kRounding = 1e-12;  // of numbers of the order of 1 to 100
+constexpr double kGearRounding = 1e-12;  // of numbers of the order of 1 to 100
 
 // A motor wheel and a driven one with inertia and a load; `coupling` are the keys of the joint between them.
 std::string train(const std::string& coupling) {
@@ -67,12 +67,12 @@ TEST(Gears, TransformTheTorqueByTheirRatio) {
     EXPECT_NEAR(drum.alpha, k * alpha, 1e-13);
     const double on_drum = 0.7 * k * alpha + 3;
     const std::size_t joint = train_of.joint("coupling");
-    EXPECT_NEAR(reactions.joints[joint].moment.value(), on_drum, kRounding);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), 0.02 * alpha + k * on_drum, kRounding);
-    EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kRounding);
+    EXPECT_NEAR(reactions.joints[joint].moment.value(), on_drum, kGearRounding);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), 0.02 * alpha + k * on_drum, kGearRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kGearRounding);
     // Torque only: what the teeth or the belt pull on the bearings is not part of the model.
     EXPECT_EQ(reactions.joints[joint].fx.value(), 0);
-    EXPECT_NEAR(reactions.joints[train_of.joint("drum_pivot")].fx.value(), 0, kRounding);
+    EXPECT_NEAR(reactions.joints[train_of.joint("drum_pivot")].fx.value(), 0, kGearRounding);
   }
 }
 
@@ -119,12 +119,12 @@ brake = {{ body = "arm", torque = -7 }}
   for (const double theta : {0.0, 2.2, 9.1}) {
     const Reactions& reactions = gear.at(theta, 3, 0);
     ASSERT_TRUE(reactions.defined);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kRounding);
-    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kRounding);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kGearRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kGearRounding);
     // The centripetal force of the planet, on the arm's pin alone.
     const double arm_rate = 3 * sun / (sun + ring);
     const JointReaction& pin = gear.dynamics.solve(gear.run).joints[gear.joint("planet_pivot")];
-    EXPECT_NEAR(std::hypot(pin.fx.value(), pin.fy.value()), 0.3 * 0.04 * arm_rate * arm_rate, kRounding);
+    EXPECT_NEAR(std::hypot(pin.fx.value(), pin.fy.value()), 0.3 * 0.04 * arm_rate * arm_rate, kGearRounding);
   }
 }
 
@@ -150,14 +150,14 @@ TEST(GearTeeth, PressAtTheirPressureAngle) {
     const double tangential = 3 / r2;
     const std::size_t teeth = of.joint("coupling");
     const Vector2d on_drum = force_of(reactions, teeth);
-    EXPECT_NEAR(on_drum.dot(u), tangential * std::tan(alpha), kRounding);
+    EXPECT_NEAR(on_drum.dot(u), tangential * std::tan(alpha), kGearRounding);
     // About the drum's centre it is the torque that holds the load.
-    EXPECT_NEAR(cross(Vector2d(-r2 * u), on_drum), -load, kRounding);
-    EXPECT_NEAR(reactions.joints[teeth].moment.value(), -load, kRounding);
-    EXPECT_NEAR((force_of(reactions, of.joint("drum_pivot")) + on_drum).norm(), 0, kRounding);
-    EXPECT_NEAR((force_of(reactions, of.joint("motor_pivot")) - on_drum).norm(), 0, kRounding);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), -0.25 * -load, kRounding);
-    EXPECT_NEAR(reactions.drivers[0].by_power.value(), -0.25 * -load, kRounding);
+    EXPECT_NEAR(cross(Vector2d(-r2 * u), on_drum), -load, kGearRounding);
+    EXPECT_NEAR(reactions.joints[teeth].moment.value(), -load, kGearRounding);
+    EXPECT_NEAR((force_of(reactions, of.joint("drum_pivot")) + on_drum).norm(), 0, kGearRounding);
+    EXPECT_NEAR((force_of(reactions, of.joint("motor_pivot")) - on_drum).norm(), 0, kGearRounding);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), -0.25 * -load, kGearRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), -0.25 * -load, kGearRounding);
   }
 }
 
@@ -175,10 +175,10 @@ TEST(GearTeeth, OfARingPushItOut) {
     const Vector2d u = c2 / a;
     const double r2 = a / std::abs(ratio - 1);
     const double tangential = 3 / r2;
-    EXPECT_NEAR(on_drum.dot(u), -tangential * std::tan(alpha), kRounding) << ratio;
-    EXPECT_NEAR(std::abs(on_drum.dot(perp(u))), tangential, kRounding);
+    EXPECT_NEAR(on_drum.dot(u), -tangential * std::tan(alpha), kGearRounding) << ratio;
+    EXPECT_NEAR(std::abs(on_drum.dot(perp(u))), tangential, kGearRounding);
     const Vector2d pitch_point = ratio > 1 ? Vector2d(c2 + r2 * u) : Vector2d(c2 - r2 * u);
-    EXPECT_NEAR(cross(Vector2d(pitch_point - c2), on_drum), 3, kRounding);
+    EXPECT_NEAR(cross(Vector2d(pitch_point - c2), on_drum), 3, kGearRounding);
   }
 }
 
@@ -225,8 +225,8 @@ brake = {{ body = "arm", torque = -7 }}
   for (const double theta : {0.0, 2.2, 9.1}) {
     const Reactions& reactions = gear.at(theta, 3, 0);
     ASSERT_TRUE(reactions.defined);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kRounding);
-    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kRounding);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kGearRounding);
+    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kGearRounding);
     const Vector2d P = 0.04 * unit_vector(theta * sun / (sun + ring));
     const Vector2d u = P.normalized();
     const double r_planet = 0.04 * planet / (sun + planet);
@@ -235,13 +235,13 @@ brake = {{ body = "arm", torque = -7 }}
     const Vector2d by_arm = force_of(reactions, gear.joint("planet_pivot"));
     EXPECT_NEAR((by_sun + by_ring + by_arm).norm(), 0, 1e-11);
     EXPECT_NEAR(cross(Vector2d(-r_planet * u), by_sun) + cross(Vector2d(r_planet * u), by_ring), 0,
-                kRounding);
-    EXPECT_NEAR(std::abs(by_sun.dot(u) / by_sun.dot(perp(u))), std::tan(0.349), kRounding);
-    EXPECT_NEAR(std::abs(by_ring.dot(u) / by_ring.dot(perp(u))), std::tan(0.4), kRounding);
+                kGearRounding);
+    EXPECT_NEAR(std::abs(by_sun.dot(u) / by_sun.dot(perp(u))), std::tan(0.349), kGearRounding);
+    EXPECT_NEAR(std::abs(by_ring.dot(u) / by_ring.dot(perp(u))), std::tan(0.4), kGearRounding);
     EXPECT_GT(by_sun.dot(u), 0);
     EXPECT_LT(by_ring.dot(u), 0);
     // The arm's torque comes through its pins alone.
-    EXPECT_NEAR(cross(P, Vector2d(-by_arm)), 7, kRounding);
+    EXPECT_NEAR(cross(P, Vector2d(-by_arm)), 7, kGearRounding);
     EXPECT_NEAR((force_of(reactions, gear.joint("arm_pivot")) - by_arm).norm(), 0, 1e-11);
     EXPECT_NEAR((force_of(reactions, gear.joint("sun_pivot")) - by_sun).norm(), 0, 1e-11);
   }
@@ -262,7 +262,7 @@ TEST(GearTeeth, ChangeNoTorqueAndNoEffort) {
   const std::vector<double> plain = efforts("");
   const std::vector<double> toothed = efforts("pressure_angle = 0.349\nmodule = 0.002\n");
   for (std::size_t i = 0; i < plain.size(); ++i) {
-    EXPECT_NEAR(toothed[i], plain[i], kRounding);
+    EXPECT_NEAR(toothed[i], plain[i], kGearRounding);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 using testing::Analysis;
 
 constexpr double kRounding = 1e-12;  // of numbers of the order of 1 to 100
-constexpr double kG = 9.81;
+constexpr double kGravity = 9.81;
 
 // A bar on ground with its centre of mass at 0.31 m; `more` is appended.
 std::string bar(const std::string& more = "", const std::string& gravity = "[0, -9.81]") {
@@ -42,10 +42,11 @@ TEST(Pendulum, DrivenWithAnyRateNeedsWhatNewtonAndEulerSay) {
     const Reactions& reactions = pendulum.at(theta, omega, alpha);
     const double c = std::cos(theta), s = std::sin(theta);
     ASSERT_TRUE(reactions.defined);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), (I + m * l * l) * alpha + m * kG * l * c, kRounding);
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), (I + m * l * l) * alpha + m * kGravity * l * c,
+                kRounding);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kRounding);
     EXPECT_NEAR(reactions.joints[0].fx.value(), -m * l * (alpha * s + omega * omega * c), kRounding * 10);
-    EXPECT_NEAR(reactions.joints[0].fy.value(), m * kG + m * l * (alpha * c - omega * omega * s),
+    EXPECT_NEAR(reactions.joints[0].fy.value(), m * kGravity + m * l * (alpha * c - omega * omega * s),
                 kRounding * 10);
     EXPECT_FALSE(reactions.joints[0].moment);
   }
@@ -56,7 +57,7 @@ TEST(Pendulum, HangingAtRestNeedsNoTorque) {
   const Reactions& reactions = pendulum.at(-kPi / 2, 0, 0);
   EXPECT_NEAR(reactions.drivers[0].effort.value(), 0, kRounding);
   EXPECT_NEAR(reactions.joints[0].fx.value(), 0, kRounding);
-  EXPECT_NEAR(reactions.joints[0].fy.value(), 1.7 * kG, kRounding);
+  EXPECT_NEAR(reactions.joints[0].fy.value(), 1.7 * kGravity, kRounding);
 }
 
 TEST(Loads, FollowTheBodyOrStayInGround) {
@@ -134,13 +135,14 @@ s = {{ joint = "slide", stiffness = 55, free_length = -0.2, damping = 3 }}
   const double x = 0.17, v = 0.9, a = 4;
   const Reactions& reactions = slide.at(x, v, a);
   const double m = 2.3, c = std::cos(angle), s = std::sin(angle);
-  EXPECT_NEAR(reactions.drivers[0].effort.value(), m * (a + kG * s) + 55 * (x + 0.2) + 3 * v, kRounding * 10);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(), m * (a + kGravity * s) + 55 * (x + 0.2) + 3 * v,
+              kRounding * 10);
   EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kRounding * 10);
   // The guide carries the weight across; about P the weight and the inertia at 0.04 m (block's frame lies on
   // ground's) have the moment (0, -m g - m a s)·0.04, and neither force of the guide has one.
-  EXPECT_NEAR(reactions.joints[0].fx.value(), -m * kG * c * s, kRounding * 10);
-  EXPECT_NEAR(reactions.joints[0].fy.value(), m * kG * c * c, kRounding * 10);
-  EXPECT_NEAR(reactions.joints[0].moment.value(), m * 0.04 * (kG + a * s), kRounding * 10);
+  EXPECT_NEAR(reactions.joints[0].fx.value(), -m * kGravity * c * s, kRounding * 10);
+  EXPECT_NEAR(reactions.joints[0].fy.value(), m * kGravity * c * c, kRounding * 10);
+  EXPECT_NEAR(reactions.joints[0].moment.value(), m * 0.04 * (kGravity + a * s), kRounding * 10);
 }
 
 TEST(SliderCrank, HoldsAForceOnItsSliderByTheTorqueOfTheTextbook) {
@@ -287,7 +289,7 @@ TEST(Roller, OnItsOwnPinPassesTheContactForceOn) {
     const JointReaction& axle = reactions.joints[pinned.joint("axle")];
     EXPECT_NEAR(axle.fx.value(), -N * n.x(), 1e-11);
     EXPECT_NEAR(axle.fy.value(),
-                0.1 * (kG + pinned.run.row.bodies[pinned.body("roller")].a_WB.y()) - N * n.y(), 1e-11);
+                0.1 * (kGravity + pinned.run.row.bodies[pinned.body("roller")].a_WB.y()) - N * n.y(), 1e-11);
   }
 }
 

@@ -37,12 +37,12 @@ Eigen::VectorXd difference(DesignEvaluator& evaluator, std::vector<double> x, st
 }
 
 // Extrapolated from two steps to the fourth order; where the two do not agree there is a kink.
-struct Slope {
+struct Difference {
   Eigen::VectorXd value;
   Eigen::VectorXd doubt;
 };
-Slope slope_of(DesignEvaluator& evaluator, const std::vector<double>& x, std::size_t i, int branch,
-               double h) {
+Difference slope_of(DesignEvaluator& evaluator, const std::vector<double>& x, std::size_t i, int branch,
+                    double h) {
   const Eigen::VectorXd wide = difference(evaluator, x, i, branch, h);
   const Eigen::VectorXd narrow = difference(evaluator, x, i, branch, h / 2);
   return {(4 * narrow - wide) / 3, (wide - narrow).cwiseAbs()};
@@ -88,7 +88,7 @@ Seen compare(const Model& model, int candidates, double closeness, unsigned seed
     const Eigen::VectorXd at = worth(*evaluator, x, branch);
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double range = problem.variables[i].high - problem.variables[i].low;
-      const Slope expected = slope_of(*evaluator, x, i, branch, 1e-5 * range);
+      const Difference expected = slope_of(*evaluator, x, i, branch, 1e-5 * range);
       const auto column = static_cast<Eigen::Index>(i);
       Eigen::VectorXd found(at.size());
       found << jacobian.cost(column), jacobian.residuals.col(column), jacobian.constraints.col(column);

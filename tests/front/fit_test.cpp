@@ -41,8 +41,8 @@ FitReport fitted(const Model& model, const MeasuredTable& table, const FitSettin
 }
 
 // The motion of a model at these positions of its driver.
-MeasuredTable motion_of(const Model& model, const std::vector<double>& positions,
-                        const std::vector<std::string>& columns) {
+MeasuredTable measured_motion(const Model& model, const std::vector<double>& positions,
+                              const std::vector<std::string>& columns) {
   RunSettings settings;
   settings.positions = positions;
   settings.columns = columns;
@@ -173,7 +173,8 @@ struct SixBar {
 // 95 of 100 intervals of each length hold it; ± 4 standard deviations of the count of independent trials.
 TEST(Fit, TheSixBarIsFoundFromItsOwnNoisyMotionAsOftenAsTheIntervalsSay) {
   const SixBar bar;
-  const MeasuredTable exact = motion_of(bar.truth, positions(45, -300, 47), {"link4.angle", "slider.x"});
+  const MeasuredTable exact =
+      measured_motion(bar.truth, positions(45, -300, 47), {"link4.angle", "slider.x"});
   constexpr int kTrials = 100;
   std::vector<int> hits(kTruth.size(), 0);
   FitSettings settings;
@@ -201,7 +202,8 @@ TEST(Fit, TheSixBarIsFoundFromItsOwnNoisyMotionAsOftenAsTheIntervalsSay) {
 
 TEST(Fit, ExactMotionOfTheSixBarGivesItsLengths) {
   const SixBar bar;
-  const MeasuredTable exact = motion_of(bar.truth, positions(45, -300, 40), {"link4.angle", "slider.x"});
+  const MeasuredTable exact =
+      measured_motion(bar.truth, positions(45, -300, 40), {"link4.angle", "slider.x"});
   const FitReport report = fitted(bar.guess, exact);
   EXPECT_TRUE(report.good);
   EXPECT_TRUE(report.exact);
@@ -330,7 +332,7 @@ TEST(Fit, APathMeasuredInAFrameOfItsOwnGivesTheFrameAsWell) {
 TEST(Fit, AnglesOfAnInstrumentThatCountsWithinATurnAreUnwrapped) {
   const SixBar bar;
   MeasuredTable table =
-      motion_of(bar.truth, positions(45, -675, 60), {"link4.angle", "slider.x", "link2.angle"});
+      measured_motion(bar.truth, positions(45, -675, 60), {"link4.angle", "slider.x", "link2.angle"});
   for (double& angle : table.columns[3].values) angle = std::remainder(angle, 360);
   const FitReport report = fitted(bar.guess, table);
   EXPECT_NEAR(report.variables[1].after, kTruth[1], 1e-8);
@@ -369,7 +371,7 @@ rocker  = { path = "bodies.link4.points.F.0" }
 )";
   const SixBar bar;
   const FitReport report =
-      fitted(model_of(profile), motion_of(bar.truth, positions(45, -300, 40), {"link4.angle"}));
+      fitted(model_of(profile), measured_motion(bar.truth, positions(45, -300, 40), {"link4.angle"}));
   EXPECT_FALSE(report.good);
   EXPECT_THAT(
       report.undetermined,
@@ -430,7 +432,8 @@ TEST(Fit, BoundsHoldAndAreSaid) {
 TEST(Fit, ManyStartsFindWhatOneDoesNot) {
   // From a crank of 14.9 the way to 5 leads over linkages that do not turn.
   const SixBar bar;
-  const MeasuredTable exact = motion_of(bar.truth, positions(45, -300, 30), {"link4.angle", "slider.x"});
+  const MeasuredTable exact =
+      measured_motion(bar.truth, positions(45, -300, 30), {"link4.angle", "slider.x"});
   std::ostringstream text;
   text << std::ifstream(HIGHERPAIR_SOURCE_DIR "/profiles/sixbar_measured.toml").rdbuf();
   std::string profile = text.str();

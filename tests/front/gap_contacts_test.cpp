@@ -13,19 +13,13 @@
 namespace higherpair {
 namespace {
 
+using testing::motion_of;
+
 using ::testing::HasSubstr;
 using testing::model_of;
 using testing::shipped_model;
 
 constexpr double kDegree = M_PI / 180;
-
-Motion motion_of(const Model& model, const RunSettings& settings = {}) {
-  auto motion = model.run(settings);
-  if (!motion) {
-    throw std::runtime_error(to_string(motion.error()));
-  }
-  return *std::move(motion);
-}
 
 std::vector<Event> events_of(const Motion& motion, EventType type) {
   std::vector<Event> found;

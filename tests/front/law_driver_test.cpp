@@ -1,4 +1,5 @@
 // Motions whose driver follows a law.
+#include "cam_profile.hpp"
 #include "higherpair/front/model.hpp"
 
 #include <cmath>
@@ -10,6 +11,9 @@
 
 namespace higherpair {
 namespace {
+
+using testing::model_of;
+using testing::motion_of;
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -40,12 +44,6 @@ joint = "main"
 law = "turn"
 )";
 
-Model model_of(const std::string& text) {
-  auto model = Model::from_text(text);
-  if (!model) ADD_FAILURE() << to_string(model.error());
-  return model.value();
-}
-
 RunSettings in_time() {
   RunSettings settings;
   settings.in_time = true;
@@ -56,12 +54,6 @@ RunSettings at(const std::vector<double>& positions) {
   RunSettings settings;
   settings.positions = positions;
   return settings;
-}
-
-Motion motion_of(const Model& model, const RunSettings& settings) {
-  auto motion = model.run(settings);
-  if (!motion) ADD_FAILURE() << to_string(motion.error());
-  return motion.value();
 }
 
 // Each column is the derivative of the one before: five-point differences over rows that are close together.

@@ -45,8 +45,8 @@ std::vector<Measured> measured(const Model& model, const std::vector<Measure>& m
   return values;
 }
 
-std::string refusal(const Model& model, const std::vector<Measure>& measures,
-                    const RunSettings& settings = {}) {
+std::string measure_refusal(const Model& model, const std::vector<Measure>& measures,
+                            const RunSettings& settings = {}) {
   const auto made = settings_for(model, measures, settings);
   return made ? "" : to_string(made.error());
 }
@@ -221,17 +221,18 @@ TEST(Measures, AskForNoColumnsThatTheyDoNotNeed) {
 
 TEST(Measures, NameTheColumnsThatAreLikeAWrongOne) {
   const Model model = model_of(kCam);
-  EXPECT_EQ(refusal(model, {measure("folower.y", MeasureKind::kMax), measure("status", MeasureKind::kMax)}),
-            "test.toml:7:3: results.m.column = \"folower.y\": there is no such column; did you mean "
-            "`follower.y` or "
-            "`follower.x` or `follower.vy`?\n"
-            "test.toml:7:3: results.m.column = \"status\": this column holds words; a measure needs numbers");
+  EXPECT_EQ(
+      measure_refusal(model, {measure("folower.y", MeasureKind::kMax), measure("status", MeasureKind::kMax)}),
+      "test.toml:7:3: results.m.column = \"folower.y\": there is no such column; did you mean "
+      "`follower.y` or "
+      "`follower.x` or `follower.vy`?\n"
+      "test.toml:7:3: results.m.column = \"status\": this column holds words; a measure needs numbers");
 }
 
 TEST(Measures, WantARowWhereTheyAreTaken) {
   const Model model = model_of(kCam);
   const auto at = [&](double place) {
-    return refusal(model, {measure("follower.y", MeasureKind::kAt, place)});
+    return measure_refusal(model, {measure("follower.y", MeasureKind::kAt, place)});
   };
   EXPECT_EQ(at(17), "");
   EXPECT_EQ(

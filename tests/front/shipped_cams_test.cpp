@@ -12,9 +12,9 @@ namespace {
 
 using testing::shipped_model;
 
-constexpr double kDegree = M_PI / 180;
+constexpr double kCamDegree = M_PI / 180;
 
-Motion motion_of(const Model& model, bool forces = false) {
+Motion cam_motion(const Model& model, bool forces = false) {
   RunSettings settings;
   settings.forces = forces;
   auto motion = model.run(settings);
@@ -25,7 +25,7 @@ Motion motion_of(const Model& model, bool forces = false) {
 }
 
 TEST(GrooveCam, SwingsItsLeverAsTheModifiedSineSays) {
-  const Motion motion = motion_of(shipped_model("groove_cam"));
+  const Motion motion = cam_motion(shipped_model("groove_cam"));
   ASSERT_TRUE(motion.good());
   const auto angle = motion.column("lever_pivot.position");
   const auto speed = motion.column("lever_pivot.velocity");
@@ -44,17 +44,17 @@ TEST(GrooveCam, SwingsItsLeverAsTheModifiedSineSays) {
 }
 
 TEST(GrooveCam, HoldsItsRollerByTheOuterWallToo) {
-  const Motion motion = motion_of(shipped_model("groove_cam"), true);
+  const Motion motion = cam_motion(shipped_model("groove_cam"), true);
   EXPECT_TRUE(motion.good());
   const auto force = motion.column("groove.force");
   EXPECT_LT(*std::min_element(force.begin(), force.end()), 0);
   // With the inner wall alone the contact opens.
-  const Motion one_wall = motion_of(shipped_model("groove_cam", {"contacts.groove.both_sides=false"}), true);
+  const Motion one_wall = cam_motion(shipped_model("groove_cam", {"contacts.groove.both_sides=false"}), true);
   EXPECT_FALSE(one_wall.good());
 }
 
 TEST(CamshaftFromALiftTable, LiftsAsTheLawThatTheTableWasRoundedFrom) {
-  const Motion motion = motion_of(shipped_model("camshaft_lift_table"));
+  const Motion motion = cam_motion(shipped_model("camshaft_lift_table"));
   ASSERT_TRUE(motion.good());
   const auto lift = motion.column("guide.position");
   const auto acceleration = motion.column("guide.acceleration");
@@ -65,7 +65,7 @@ TEST(CamshaftFromALiftTable, LiftsAsTheLawThatTheTableWasRoundedFrom) {
     const double s = x <= 0 ? 0 : 9 * std::pow(x, 4) * (35 - 84 * x + 70 * x * x - 20 * x * x * x);
     const double a =
         x <= 0 ? 0
-               : 9 * x * x * (420 - 1680 * x + 2100 * x * x - 840 * x * x * x) / std::pow(75 * kDegree, 2);
+               : 9 * x * x * (420 - 1680 * x + 2100 * x * x - 840 * x * x * x) / std::pow(75 * kCamDegree, 2);
     worst_lift = std::max(worst_lift, std::abs(lift[k] - 32 - s));
     worst_acceleration = std::max(worst_acceleration, std::abs(acceleration[k] / (omega * omega) - a));
   }

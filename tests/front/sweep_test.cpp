@@ -53,7 +53,7 @@ std::vector<std::string> names_of(const Sweep& sweep) {
   return names;
 }
 
-std::string refusal(const Model& model, const SweepSettings& settings = {}) {
+std::string sweep_refusal(const Model& model, const SweepSettings& settings = {}) {
   const auto sweep = Sweep::of(model, settings);
   return sweep ? "" : to_string(sweep.error());
 }
@@ -275,14 +275,15 @@ results.top = { column = "follower.y", of = "max" }
 }
 
 TEST(Sweeps, SayWhatTheyCannotDo) {
-  EXPECT_THAT(refusal(model_of(kCam)), HasSubstr("there is no [sweep]"));
+  EXPECT_THAT(sweep_refusal(model_of(kCam)), HasSubstr("there is no [sweep]"));
   EXPECT_THAT(
-      refusal(cam_sweep({"sweep.results.top.column=folower.y"})),
+      sweep_refusal(cam_sweep({"sweep.results.top.column=folower.y"})),
       HasSubstr(
           "sweep.results.top.column = \"folower.y\": there is no such column; did you mean `follower.y`"));
-  EXPECT_THAT(refusal(cam_sweep({"sweep.rows=[\"folower.*\"]", "sweep.results={}"}, std::string(kSweep))),
-              HasSubstr("rows"));
-  EXPECT_THAT(refusal(cam_sweep({}, R"(
+  EXPECT_THAT(
+      sweep_refusal(cam_sweep({"sweep.rows=[\"folower.*\"]", "sweep.results={}"}, std::string(kSweep))),
+      HasSubstr("rows"));
+  EXPECT_THAT(sweep_refusal(cam_sweep({}, R"(
 [sweep]
 method = "list"
 variables.r = { path = "bodies.cam.curves.disc.radius", values = [-3, -2] }
@@ -292,8 +293,8 @@ variables.r = { path = "bodies.cam.curves.disc.radius", values = [-3, -2] }
   SweepSettings settings;
   settings.part = 3;
   settings.parts = 2;
-  EXPECT_THAT(refusal(cam_sweep(), settings), HasSubstr("part 3 of 2"));
-  EXPECT_THAT(refusal(cam_sweep({"bodies.loose.points.P=[0, 0]"})), HasSubstr("loose"));
+  EXPECT_THAT(sweep_refusal(cam_sweep(), settings), HasSubstr("part 3 of 2"));
+  EXPECT_THAT(sweep_refusal(cam_sweep({"bodies.loose.points.P=[0, 0]"})), HasSubstr("loose"));
 }
 
 TEST(Sweeps, OfRowsNameColumnsThatDoNotExist) {
@@ -303,7 +304,7 @@ method = "list"
 rows = ["folower.*"]
 variables.r = { path = "bodies.cam.curves.disc.radius", values = [30] }
 )");
-  EXPECT_THAT(refusal(model), HasSubstr("sweep.rows: no column of this run has such a name"));
+  EXPECT_THAT(sweep_refusal(model), HasSubstr("sweep.rows: no column of this run has such a name"));
 }
 
 TEST(Sweeps, OfRowsRefuseAVariableWithTheNameOfAColumn) {
@@ -313,7 +314,7 @@ method = "list"
 rows = ["driver"]
 variables.driver = { path = "bodies.cam.curves.disc.radius", values = [30] }
 )");
-  EXPECT_THAT(refusal(model), HasSubstr("two columns would be called `driver`"));
+  EXPECT_THAT(sweep_refusal(model), HasSubstr("two columns would be called `driver`"));
 }
 
 TEST(ModelVariants, AreTheModelsThatWithMakes) {

@@ -1,6 +1,6 @@
 #include "higherpair/geometry/arc_polyline.hpp"
 
-#include "geometry/geometry_testing.hpp"
+#include "geometry/span_testing.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/involute_span.hpp"
 #include "higherpair/geometry/spline_span.hpp"
@@ -12,10 +12,6 @@ namespace higherpair {
 namespace {
 
 using testing::Worst;
-
-Boundary boundary(std::vector<SpanPtr> spans, bool closed) {
-  return *Boundary::make(std::move(spans), closed, 1e-9);
-}
 
 // Centre and radius from the chord and the angle that the bulge stands for.
 double distance_from_arc(const Vector2d& p, const ArcVertex& a, const Vector2d& to) {
@@ -87,8 +83,8 @@ TEST(ArcPolyline, StaysWithinItsToleranceOfAnyCurve) {
       boundary_of(*make_ellipse({0, 0}, {0.031, 0.0127}, 0.3, Side::kOutside), 1),
       boundary_of(*make_parabola({0.001, 0.002}, 0.0127, 0.4), 0.08),
       boundary_of(*make_hyperbola({0.001, 0.002}, {0.031, 0.0127}, 0.4), 0.11),
-      boundary({involute_span(involute)}, false),
-      boundary({*spline_span(points, closed)}, true)};
+      testing::boundary({involute_span(involute)}, false),
+      testing::boundary({*spline_span(points, closed)}, true)};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
       const ArcPolyline line = arc_polyline(curves[i], tolerance);
@@ -113,9 +109,9 @@ TEST(ArcPolyline, LeavesLinesAndArcsWhatTheyAre) {
   const double r = 0.0127;
   const double l = 0.031;
   const Boundary slot =
-      boundary({span_of(ArcPiece{{l, 0}, r, -kPi / 2, kPi}), span_of(LinePiece{{l, r}, {-l, r}}),
-                span_of(ArcPiece{{-l, 0}, r, kPi / 2, kPi}), span_of(LinePiece{{-l, -r}, {l, -r}})},
-               true);
+      testing::boundary({span_of(ArcPiece{{l, 0}, r, -kPi / 2, kPi}), span_of(LinePiece{{l, r}, {-l, r}}),
+                         span_of(ArcPiece{{-l, 0}, r, kPi / 2, kPi}), span_of(LinePiece{{-l, -r}, {l, -r}})},
+                        true);
   const ArcPolyline line = arc_polyline(slot, 1e-3);
   ASSERT_EQ(line.vertices.size(), 6U);  // each half disc in two quarters
   EXPECT_EQ(line.vertices[2].bulge, 0);
@@ -125,7 +121,8 @@ TEST(ArcPolyline, LeavesLinesAndArcsWhatTheyAre) {
   }
   EXPECT_AT_MOST(worst_distance(slot, line), 1e-16);
   // A hollow arc bends clockwise.
-  const ArcPolyline hollow = arc_polyline(boundary({span_of(ArcPiece{{l, 0}, r, 1.1, -0.9})}, false), 1e-3);
+  const ArcPolyline hollow =
+      arc_polyline(testing::boundary({span_of(ArcPiece{{l, 0}, r, 1.1, -0.9})}, false), 1e-3);
   ASSERT_EQ(hollow.vertices.size(), 2U);
   EXPECT_NEAR(hollow.vertices[0].bulge, -std::tan(0.9 / 4), 1e-14);
 }
@@ -136,7 +133,7 @@ TEST(ArcPolyline, KeepsCorners) {
   for (std::size_t i = 0; i < square.size(); ++i) {
     spans.push_back(face_span(square[i], square[(i + 1) % square.size()]));
   }
-  const ArcPolyline line = arc_polyline(boundary(spans, true), 1e-6);
+  const ArcPolyline line = arc_polyline(testing::boundary(spans, true), 1e-6);
   ASSERT_EQ(line.vertices.size(), 4U);
   for (std::size_t i = 0; i < square.size(); ++i) {
     EXPECT_EQ(line.vertices[i].p_B, square[i]);

@@ -1,6 +1,6 @@
 #include "higherpair/geometry/boundary_points.hpp"
 
-#include "geometry/geometry_testing.hpp"
+#include "geometry/span_testing.hpp"
 #include "higherpair/geometry/arc_length.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/involute_span.hpp"
@@ -8,17 +8,13 @@
 namespace higherpair {
 namespace {
 
-Boundary boundary(std::vector<SpanPtr> spans, bool closed) {
-  return *Boundary::make(std::move(spans), closed, 1e-9);
-}
-
 Boundary rounded_square() {
   std::vector<ContourPiece> pieces;
   const std::vector<Vector2d> corners = {{0, 0}, {0.03, 0}, {0.03, 0.02}, {0, 0.02}};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     pieces.push_back(LinePiece{corners[i], corners[(i + 1) % corners.size()]});
   }
-  return boundary(spans_of(with_fillets(pieces, true, 0.004)->pieces), true);
+  return testing::boundary(spans_of(with_fillets(pieces, true, 0.004)->pieces), true);
 }
 
 TEST(BoundaryPoints, LengthsAreThoseOfClosedForms) {
@@ -26,8 +22,8 @@ TEST(BoundaryPoints, LengthsAreThoseOfClosedForms) {
   const Curve ellipse = *make_ellipse({0.004, -0.001}, {0.031, 0.0127}, 0.3);
   EXPECT_NEAR(length_of(boundary_of(ellipse, 1)) / arc_length(ellipse, 2 * kPi), 1, 1e-11);
   const Involute involute = {{0.003, -0.002}, 0.0231, 0.7, Hand::kLeft, {0.05, 1.31}};
-  EXPECT_NEAR(length_of(boundary({involute_span(involute)}, false)), 0.0231 * (1.31 * 1.31 - 0.05 * 0.05) / 2,
-              1e-15);
+  EXPECT_NEAR(length_of(testing::boundary({involute_span(involute)}, false)),
+              0.0231 * (1.31 * 1.31 - 0.05 * 0.05) / 2, 1e-15);
   EXPECT_NEAR(length_of(rounded_square()), 2 * (0.03 + 0.02) - 8 * 0.004 + 2 * kPi * 0.004, 1e-15);
 }
 
@@ -43,7 +39,7 @@ TEST(BoundaryPoints, AtEqualArcsAreOneStepApart) {
   }
   // Roll angles φ at equal steps of r φ²/2, both ends included.
   const Involute involute = {{0, 0}, r, 0, Hand::kRight, {0.2, 1.4}};
-  const auto along = points_at_equal_arcs(boundary({involute_span(involute)}, false), 5);
+  const auto along = points_at_equal_arcs(testing::boundary({involute_span(involute)}, false), 5);
   ASSERT_EQ(along.size(), 5U);
   for (std::size_t i = 0; i < along.size(); ++i) {
     const double squared = 0.2 * 0.2 + static_cast<double>(i) / 4 * (1.4 * 1.4 - 0.2 * 0.2);
@@ -77,7 +73,7 @@ TEST(BoundaryPoints, CornersAndNotchesHaveBothNormals) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     spans.push_back(face_span(corners[i], corners[(i + 1) % corners.size()]));
   }
-  const auto points = points_within(boundary(spans, true), 1e-6);
+  const auto points = points_within(testing::boundary(spans, true), 1e-6);
   ASSERT_EQ(points.size(), 8U);
   int rounds = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -90,7 +86,7 @@ TEST(BoundaryPoints, CornersAndNotchesHaveBothNormals) {
   EXPECT_EQ(rounds, 6);  // the notch is none
   // An open one ends where it ends.
   spans.pop_back();
-  const auto open = points_within(boundary(spans, false), 1e-6);
+  const auto open = points_within(testing::boundary(spans, false), 1e-6);
   ASSERT_EQ(open.size(), 6U);
   EXPECT_EQ(open.front().point.p_B, corners.front());
   EXPECT_NEAR((open.back().point.p_B - corners.back()).norm(), 0, 1e-16);

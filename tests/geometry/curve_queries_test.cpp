@@ -92,7 +92,7 @@ TEST(Normals, OfOpenCurvesAreACone) {
   ASSERT_TRUE(cone);
   EXPECT_NEAR(std::abs(nearest_turn(cone->middle - 0.2, kPi)), kPi, 1e-15);
   EXPECT_NEAR(cone->half, std::atan(0.03 / 0.04), 1e-15);
-  const testing::Involute involute(0.02, {0.5, 2});
+  const testing::InvoluteBySupport involute(0.02, {0.5, 2});
   const auto arc = normals_of(place(make_curve(involute), Pose<double>{}));
   ASSERT_TRUE(arc);
   EXPECT_EQ(arc->middle, 1.25);
@@ -109,7 +109,7 @@ TEST(ArcToNormal, IsThatOfTheSameCurveByItsSupport) {
   ring.side = Side::kOutside;
   // The other way round, with the normal turned.
   EXPECT_NEAR(arc_to_normal(ring, 1 + kPi), -arc_to_normal(kOval, 1), 1e-16);
-  const testing::Involute involute(0.02, {0, 3});
+  const testing::InvoluteBySupport involute(0.02, {0, 3});
   EXPECT_NEAR(arc_to_normal(make_curve(involute), 2), 0.02 * 2, 1e-17);
 }
 

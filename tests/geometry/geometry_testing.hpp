@@ -14,6 +14,8 @@
 
 namespace higherpair::testing {
 
+inline constexpr double kDegree = kPi / 180;
+
 /// Remembers the worst of many errors; a NaN stays the worst.
 class Worst {
 public:

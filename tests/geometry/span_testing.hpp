@@ -1,9 +1,15 @@
 #pragma once
 
 #include "geometry/geometry_testing.hpp"
+#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/span.hpp"
 
 namespace higherpair::testing {
+
+/// Of spans that fit together.
+inline Boundary boundary(std::vector<SpanPtr> spans, bool closed) {
+  return *Boundary::make(std::move(spans), closed, 1e-9);
+}
 
 /// Normal, speed, curvature and its slope of a span are the derivatives of its points, by central differences
 /// at uneven places; errors relative to the size and the largest curvature there.

@@ -19,7 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::string kCrank = R"([bodies.ground]
+const std::string kFittedCrank = R"([bodies.ground]
 points.O = [0, 0]
 [bodies.crank]
 points.O = [0, 0]
@@ -32,12 +32,13 @@ joint = "O"
 )";
 
 FitTask task_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const auto document = ProfileDocument::parse(kCrank + text, "test.toml").value().with(overrides).value();
+  const auto document =
+      ProfileDocument::parse(kFittedCrank + text, "test.toml").value().with(overrides).value();
   return fit_task_of(document, document.read().value());
 }
 
 std::string mistake_in(const std::string& text) {
-  const auto profile = read_profile_text(kCrank + text, "test.toml", {});
+  const auto profile = read_profile_text(kFittedCrank + text, "test.toml", {});
   return profile ? "" : to_string(profile.error().front());
 }
 
@@ -79,12 +80,12 @@ TEST(FitTask, HoldsWithoutATableAndWithOverrides) {
   EXPECT_EQ(task_of("", {"fit.loss=huber"}).loss, FitLoss::kHuber);
 }
 
-struct Wrong {
+struct WrongFit {
   const char* text;
   const char* message;
 };
 
-class WrongFits : public ::testing::TestWithParam<Wrong> {};
+class WrongFits : public ::testing::TestWithParam<WrongFit> {};
 
 TEST_P(WrongFits, AreSaidWithPlaceAndRule) {
   EXPECT_THAT(mistake_in(GetParam().text), HasSubstr(GetParam().message));
@@ -93,31 +94,33 @@ TEST_P(WrongFits, AreSaidWithPlaceAndRule) {
 INSTANTIATE_TEST_SUITE_P(
     FitTask, WrongFits,
     ::testing::Values(
-        Wrong{"fit = 3", "fit"}, Wrong{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
-        Wrong{"[fit]\nconfidence = 95",
-              "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
-        Wrong{"[fit]\nstarts = 0", "fit.starts = 0: expected a number from 1 to 1000000000"},
-        Wrong{"[fit]\nseed = -1", "fit.seed = -1: expected a number from 0"},
-        Wrong{"[fit]\nlos = \"huber\"", "fit.los"},
-        Wrong{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
-        Wrong{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
-        Wrong{"[[fit.columns]]\noffset = true", "fit.columns.0.column is missing"},
-        Wrong{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
-              "fit.columns.0.deviation = 0: must be > 0"},
-        Wrong{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1", "fit.columns.0.weight = -1: must be > 0"},
-        Wrong{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]", "or `crank.A`?"},
-        Wrong{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
-              "there is no such point of a moving body"},
-        Wrong{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
-        Wrong{"[[fit.frames]]\npoint = \"crank.A\"\nfree = []", "expected a list of \"position\", \"turn\""},
-        Wrong{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turm\"]", "did you mean `turn`"},
-        Wrong{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turn\"]\n[[fit.frames]]\npoint = "
-              "\"crank.A\"\nfree = "
-              "[\"turn\"]",
-              "this point has a frame already"},
-        Wrong{"[fit.variables]\nr = 3", "the numbers to be found are the variables of [design]"}));
+        WrongFit{"fit = 3", "fit"}, WrongFit{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
+        WrongFit{"[fit]\nconfidence = 95",
+                 "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
+        WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected a number from 1 to 1000000000"},
+        WrongFit{"[fit]\nseed = -1", "fit.seed = -1: expected a number from 0"},
+        WrongFit{"[fit]\nlos = \"huber\"", "fit.los"},
+        WrongFit{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
+        WrongFit{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
+        WrongFit{"[[fit.columns]]\noffset = true", "fit.columns.0.column is missing"},
+        WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
+                 "fit.columns.0.deviation = 0: must be > 0"},
+        WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1",
+                 "fit.columns.0.weight = -1: must be > 0"},
+        WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]", "or `crank.A`?"},
+        WrongFit{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
+                 "there is no such point of a moving body"},
+        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
+        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = []",
+                 "expected a list of \"position\", \"turn\""},
+        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turm\"]", "did you mean `turn`"},
+        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turn\"]\n[[fit.frames]]\npoint = "
+                 "\"crank.A\"\nfree = "
+                 "[\"turn\"]",
+                 "this point has a frame already"},
+        WrongFit{"[fit.variables]\nr = 3", "the numbers to be found are the variables of [design]"}));
 
-MeasuredTable read(const std::string& text) {
+MeasuredTable measured(const std::string& text) {
   return read_measured_text(text, "m.csv").value();
 }
 
@@ -131,7 +134,7 @@ TEST(MeasuredTable, TakesUnitsMissingValuesAndAnySeparator) {
     std::string text =
         "\xEF\xBB\xBF# a note\ndriver[deg]|\"slider.x [ mm ]\"|status\r\n\n1|2.5|ok\r\n2||ok\n3|NaN|ok\n";
     std::replace(text.begin(), text.end(), '|', separator);
-    const MeasuredTable table = read(text);
+    const MeasuredTable table = measured(text);
     ASSERT_EQ(table.columns.size(), 3U);
     EXPECT_EQ(table.columns[0].unit, "deg");
     EXPECT_EQ(table.columns[1].name, "slider.x");
@@ -156,7 +159,7 @@ TEST(MeasuredTable, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(refusal("driver,x\n1,5,2,7\n"), HasSubstr("decimals are written with a point, not a comma"));
   EXPECT_THAT(refusal(std::string("d\0r\0", 4)), HasSubstr("UTF-16"));
   EXPECT_THAT(to_string(read_measured_file("/nowhere/m.csv").error().front()), HasSubstr("cannot be opened"));
-  const MeasuredTable comma = read("driver;x\n1;2,5\n");
+  const MeasuredTable comma = measured("driver;x\n1;2,5\n");
   EXPECT_THAT(comma.columns[1].mistake->message,
               HasSubstr("`2,5` is no number: decimals are written with a point"));
 }

@@ -29,7 +29,7 @@ std::string slider(const std::string& law) {
   return slider_profile("law = \"lift\"\n[laws.lift]\n" + law);
 }
 
-std::vector<std::string> notes(const std::string& text) {
+std::vector<std::string> law_notes(const std::string& text) {
   std::vector<std::string> lines;
   for (const Diagnostic& note : read(text).notes) lines.push_back(to_string(note));
   return lines;
@@ -219,21 +219,21 @@ TEST(Laws, ThatNothingUsesAreReadAllTheSame) {
       "[laws.spare]\nsegments = [{ over = \"120 deg\", law = \"cycloidal\", rise = \"2 mm\" }]\n";
   EXPECT_THAT(messages(crank_profile(unused)), IsEmpty());
   EXPECT_THAT(
-      notes(crank_profile(unused)),
+      law_notes(crank_profile(unused)),
       ElementsAre("test.toml:12:1: laws.spare: nothing uses this law; a driver does by its key `law`"));
   EXPECT_THAT(
       messages(crank_profile("[laws.spare]\nsegments = [{ over = -1, law = \"cycloidal\", rise = 2 }]\n")),
       ElementsAre(HasSubstr("laws.spare.segments.0.over = -1 deg: must be > 0")));
 }
 
-struct Wrong {
+struct WrongLaw {
   std::string law;
   std::string message;
 };
 
 TEST(LawMessages, NameThePlaceAndTheRemedy) {
   const std::string at = "laws.lift";
-  const Wrong wrong[] = {
+  const WrongLaw wrong[] = {
       {"", at + ": expected one of `segments`, `points` and `file`"},
       {"segments = [{ over = 1, law = \"dwell\" }]\npoints = [[0, 0]]",
        at + ": expected one of `segments`, `points` and `file`"},
@@ -299,7 +299,7 @@ TEST(LawMessages, NameThePlaceAndTheRemedy) {
       {"points = [[0, 0], [1, 1], [2, 3]]\nrepeat = 1",
        at + ".repeat = 1: expected true or false, found an integer"},
   };
-  for (const Wrong& one : wrong) {
+  for (const WrongLaw& one : wrong) {
     EXPECT_THAT(messages(crank(one.law + "\n")), ElementsAre(HasSubstr(one.message))) << one.law;
   }
 }

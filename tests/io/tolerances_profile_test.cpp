@@ -25,18 +25,18 @@ r = { path = "bodies.cam.curves.disc.radius", plus_minus = 0.02 }
 peak = { column = "follower.alpha", of = "maxabs", within = 3 }
 )";
 
-std::string cam(const std::string& tolerances = kTolerances) {
+std::string toleranced_cam(const std::string& tolerances = kTolerances) {
   return std::string(kCamProfile) + tolerances;
 }
 
-std::string message(const Overrides& overrides, const std::string& tolerances = kTolerances) {
-  const auto all = messages(cam(tolerances), overrides);
+std::string tolerance_message(const Overrides& overrides, const std::string& tolerances = kTolerances) {
+  const auto all = messages(toleranced_cam(tolerances), overrides);
   EXPECT_EQ(all.size(), 1U) << ::testing::PrintToString(all);
   return all.empty() ? "" : all[0];
 }
 
 TEST(ToleranceProfiles, AreReadInTheirOrder) {
-  const Profile profile = read(cam(R"(
+  const Profile profile = read(toleranced_cam(R"(
 [tolerances]
 r = { path = "bodies.cam.curves.disc.radius", plus_minus = "20 um" }
 e = { path = "bodies.cam.curves.disc.center.0", plus = -0.01, minus = 0.03, distribution = "uniform" }
@@ -79,40 +79,44 @@ results.rest = { column = "follower.angle", of = "at", at = 30 }
 }
 
 TEST(ToleranceProfiles, SayWhatIsWrongWithThem) {
-  EXPECT_THAT(message({"tolerances.r.path=bodies.cam.curves.disc.radus"}),
+  EXPECT_THAT(tolerance_message({"tolerances.r.path=bodies.cam.curves.disc.radus"}),
               ::testing::AllOf(HasSubstr("there is no `radus`"), HasSubstr("did you mean `radius`")));
-  EXPECT_THAT(message({"tolerances.r.path=bodies.cam.curves.disc"}),
+  EXPECT_THAT(tolerance_message({"tolerances.r.path=bodies.cam.curves.disc"}),
               HasSubstr("expected the path of a number"));
-  EXPECT_THAT(message({"tolerances.r.path=tolerances.r.plus_minus"}),
+  EXPECT_THAT(tolerance_message({"tolerances.r.path=tolerances.r.plus_minus"}),
               HasSubstr("tolerances have none themselves"));
-  EXPECT_THAT(message({"tolerances.r.path=driver.samples"}), HasSubstr("is no dimension of the mechanism"));
+  EXPECT_THAT(tolerance_message({"tolerances.r.path=driver.samples"}),
+              HasSubstr("is no dimension of the mechanism"));
   EXPECT_THAT(
-      message({"tolerances.r.path=[\"bodies.cam.curves.disc.radius\", \"bodies.cam.curves.disc.center.0\"]"}),
+      tolerance_message(
+          {"tolerances.r.path=[\"bodies.cam.curves.disc.radius\", \"bodies.cam.curves.disc.center.0\"]"}),
       HasSubstr("numbers with one tolerance are equal in the profile"));
-  EXPECT_THAT(message({"tolerances.e={path=\"bodies.cam.curves.disc.radius\", plus_minus=1}"}),
+  EXPECT_THAT(tolerance_message({"tolerances.e={path=\"bodies.cam.curves.disc.radius\", plus_minus=1}"}),
               HasSubstr("another variable sets this already"));
-  EXPECT_THAT(message({"tolerances.r.plus_minus=0"}), HasSubstr("tolerances.r.plus_minus = 0: must be > 0"));
-  EXPECT_THAT(message({"tolerances.r.plus_minus=2 deg"}), HasSubstr("expected a length"));
-  EXPECT_THAT(message({"tolerances.r.plus=0.1"}), HasSubstr("say the same"));
-  EXPECT_THAT(message({}, R"(
+  EXPECT_THAT(tolerance_message({"tolerances.r.plus_minus=0"}),
+              HasSubstr("tolerances.r.plus_minus = 0: must be > 0"));
+  EXPECT_THAT(tolerance_message({"tolerances.r.plus_minus=2 deg"}), HasSubstr("expected a length"));
+  EXPECT_THAT(tolerance_message({"tolerances.r.plus=0.1"}), HasSubstr("say the same"));
+  EXPECT_THAT(tolerance_message({}, R"(
 [tolerances]
 r = { path = "bodies.cam.curves.disc.radius" }
 )"),
               HasSubstr("plus_minus is missing"));
-  EXPECT_THAT(message({}, R"(
+  EXPECT_THAT(tolerance_message({}, R"(
 [tolerances]
 r = { path = "bodies.cam.curves.disc.radius", plus = 0.02, minus = -0.02 }
 )"),
               HasSubstr("is empty: plus + minus must be > 0"));
-  EXPECT_THAT(message({"tolerances.r.distribution=norml"}), HasSubstr("did you mean `normal`"));
-  EXPECT_THAT(message({"tolerances.r.sigmas=-1"}), HasSubstr("must be > 0"));
-  EXPECT_THAT(message({"tolerances.r.sigmas=4", "tolerances.r.distribution=uniform"}),
+  EXPECT_THAT(tolerance_message({"tolerances.r.distribution=norml"}), HasSubstr("did you mean `normal`"));
+  EXPECT_THAT(tolerance_message({"tolerances.r.sigmas=-1"}), HasSubstr("must be > 0"));
+  EXPECT_THAT(tolerance_message({"tolerances.r.sigmas=4", "tolerances.r.distribution=uniform"}),
               HasSubstr("belongs to a normal distribution"));
-  EXPECT_THAT(message({"tolerances.r.plusminus=1"}), HasSubstr("unknown key; did you mean `plus_minus`"));
-  EXPECT_THAT(message({"tolerances.results.peak.within=0"}), HasSubstr("must be > 0"));
-  EXPECT_THAT(message({"tolerances.results.peak.of=most"}), HasSubstr("expected one of"));
-  EXPECT_THAT(message({}, "[tolerances]\n"), HasSubstr("expected at least one tolerance"));
-  EXPECT_THAT(message({}, "[tolerances]\nr = 3\n"), HasSubstr("expected a tolerance"));
+  EXPECT_THAT(tolerance_message({"tolerances.r.plusminus=1"}),
+              HasSubstr("unknown key; did you mean `plus_minus`"));
+  EXPECT_THAT(tolerance_message({"tolerances.results.peak.within=0"}), HasSubstr("must be > 0"));
+  EXPECT_THAT(tolerance_message({"tolerances.results.peak.of=most"}), HasSubstr("expected one of"));
+  EXPECT_THAT(tolerance_message({}, "[tolerances]\n"), HasSubstr("expected at least one tolerance"));
+  EXPECT_THAT(tolerance_message({}, "[tolerances]\nr = 3\n"), HasSubstr("expected a tolerance"));
 }
 
 TEST(Quantities, OfAProfileAreAllThatMeasureSomething) {

@@ -10,12 +10,12 @@ using namespace higherpair::testing;
 
 constexpr std::array kMovingLinks{FourBarLink::kCrank, FourBarLink::kCoupler, FourBarLink::kRocker};
 
-FourBar random_four_bar(Random& random) {
+FourBar any_four_bar(Random& random) {
   const double r1 = random.between(0.2, 3), r2 = random.between(0.2, 3), r3 = random.between(0.2, 3);
   return {r1, r2, r3, random.between(0.2, 3), random.angle()};
 }
 
-double angle_of(const FourBarLimit& limit, FourBarLink link) {
+double limit_angle(const FourBarLimit& limit, FourBarLink link) {
   if (link == FourBarLink::kCrank) return limit.theta2;
   return link == FourBarLink::kCoupler ? limit.theta3 : limit.theta4;
 }
@@ -25,7 +25,7 @@ TEST(FourBarLimits, CloseTheLoopWithTheTwoOtherLinksInLine) {
   Worst closure, line;
   int count = 0;
   for (int i = 0; i < 5000; ++i) {
-    const FourBar linkage = random_four_bar(random);
+    const FourBar linkage = any_four_bar(random);
     const double size = std::max({linkage.r1, linkage.r2, linkage.r3, linkage.r4});
     for (const FourBarLink link : kMovingLinks) {
       for (const FourBarLimit& limit : four_bar_limits(linkage, link)) {
@@ -49,14 +49,14 @@ TEST(FourBarLimits, AreTheEndsOfTheRangeOfTheLinkAsADriver) {
   Random random(92);
   Worst worst;
   for (int i = 0; i < 5000; ++i) {
-    const FourBar linkage = random_four_bar(random);
+    const FourBar linkage = any_four_bar(random);
     const FourBar from_O4{linkage.r1, linkage.r4, linkage.r3, linkage.r2, linkage.theta1 + kPi};
     const std::array<DriverRange, 3> ranges{four_bar_crank_range(linkage), four_bar_coupler_range(linkage),
                                             four_bar_crank_range(from_O4)};
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double> angles;
       for (const FourBarLimit& limit : four_bar_limits(linkage, kMovingLinks[k])) {
-        angles.push_back(angle_of(limit, kMovingLinks[k]));
+        angles.push_back(limit_angle(limit, kMovingLinks[k]));
       }
       ASSERT_EQ(angles.size(), static_cast<std::size_t>(2 * ranges[k].count));
       for (std::size_t n = 0; n < angles.size() / 2; ++n) {
@@ -74,7 +74,7 @@ TEST(FourBarLimits, TheLinkStandsStillInTheModeTheyName) {
   Worst angle, rate;
   int count = 0;
   for (int i = 0; i < 5000; ++i) {
-    const FourBar linkage = random_four_bar(random);
+    const FourBar linkage = any_four_bar(random);
     for (const FourBarLink link : {FourBarLink::kCoupler, FourBarLink::kRocker}) {
       for (const FourBarLimit& limit : four_bar_limits(linkage, link)) {
         if (std::abs(std::sin(limit.theta3 - limit.theta4)) < 0.1) continue;

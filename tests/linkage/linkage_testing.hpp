@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/linkage/driver.hpp"
 
 #include <algorithm>
@@ -17,7 +18,6 @@
 
 namespace higherpair::testing {
 
-inline constexpr double kDegree = kPi / 180;
 inline constexpr std::array<AssemblyMode, 2> kModes{AssemblyMode::kPlus, AssemblyMode::kMinus};
 
 /// The reference for accuracy tests needs digits beyond double.
@@ -48,6 +48,11 @@ inline AssemblyMode mode_of(int sigma) {
   return sigma > 0 ? AssemblyMode::kPlus : AssemblyMode::kMinus;
 }
 
+/// One mode, then the other.
+inline AssemblyMode alternating(int i) {
+  return mode_of(i % 2 == 0 ? 1 : -1);
+}
+
 /// Distance of two angles, whole turns aside.
 inline double angle_error(double angle, double expected) {
   return std::abs(std::remainder(angle - expected, 2 * kPi));
@@ -57,20 +62,6 @@ inline double angle_error(double angle, double expected) {
 inline double relative_error(double value, double expected) {
   return std::abs(value - expected) / std::max(1.0, std::abs(expected));
 }
-
-/// Remembers the worst of many errors; a NaN stays the worst.
-class Worst {
-public:
-  void see(double error) {
-    if (!(error <= value_)) value_ = error;
-  }
-  [[nodiscard]] double value() const { return value_; }
-
-private:
-  double value_ = 0;
-};
-
-#define EXPECT_AT_MOST(error, bound) EXPECT_TRUE((error) <= (bound)) << #error " = " << (error)
 
 /// First and second derivative at t = 0 of sampled values, by seven-point central differences (sixth order).
 /// `angle[i]` says that value i is an angle, to be made continuous first.
@@ -130,19 +121,6 @@ private:
   Worst velocity_;
   Worst acceleration_;
   int count_ = 0;
-};
-
-/// Uniform numbers with a fixed seed.
-class Random {
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  double angle() { return between(-kPi, kPi); }
-
-private:
-  std::mt19937_64 engine_;
 };
 
 inline std::complex<double> direction(double angle) {

@@ -8,10 +8,6 @@ namespace {
 
 using namespace higherpair::testing;
 
-AssemblyMode alternating(int i) {
-  return mode_of(i % 2 == 0 ? 1 : -1);
-}
-
 TEST(RprDyad, JoinsTwoMovingPinsAndMovesByTheDerivatives) {
   Random random(71);
   Worst closure;

@@ -10,10 +10,6 @@ namespace {
 
 using namespace higherpair::testing;
 
-AssemblyMode alternating(int i) {
-  return mode_of(i % 2 == 0 ? 1 : -1);
-}
-
 TEST(RrpDyad, JoinsAMovingPointToAMovingGuideAndMovesByTheDerivatives) {
   Random random(63);
   Worst closure;

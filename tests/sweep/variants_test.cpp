@@ -30,7 +30,7 @@ SweepVariable values(std::vector<double> list) {
   return variable;
 }
 
-SweepVariable normal(double mean, double deviation) {
+SweepVariable normal_variable(double mean, double deviation) {
   SweepVariable variable;
   variable.distribution.kind = DistributionKind::kNormal;
   variable.distribution.mean = mean;
@@ -86,7 +86,7 @@ TEST(Variants, OfAGridCanBeCountedBeyondAllIntegers) {
 // In whatever order they are asked for, and whatever was asked for before.
 TEST(Variants, AreFunctionsOfTheirNumber) {
   for (const SweepMethod method : {SweepMethod::kRandom, SweepMethod::kSobol}) {
-    const auto plan = plan_of(method, {between(0, 1), normal(3, 0.2), between(-1, 1)}, 5000, 42);
+    const auto plan = plan_of(method, {between(0, 1), normal_variable(3, 0.2), between(-1, 1)}, 5000, 42);
     const Variants forward(plan);
     std::vector<std::vector<double>> points;
     for (int i = 0; i < 5000; ++i) points.push_back(at(forward, i));
@@ -139,7 +139,7 @@ TEST(Variants, OfASobolSequenceLieInEveryPartOnce) {
 
 TEST(Variants, AtRandomHaveTheMomentsOfTheirDistributions) {
   constexpr int kPoints = 200000;
-  const Variants random(plan_of(SweepMethod::kRandom, {normal(10, 0.3), between(2, 5)}, kPoints, 3));
+  const Variants random(plan_of(SweepMethod::kRandom, {normal_variable(10, 0.3), between(2, 5)}, kPoints, 3));
   double sums[2] = {0, 0};
   double squares[2] = {0, 0};
   double product = 0;
@@ -164,7 +164,9 @@ TEST(Variants, AtRandomHaveTheMomentsOfTheirDistributions) {
 TEST(Variants, ThatAreCorrelatedHaveTheirCoefficients) {
   constexpr int kPoints = 1 << 16;
   for (const SweepMethod method : {SweepMethod::kRandom, SweepMethod::kSobol}) {
-    auto plan = plan_of(method, {normal(10, 0.3), between(0, 1), normal(-4, 2), normal(1, 1)}, kPoints, 5);
+    auto plan = plan_of(
+        method, {normal_variable(10, 0.3), between(0, 1), normal_variable(-4, 2), normal_variable(1, 1)},
+        kPoints, 5);
     plan.correlations = {{2, 0, 0.7}, {0, 3, -0.4}};
     const Variants variants(plan);
     double products[4][4] = {};
@@ -184,7 +186,8 @@ TEST(Variants, ThatAreCorrelatedHaveTheirCoefficients) {
 }
 
 TEST(Correlations, ThatContradictEachOtherHaveNoFactor) {
-  auto plan = plan_of(SweepMethod::kRandom, {normal(0, 1), normal(0, 1), normal(0, 1)}, 10);
+  auto plan = plan_of(SweepMethod::kRandom,
+                      {normal_variable(0, 1), normal_variable(0, 1), normal_variable(0, 1)}, 10);
   plan.correlations = {{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, -0.9}};
   EXPECT_FALSE(correlation_factor(plan));
   plan.correlations[2].coefficient = 0.9;

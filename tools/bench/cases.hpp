@@ -4,6 +4,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/io/profile.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ inline constexpr int kStepsPerTurn = 3600;
 
 [[nodiscard]] inline double driver_position(int step) {
   return 2 * kPi * step / kStepsPerTurn;
+}
+
+/// Whole turns aside.
+[[nodiscard]] inline double angle_difference(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * kPi));
 }
 
 /// An ellipse (or circle) in its body's frame, the pivot being the origin [m, rad].

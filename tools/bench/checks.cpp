@@ -11,10 +11,6 @@
 namespace higherpair::bench {
 namespace {
 
-double angle_difference(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * kPi));
-}
-
 // First and second derivative by seven-point central differences.
 struct Derivatives {
   double first;

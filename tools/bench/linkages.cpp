@@ -21,10 +21,6 @@ Run started(const std::string& name) {
   return *run;
 }
 
-double angle_difference(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * kPi));
-}
-
 const BodyMotion& body_of(const Run& run, const std::string& name) {
   const auto& bodies = run.mechanism().bodies;
   const auto found =

@@ -1,14 +1,11 @@
 #include "branches_report.hpp"
+#include "number_text.hpp"
 #include "unit_columns.hpp"
 
 #include <fmt/format.h>
 
 namespace higherpair::cli {
 namespace {
-
-std::string head(const std::string& name, const std::string& unit) {
-  return name + " [" + unit + "]";
-}
 
 std::string contact_text(const BranchesReport& report, const ContactReport& contact) {
   std::string text = fmt::format("\ncontact {}: {} {}\n", contact.contact, contact.entries.size(),
@@ -17,8 +14,8 @@ std::string contact_text(const BranchesReport& report, const ContactReport& cont
     return text + contact.note + "\n";
   }
   text += fmt::format("\n{:>20}{:>18}{:>18}{:>18}  opposed free\n",
-                      head(contact.joint, contact.position_unit), head("x", report.length_unit),
-                      head("y", report.length_unit), head("normal", report.angle_unit));
+                      title(contact.joint, contact.position_unit), title("x", report.length_unit),
+                      title("y", report.length_unit), title("normal", report.angle_unit));
   for (const ContactEntry& entry : contact.entries) {
     text += fmt::format("{:>20.12g}{:>18.10g}{:>18.10g}{:>18.10g}  {:<8}{}{}\n", entry.position, entry.x,
                         entry.y, entry.normal, entry.opposed ? "yes" : "no", entry.free ? "yes" : "no",
@@ -34,7 +31,7 @@ std::string assemblies_text(const BranchesReport& report) {
   std::string text = fmt::format("\nassemblies: {}{}\n\n", report.assemblies.size(),
                                  report.complete ? "" : " (there may be more)");
   for (std::size_t i = 0; i < report.joints.size(); ++i) {
-    text += fmt::format("{:>24}", head(report.joints[i], report.joint_units[i]));
+    text += fmt::format("{:>24}", title(report.joints[i], report.joint_units[i]));
   }
   for (const std::vector<double>& assembly : report.assemblies) {
     text += '\n';

@@ -1,5 +1,7 @@
 // What a design command has found, for people and for programs.
 #include "design_command.hpp"
+#include "json_text.hpp"
+#include "number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +13,6 @@ namespace higherpair::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-std::string shown(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
-}
 
 std::string_view end_text(DesignEnd end) {
   switch (end) {
@@ -121,40 +115,41 @@ Json design_json(const DesignReport& report) {
   json["title"] = report.title;
   json["holds"] = report.holds;
   json["path_good"] = report.path_good;
-  json["before"] = number(report.before);
-  json["after"] = number(report.after);
+  json["before"] = number_or_null(report.before);
+  json["after"] = number_or_null(report.after);
   json["variables"] = Json::array();
   for (const auto& variable : report.variables) {
     json["variables"].push_back({{"name", variable.name},
                                  {"paths", variable.paths},
-                                 {"before", number(variable.before)},
-                                 {"after", number(variable.after)},
+                                 {"before", number_or_null(variable.before)},
+                                 {"after", number_or_null(variable.after)},
                                  {"min", variable.low},
                                  {"max", variable.high},
                                  {"at_bound", variable.at_bound}});
   }
   json["objectives"] = Json::array();
   for (const auto& objective : report.objectives) {
-    json["objectives"].push_back({{"what", objective.what},
-                                  {"unit", objective.unit},
-                                  {"before", number(objective.before)},
-                                  {"after", number(objective.after)},
-                                  {"target", objective.target ? number(*objective.target) : Json(nullptr)}});
+    json["objectives"].push_back(
+        {{"what", objective.what},
+         {"unit", objective.unit},
+         {"before", number_or_null(objective.before)},
+         {"after", number_or_null(objective.after)},
+         {"target", objective.target ? number_or_null(*objective.target) : Json(nullptr)}});
   }
   json["constraints"] = Json::array();
   for (const auto& constraint : report.constraints) {
     json["constraints"].push_back({{"what", constraint.what},
                                    {"unit", constraint.unit},
                                    {"limit", constraint.limit},
-                                   {"before", number(constraint.before)},
-                                   {"after", number(constraint.after)},
-                                   {"margin", number(constraint.margin)},
-                                   {"cost", number(constraint.cost)},
+                                   {"before", number_or_null(constraint.before)},
+                                   {"after", number_or_null(constraint.after)},
+                                   {"margin", number_or_null(constraint.margin)},
+                                   {"cost", number_or_null(constraint.cost)},
                                    {"cost_unit", constraint.cost_unit}});
   }
   Json optima = Json::array();
   for (const auto& optimum : report.optima) {
-    optima.push_back({{"objective", number(optimum.objective)},
+    optima.push_back({{"objective", number_or_null(optimum.objective)},
                       {"holds", optimum.holds},
                       {"variables", optimum.variables}});
   }

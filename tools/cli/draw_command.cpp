@@ -19,7 +19,7 @@ namespace higherpair::cli {
 namespace {
 
 // Nothing but the linkage and what it hangs on.
-const std::vector<Role> kLinkageAlone{Role::kGround, Role::kLinkage, Role::kContact, Role::kLabel};
+const std::vector<Role> kLinkageAlone{Role::kFixed, Role::kLinkage, Role::kContact, Role::kLabel};
 
 Result<std::vector<Role>> layers_of(const DrawOptions& options) {
   std::vector<std::string> names;

@@ -124,8 +124,8 @@ Result<Settings> settings_of(const ExportOptions& options, const Units& units) {
   return settings;
 }
 
-Result<std::string> text_of(const Model& model, const std::vector<ExportedCurve>& curves,
-                            const Settings& settings, Format format) {
+Result<std::string> flank_text(const Model& model, const std::vector<ExportedCurve>& curves,
+                               const Settings& settings, Format format) {
   switch (format) {
     case Format::kDxf:
       return curves_dxf(model, curves, settings.accuracy, settings.units);
@@ -180,7 +180,7 @@ int export_command(const ExportOptions& options) {
     return report_error(settings.error());
   }
   const auto text = exported_curves(*model, settings->curves).and_then([&](const auto& curves) {
-    return text_of(*model, curves, *settings, *format_of(options.output));
+    return flank_text(*model, curves, *settings, *format_of(options.output));
   });
   if (!text) {
     return report_error(text.error());

@@ -1,5 +1,7 @@
 // What a fit has found, for people and for programs.
 #include "fit_command.hpp"
+#include "json_text.hpp"
+#include "number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +16,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostOutliers = 10;  // that are listed
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-std::string shown(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
-}
-
 std::string brief(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
-}
-
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
 }
 
 // A name of a column as CSV has it in its header; commas and quotes cannot be in one.
@@ -141,12 +131,12 @@ Json numbers_json(const std::vector<FitReport::Number>& numbers) {
     list.push_back({{"name", one.name},
                     {"paths", one.paths},
                     {"unit", one.unit},
-                    {"before", number(one.before)},
-                    {"after", number(one.after)},
-                    {"standard_error", number(one.error)},
-                    {"half_interval", number(one.half)},
-                    {"min", number(one.low)},
-                    {"max", number(one.high)},
+                    {"before", number_or_null(one.before)},
+                    {"after", number_or_null(one.after)},
+                    {"standard_error", number_or_null(one.error)},
+                    {"half_interval", number_or_null(one.half)},
+                    {"min", number_or_null(one.low)},
+                    {"max", number_or_null(one.high)},
                     {"at_bound", one.at_bound},
                     {"determined", one.determined}});
   }
@@ -160,13 +150,13 @@ Json columns_json(const FitReport& report) {
                     {"unit", column.unit},
                     {"values", column.values},
                     {"outliers", column.outliers},
-                    {"rms", number(column.rms)},
-                    {"noise", number(column.noise)},
-                    {"deviation", column.deviation ? number(*column.deviation) : Json(nullptr)},
-                    {"largest", number(column.largest)},
-                    {"largest_at", number(column.largest_at)},
-                    {"r_squared", number(column.explained)},
-                    {"autocorrelation", number(column.succession)},
+                    {"rms", number_or_null(column.rms)},
+                    {"noise", number_or_null(column.noise)},
+                    {"deviation", column.deviation ? number_or_null(*column.deviation) : Json(nullptr)},
+                    {"largest", number_or_null(column.largest)},
+                    {"largest_at", number_or_null(column.largest_at)},
+                    {"r_squared", number_or_null(column.explained)},
+                    {"autocorrelation", number_or_null(column.succession)},
                     {"systematic", column.systematic}});
   }
   return list;
@@ -196,13 +186,13 @@ Json fit_json(const FitReport& report) {
   for (Eigen::Index i = 0; i < report.correlation.rows(); ++i) {
     Json row = Json::array();
     for (Eigen::Index k = 0; k < report.correlation.cols(); ++k)
-      row.push_back(number(report.correlation(i, k)));
+      row.push_back(number_or_null(report.correlation(i, k)));
     json["correlation"].push_back(std::move(row));
   }
   json["confidence"] = report.confidence;
   json["freedoms"] = report.freedoms;
-  json["noise_ratio"] = number(report.noise_ratio);
-  json["chance"] = number(report.chance);
+  json["noise_ratio"] = number_or_null(report.noise_ratio);
+  json["chance"] = number_or_null(report.chance);
   json["missing"] = report.missing;
   json["search"] = {{"loss", name_of(report.loss)},
                     {"starts", report.starts},
@@ -249,13 +239,13 @@ Json fit_json(const CurveFitReport& report) {
     json["numbers"].push_back({{"name", own.name},
                                {"unit", own.unit},
                                {"value", own.value},
-                               {"standard_error", number(own.error)},
-                               {"half_interval", number(own.half)}});
+                               {"standard_error", number_or_null(own.error)},
+                               {"half_interval", number_or_null(own.half)}});
   }
   json["points"] = report.points.size();
-  json["rms"] = number(report.rms);
-  json["noise"] = number(report.noise);
-  json["largest"] = {{"distance", number(report.largest)}, {"line", report.largest_line}};
+  json["rms"] = number_or_null(report.rms);
+  json["noise"] = number_or_null(report.noise);
+  json["largest"] = {{"distance", number_or_null(report.largest)}, {"line", report.largest_line}};
   json["confidence"] = report.confidence;
   return json;
 }

@@ -1,4 +1,5 @@
 #include "map_report.hpp"
+#include "number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +9,8 @@
 namespace higherpair::cli {
 namespace {
 
-std::string head(const std::string& name, const std::string& unit) {
-  return name + " [" + unit + "]";
-}
-
 // 12 digits, and 0 where only the rounding of a unit is left.
-std::string number(double value) {
+std::string rounded(double value) {
   return fmt::format("{:.12g}", std::abs(value) < 1e-13 ? 0.0 : value);
 }
 
@@ -41,8 +38,8 @@ std::string branches_table(const ContactMapReport& contact) {
     const int index = static_cast<int>(i) + 1;
     const bool own = contact.own && contact.own->branch == index;
     text += fmt::format("{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}{}\n",
-                        (own ? "* " : "") + std::to_string(index), number(branch.begin.driver),
-                        end_word(branch.begin, branch.turns), number(branch.end.driver),
+                        (own ? "* " : "") + std::to_string(index), rounded(branch.begin.driver),
+                        end_word(branch.begin, branch.turns), rounded(branch.end.driver),
                         end_word(branch.end, branch.turns), branch.opposed ? "yes" : "no", free_word(branch));
   }
   return text;
@@ -62,11 +59,11 @@ std::string events_table(const ContactMapReport& contact, const MapReport& repor
   }
   std::string text =
       fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", "at [" + contact.driver_unit + "]",
-                  head(contact.position_joint, contact.position_unit), head("x", report.length_unit),
-                  head("y", report.length_unit), "opposed");
+                  title(contact.position_joint, contact.position_unit), title("x", report.length_unit),
+                  title("y", report.length_unit), "opposed");
   for (const MapEventReport& event : contact.events) {
     text += fmt::format("{:<12}{:>22}{:>26}{:>16.8g}{:>16.8g}  {:<9}{}\n", event.type,
-                        number(event.at.driver), number(event.at.position), event.at.x, event.at.y,
+                        rounded(event.at.driver), rounded(event.at.position), event.at.x, event.at.y,
                         event.opposed ? "yes" : "no", list_of(event.branches));
   }
   return text;
@@ -79,7 +76,7 @@ std::string marks_text(const ContactMapReport& contact) {
     const MapBranchReport& branch = contact.branches[i];
     for (const MapRow& row : branch.free_changes) {
       text += fmt::format("branch {}: a second contact of the two bodies at {} {}\n", i + 1,
-                          number(row.driver), contact.driver_unit);
+                          rounded(row.driver), contact.driver_unit);
     }
     if (!branch.opposed) {
       continue;
@@ -87,14 +84,14 @@ std::string marks_text(const ContactMapReport& contact) {
     for (const MapRow& row : branch.extremes) {
       text +=
           fmt::format("branch {}: the follower turns back at {} {}, standing at {} {}\n", i + 1,
-                      number(row.driver), contact.driver_unit, number(row.position), contact.position_unit);
+                      rounded(row.driver), contact.driver_unit, rounded(row.position), contact.position_unit);
     }
   }
   return text.empty() ? text : "\n" + text;
 }
 
 std::string neighbour_text(const NeighbourReport& near, const ContactMapReport& contact) {
-  return fmt::format("branch {}, {} {} away", near.branch, number(near.distance), contact.position_unit);
+  return fmt::format("branch {}, {} {} away", near.branch, rounded(near.distance), contact.position_unit);
 }
 
 std::string own_text(const ContactMapReport& contact) {
@@ -104,19 +101,19 @@ std::string own_text(const ContactMapReport& contact) {
   const OwnBranch& own = *contact.own;
   const MapBranchReport& branch = contact.branches[static_cast<std::size_t>(own.branch - 1)];
   std::string text = fmt::format("\n* the mechanism is on branch {}, at {} {} with {} = {} {}\n", own.branch,
-                                 number(own.driver), contact.driver_unit, contact.position_joint,
-                                 number(own.position), contact.position_unit);
+                                 rounded(own.driver), contact.driver_unit, contact.position_joint,
+                                 rounded(own.position), contact.position_unit);
   if (branch.turns == 0) {
     text += fmt::format("  the driver can go back by {} {} and on by {} {}\n",
-                        number(own.driver - branch.begin.driver), contact.driver_unit,
-                        number(branch.end.driver - own.driver), contact.driver_unit);
+                        rounded(own.driver - branch.begin.driver), contact.driver_unit,
+                        rounded(branch.end.driver - own.driver), contact.driver_unit);
   }
   if (!own.at_start || !own.nearest) {
     return text + "  no other opposed contact shares a driver position with it\n";
   }
   text += "  next to it there: " + neighbour_text(*own.at_start, contact) + "\n";
   return text + fmt::format("  nearest to it: {}, at {} {}\n", neighbour_text(*own.nearest, contact),
-                            number(own.nearest->driver), contact.driver_unit);
+                            rounded(own.nearest->driver), contact.driver_unit);
 }
 
 }  // namespace
@@ -131,7 +128,7 @@ std::string map_text(const MapReport& report) {
     text +=
         fmt::format("\ncontact {}: {} {}, {} from {} to {} {}\n", contact.contact, contact.branches.size(),
                     contact.branches.size() == 1 ? "branch" : "branches", contact.driver_joint,
-                    number(contact.start), number(contact.end), contact.driver_unit);
+                    rounded(contact.start), rounded(contact.end), contact.driver_unit);
     if (!contact.complete) {
       text += "not every branch could be followed to its end: the map is not complete\n";
     }

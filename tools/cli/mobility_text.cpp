@@ -14,9 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The numbers of the JSON, in sentences.
-class TextWriter {
+class MobilityWriter {
 public:
-  explicit TextWriter(const MobilityFindings& findings)
+  explicit MobilityWriter(const MobilityFindings& findings)
       : findings_(findings),
         json_(mobility_json(findings)),
         length_(unit_text(dimension::kLength, findings.model.units())),
@@ -243,7 +243,7 @@ private:
 }  // namespace
 
 std::string mobility_text(const MobilityFindings& findings) {
-  return TextWriter(findings).all();
+  return MobilityWriter(findings).all();
 }
 
 }  // namespace higherpair::cli

@@ -1,4 +1,6 @@
 // What `sensitivity` has found, for programs.
+#include "json_text.hpp"
+#include "number_text.hpp"
 #include "sensitivity_report.hpp"
 
 #include <array>
@@ -12,22 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array kKinds = {"exact", "differences", "kink", "none"};
-
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json number_or_null(const std::optional<double>& value) {
-  return value ? number_or_null(*value) : Json(nullptr);
-}
-
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value == 0 ? 0.0 : value) : "";
-}
-
-std::string cell(const std::optional<double>& value) {
-  return value ? cell(*value) : "";
-}
 
 Json slope_json(const SensitivityFindings& findings, std::size_t m, std::size_t i) {
   const ResultSensitivity& result = findings.report.results[m];

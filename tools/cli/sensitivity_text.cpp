@@ -10,7 +10,7 @@
 namespace higherpair::cli {
 namespace {
 
-constexpr std::size_t kWidth = 80;
+constexpr std::size_t kPageWidth = 80;
 constexpr std::size_t kNameWidth = 40;
 
 std::string figure(double value, int digits = 6) {
@@ -26,7 +26,7 @@ std::string paragraph(const std::string& sentence, std::size_t indent) {
     const std::size_t space = rest.find(' ');
     const std::string word = rest.substr(0, space);
     rest = space == std::string::npos ? "" : rest.substr(space + 1);
-    if (line.size() > start.size() && line.size() + 1 + word.size() > kWidth) {
+    if (line.size() > start.size() && line.size() + 1 + word.size() > kPageWidth) {
       text += line + "\n";
       line = start;
     }
@@ -70,9 +70,10 @@ private:
   std::vector<std::pair<std::string, std::vector<std::string>>> remarks_;
 };
 
-class TextWriter {
+class SensitivityWriter {
 public:
-  explicit TextWriter(const SensitivityFindings& findings) : findings_(findings), report_(findings.report) {}
+  explicit SensitivityWriter(const SensitivityFindings& findings)
+      : findings_(findings), report_(findings.report) {}
 
   std::string write() {
     if (!report_.title.empty()) text_ += report_.title + "\n";
@@ -324,7 +325,7 @@ std::optional<double> relative_slope(const ResultSensitivity& result, std::size_
 }
 
 std::string sensitivity_text(const SensitivityFindings& findings) {
-  return TextWriter(findings).write();
+  return SensitivityWriter(findings).write();
 }
 
 }  // namespace higherpair::cli

@@ -13,8 +13,8 @@
 namespace higherpair::fire {
 namespace {
 
-constexpr std::int64_t kSamples = 61;
-constexpr double kLimitTolerance = 1e-9;     // share of the path
+constexpr std::int64_t kTruthSamples = 61;
+constexpr double kTruthTolerance = 1e-9;     // share of the path
 constexpr double kPositionTolerance = 1e-8;  // of what is nowhere near a limit
 
 // What the reference does not know: contacts that are taken over by others.
@@ -52,7 +52,7 @@ Failure compare_rows(const RunRecord& run, const testing::ReferenceMotion& refer
 }  // namespace
 
 Failure truth_law(const Profile& profile) {
-  const RunRecord run = record_run(profile, false, kSamples);
+  const RunRecord run = record_run(profile, false, kTruthSamples);
   if (!run.not_started.empty()) {
     return {};
   }
@@ -60,14 +60,14 @@ Failure truth_law(const Profile& profile) {
   if (std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.by_boundary; })) {
     return {"", "gave up: a curve of several parts", 0};
   }
-  const auto schedule = DriverSchedule::analyze(profile, kSamples);
+  const auto schedule = DriverSchedule::analyze(profile, kTruthSamples);
   std::vector<double> to;
   std::vector<double> stations;
   for (std::size_t i = 0; i < schedule->driver_count(); ++i) {
-    to.push_back(schedule->state(kSamples - 1, i).si.position);
+    to.push_back(schedule->state(kTruthSamples - 1, i).si.position);
   }
-  for (std::int64_t k = 0; k < kSamples; ++k) {
-    stations.push_back(static_cast<double>(k) / (kSamples - 1));
+  for (std::int64_t k = 0; k < kTruthSamples; ++k) {
+    stations.push_back(static_cast<double>(k) / (kTruthSamples - 1));
   }
   const auto reference =
       testing::reference_motion(profile.mechanism, schedule->first_positions(), to, stations);
@@ -79,7 +79,7 @@ Failure truth_law(const Profile& profile) {
   if (reference.end == End::kGaveUp || changes_contact(run, std::min(found, wanted))) {
     return {"", "gave up: " + reference.why, 0};
   }
-  if (!(std::abs(found - wanted) <= kLimitTolerance)) {
+  if (!(std::abs(found - wanted) <= kTruthTolerance)) {
     const auto text = [](double share) { return share > 1 ? std::string("none") : fmt::format("{}", share); };
     return {found > 1    ? "truth: limit missed"
             : wanted > 1 ? "truth: limit where there is none"

@@ -13,13 +13,16 @@
 
 namespace higherpair {
 
+/// Lengths of scenes are in millimetres: so many are a metre.
+inline constexpr double kMillimetres = 1000;
+
 /// What a shape shows. The names are those of `data-role` in SVG and of the layers in draw and report.
 enum class Role {  // in the order in which they are drawn, one over the other
   kLink,           ///< bars and plates between the points of a body
   kBody,           ///< a body within its curves
   kGear,           ///< pitch circles of gears and belts
   kSpring,         ///< springs and dampers
-  kGround,         ///< symbols of what is fixed
+  kFixed,          ///< symbols of what is fixed
   kJoint,          ///< pins, slides, slots
   kCurvature,      ///< osculating circles and their centres
   kTangent,        ///< common tangent

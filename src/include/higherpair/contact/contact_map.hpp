@@ -11,6 +11,8 @@
 
 namespace higherpair {
 
+inline constexpr double kTurn = 2 * kPi;  ///< of the driver [rad]
+
 /// The driver coordinates that a map covers: one whole turn from `start`, or the way from `start` to `end`.
 struct MapRange {
   double start = 0;            ///< [rad or m]

@@ -20,6 +20,9 @@ struct RowPath {
 /// The motion of every driver in a row.
 [[nodiscard]] std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row);
 
+/// Their positions alone.
+[[nodiscard]] std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row);
+
 [[nodiscard]] RowPath path_of(const DriverSchedule& schedule);
 
 }  // namespace higherpair

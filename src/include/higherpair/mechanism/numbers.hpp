@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/description.hpp"
 
 #include <type_traits>
+#include <vector>
 
 namespace higherpair {
 
@@ -62,6 +63,13 @@ void for_each_number(M& mechanism, F f) {
     number(spring.free, NumberKind::kLoad);
     number(spring.damping, NumberKind::kLoad);
   }
+}
+
+/// All of them, in that order.
+[[nodiscard]] inline std::vector<double> numbers_of(const Mechanism& mechanism) {
+  std::vector<double> numbers;
+  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
+  return numbers;
 }
 
 }  // namespace higherpair

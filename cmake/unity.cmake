@@ -1,0 +1,16 @@
+# With CMAKE_UNITY_BUILD sources are compiled some at a time, as most of the time goes into headers: those of the
+# library by rooms. Names are therefore unique in a room, also those that only one source sees.
+function(higherpair_unite_rooms target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  set(together 10)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "^${PROJECT_SOURCE_DIR}/src/([a-z]+)/[a-z_0-9]+\\.cpp$")
+      set(room ${CMAKE_MATCH_1})
+      list(APPEND rooms_${room} ${source})
+      list(LENGTH rooms_${room} count)
+      math(EXPR group "(${count} - 1) / ${together}")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${group})
+    endif()
+  endforeach()
+endfunction()

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+
+/// For people: nine digits.
+[[nodiscard]] inline std::string shown(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
+}
+
+/// A field of CSV: all digits; empty where nothing is defined.
+[[nodiscard]] inline std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value == 0 ? 0.0 : value) : "";
+}
+[[nodiscard]] inline std::string cell(const std::optional<double>& value) {
+  return value ? cell(*value) : "";
+}
+
+/// The title of a table's column.
+[[nodiscard]] inline std::string title(const std::string& name, const std::string& unit) {
+  return name + " [" + unit + "]";
+}
+
+}  // namespace higherpair::cli
