@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using Path = ExportSettings::Path;
+using ExportPath = ExportSettings::Path;
 
 class Export : public ::testing::Test {
 protected:
@@ -34,7 +34,7 @@ protected:
     return *model;
   }
 
-  static ExportSettings of(const std::string& curve, Path path = Path::kCurve) {
+  static ExportSettings of(const std::string& curve, ExportPath path = ExportPath::kCurve) {
     ExportSettings settings;
     settings.curves = {curve};
     settings.path = path;
@@ -135,7 +135,7 @@ TEST_F(Export, AFlankAsPointsGivesItsLawBackByASpline) {
 
 TEST_F(Export, ThePitchCurveIsWhereTheRollersCentreIs) {
   const Model cam = shipped("law_cam_roller");
-  const Boundary pitch = taken(cam, of("cam.flank", Path::kPitch)).front().boundary;
+  const Boundary pitch = taken(cam, of("cam.flank", ExportPath::kPitch)).front().boundary;
   const auto motion = cam.run();
   ASSERT_TRUE(motion);
   const ColumnValues driver = motion->column("driver");
@@ -164,9 +164,9 @@ TEST_F(Export, ThePitchCurveIsWhereTheRollersCentreIs) {
 
 TEST_F(Export, ACutterAsLargeAsTheRollerGoesAlongThePitchCurve) {
   const Model cam = shipped("law_cam_roller");
-  ExportSettings cutter = of("cam.flank", Path::kCutter);
+  ExportSettings cutter = of("cam.flank", ExportPath::kCutter);
   cutter.cutter = 0.010;
-  const auto pitch = taken(cam, of("cam.flank", Path::kPitch));
+  const auto pitch = taken(cam, of("cam.flank", ExportPath::kPitch));
   const auto path = taken(cam, cutter);
   EXPECT_EQ(*curve_csv(cam, path.front(), {{}, 100}, cam.units()),
             *curve_csv(cam, pitch.front(), {{}, 100}, cam.units()));
@@ -278,7 +278,7 @@ TEST_F(Export, SaysWhatIsWrong) {
   settings.body = "cam";
   EXPECT_EQ(taken(cam, settings).front().name, "cam.disc");
   EXPECT_THAT(
-      refused(cam, of("cam.disc", Path::kPitch)),
+      refused(cam, of("cam.disc", ExportPath::kPitch)),
       HasSubstr("no circle or knife edge touches cam.disc, whose path would be the pitch curve: give the "
                 "radius of a cutter instead"));
   const Model four_bar = shipped("four_bar");
@@ -296,7 +296,7 @@ TEST_F(Export, SaysHowLargeACutterMayBe) {
   const Model ring = testing::model_of(std::string(testing::kCam) +
                                        "[bodies.ring]\ncurves.hole = { type = \"circle\", center = [10, 0], "
                                        "radius = 20.00049, side = \"outside\" }\n");
-  ExportSettings settings = of("ring.hole", Path::kCutter);
+  ExportSettings settings = of("ring.hole", ExportPath::kCutter);
   settings.cutter = 0.025;
   const std::string message = refused(ring, settings);
   EXPECT_THAT(message, HasSubstr("a cutter or roller of radius 25 mm is too large for ring.hole: at ("));
@@ -313,7 +313,7 @@ TEST_F(Export, SaysWhereNoCutterGets) {
                             "{ type = \"segment\", from = [5, 0], to = [0, 2] },\n"
                             "{ type = \"segment\", from = [0, 2], to = [1, 0] } ]\n";
   const Model cam = *Model::from_text(plate);
-  ExportSettings settings = of("plate.edge", Path::kCutter);
+  ExportSettings settings = of("plate.edge", ExportPath::kCutter);
   settings.cutter = 0.0001;
   EXPECT_THAT(
       refused(cam, settings),
@@ -330,7 +330,7 @@ TEST_F(Export, SaysWhereAPathCrossesItself) {
                           "{ type = \"segment\", from = [9.539392014169456, 3], to = [30, 3] } ]\n";
   const auto model = Model::from_text(jaw);
   ASSERT_TRUE(model) << to_string(model.error());
-  ExportSettings settings = of("jaw.pocket", Path::kCutter);
+  ExportSettings settings = of("jaw.pocket", ExportPath::kCutter);
   settings.cutter = 0.0029;
   const auto good = exported_curves(*model, settings);
   EXPECT_TRUE(good) << to_string(good.error());
@@ -354,7 +354,7 @@ TEST_F(Export, SaysWhichRollerItCannotChoose) {
   const auto model = Model::from_text(two);
   ASSERT_TRUE(model) << to_string(model.error());
   EXPECT_THAT(
-      refused(*model, of("cam.disc", Path::kPitch)),
+      refused(*model, of("cam.disc", ExportPath::kPitch)),
       HasSubstr("rollers of different radii touch cam.disc (k1: 5 mm, k2: 7 mm): give the one that is "
                 "meant as the radius of a cutter"));
 }
@@ -368,7 +368,7 @@ TEST_F(Export, AKnifeEdgeIsDrawnOnlyByItsCutter) {
     }
   }
   EXPECT_THAT(refused(knife, of(name)), HasSubstr(name + " is a point, of which there is nothing to draw"));
-  ExportSettings settings = of(name, Path::kCutter);
+  ExportSettings settings = of(name, ExportPath::kCutter);
   settings.cutter = 0.003;
   EXPECT_THAT(*curves_dxf(knife, taken(knife, settings), {}, knife.units()), HasSubstr("CIRCLE"));
 }

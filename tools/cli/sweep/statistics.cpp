@@ -19,7 +19,7 @@ std::string plural(std::int64_t count, const std::string& thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-std::string text_of(const Column& column, const ColumnStatistics& of) {
+std::string statistics_text(const Column& column, const ColumnStatistics& of) {
   std::string text = fmt::format("\n{} [{}]\n", column.name, column.unit);
   if (of.count() == 0) {
     return text + "  undefined in every variant\n";
@@ -178,7 +178,7 @@ std::string SweepSummary::text(const std::string& title) const {
     text += causes_text();
   }
   for (std::size_t i = 0; i < results_.size(); ++i) {
-    text += text_of(sweep_.columns()[sweep_.first_result() + i], results_[i]);
+    text += statistics_text(sweep_.columns()[sweep_.first_result() + i], results_[i]);
   }
   return text;
 }

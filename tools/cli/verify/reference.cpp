@@ -145,7 +145,7 @@ Wanted cell_of(const Column& column, double value) {
   return column.words.empty() ? Wanted(value) : Wanted(std::string(word_of(column, value)));
 }
 
-std::string text_of(const Wanted& wanted) {
+std::string wanted_text(const Wanted& wanted) {
   if (const auto* number = std::get_if<double>(&wanted)) {
     return fmt::format("{}", *number);
   }
@@ -165,8 +165,8 @@ std::string compare(const Expected& expected, const std::vector<double>& scale, 
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const Wanted& wanted = expected.rows[k][i];
     if (!is_alike(cells[i], wanted)) {
-      return fmt::format("row {}: {} is {}, expected {}", k + 1, expected.head[i], text_of(cells[i]),
-                         text_of(wanted));
+      return fmt::format("row {}: {} is {}, expected {}", k + 1, expected.head[i], wanted_text(cells[i]),
+                         wanted_text(wanted));
     }
     if (const double* number = std::get_if<double>(&cells[i])) {
       const double right = std::get<double>(wanted);
