@@ -13,4 +13,9 @@ function(higherpair_unite_rooms target)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${group})
     endif()
   endforeach()
+  if(CMAKE_UNITY_BUILD)
+    # GCC lets what it compiles at once grow by less than a half through inlining, where that is large: the steps of a
+    # run would be slower than if each source was compiled alone.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=large-unit-insns=1000000>)
+  endif()
 endfunction()
