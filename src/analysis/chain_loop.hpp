@@ -86,7 +86,7 @@ inline void fill(const ChainRowsJob& job) {
   using T = Pack<W>;
   constexpr std::size_t kPacks = kChainRows / W;
   const std::size_t bodies = job.bodies;
-  const std::size_t groups = job.plan.groups.size();
+  const std::size_t groups = job.groups.size();
   Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
   Room<ChainWatch<T>, kMostChainGroups> watches(groups);
   const ChainSchedule& schedule = job.schedule;
@@ -100,9 +100,12 @@ inline void fill(const ChainRowsJob& job) {
       rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
     }
     for (std::size_t g = 0; g < groups; ++g) {
+      if (const auto* ovals = std::get_if<OvalContact>(&job.groups[g].kind)) {
+        solve_ovals<W>(*ovals, driver, job.size, job.ovals[g], room.data(), bodies, watches[g]);
+        continue;
+      }
       for (std::size_t i = 0; i < kPacks; ++i) {
-        solve_group<kRates>(job.plan.groups[g], job.modes[g], driver[i], room.data() + i * bodies,
-                            watches[g]);
+        solve_group<kRates>(job.groups[g], job.modes[g], driver[i], room.data() + i * bodies, watches[g]);
       }
     }
     for (ChainTask& task : job.tasks) {
