@@ -130,8 +130,8 @@ public:
       return false;
     }
     const MotionBound& known = at(contact.known);
-    const OneFreedom& freedom = contact.freedom;
-    const PointBound joint = bound_at(at(contact.carrier), freedom.p_WO);
+    const OneFreedom& freedom = contact.touch.freedom;
+    const PointBound joint = bound_at(at(contact.touch.carrier), freedom.p_WO);
     const PointBound center = bound_at(known, contact.on_known.center_B);
     const double reach = contact.on_known.along;
     const double v1 = center.speed + known.omega * reach;
@@ -148,9 +148,9 @@ public:
     const double second = (a1 + joint.acceleration + square(omega) * arm + turning * along +
                            sliding * (known.omega + turning + sliding / least)) /
                           per_q;
-    at(contact.body) = freedom.turns
-                           ? MotionBound{freedom.p_BO, joint.speed, joint.acceleration, rate, second}
-                           : MotionBound{freedom.p_BO, rate, second, 0, 0};
+    at(contact.touch.body) = freedom.turns
+                                 ? MotionBound{freedom.p_BO, joint.speed, joint.acceleration, rate, second}
+                                 : MotionBound{freedom.p_BO, rate, second, 0, 0};
     return turns_little(omega);
   }
 

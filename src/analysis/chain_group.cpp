@@ -29,12 +29,14 @@ Rotation<double> direction(const Vector2d& v) {
 }
 
 // Both centres are held at the distance of the radii: a link between them.
-std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact, int link) {
+std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
   const double length = contact.on_known.along + contact.on_body.along;
   if (!(length > 0)) {
     return std::nullopt;
   }
-  const OneFreedom& freedom = contact.freedom;
+  ChainTouch touch = contact.touch;
+  touch.p_x = contact.on_known.along;
+  const OneFreedom& freedom = touch.freedom;
   const Vector2d arm = contact.on_body.center_B - freedom.p_BO;
   const BodyPoint A{contact.known, contact.on_known.center_B};
   if (freedom.turns) {
@@ -43,25 +45,25 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact, int link) {
     }
     RrrDyad dyad;
     dyad.A = A;
-    dyad.B = {contact.carrier, freedom.p_WO};
-    dyad.link_a = link;
-    dyad.link_b = contact.body;
+    dyad.B = {touch.carrier, freedom.p_WO};
+    dyad.link_a = touch.link;
+    dyad.link_b = touch.body;
     dyad.a_pC = Vector2d(length, 0);
     dyad.b_pB = freedom.p_BO;
     dyad.b_pC = contact.on_body.center_B;
     dyad.length_a = length;
     dyad.length_b = arm.norm();
     dyad.along_b = direction(arm);
-    return ChainGroup{dyad, true, contact.body};
+    return ChainGroup{dyad, true, touch};
   }
   RrpDyad dyad;
   dyad.A = A;
-  dyad.link = link;
+  dyad.link = touch.link;
   dyad.pC = Vector2d(length, 0);
   dyad.length = length;
-  dyad.line = {contact.carrier, freedom.p_WO + freedom.R_WB * arm, direction(freedom.direction_W)};
-  dyad.slider = Rider{contact.body, contact.carrier, contact.on_body.center_B, freedom.theta, freedom.R_WB};
-  return ChainGroup{dyad, true, contact.body};
+  dyad.line = {touch.carrier, freedom.p_WO + freedom.R_WB * arm, direction(freedom.direction_W)};
+  dyad.slider = Rider{touch.body, touch.carrier, contact.on_body.center_B, freedom.theta, freedom.R_WB};
+  return ChainGroup{dyad, true, touch};
 }
 
 std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const PlacingContact& placing,
@@ -78,13 +80,13 @@ std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const Pla
   if (!on_known || !on_body) {
     return std::nullopt;
   }
-  const OvalContact ovals{placing.contact, known.body,       *on_known,       follower.body,
-                          *on_body,        follower.carrier, follower.freedom};
+  const ChainTouch touch{placing.contact, link, 0, follower.body, follower.carrier, follower.freedom};
+  const OvalContact ovals{touch, known.body, *on_known, *on_body};
   if (on_known->along == on_known->across && on_body->along == on_body->across) {
-    return dyad_of_discs(ovals, link);
+    return dyad_of_discs(ovals);
   }
-  return ovals.freedom.turns || ovals.carrier == kGround ? std::optional(ChainGroup{ovals, false, {}})
-                                                         : std::nullopt;
+  return follower.freedom.turns || follower.carrier == kGround ? std::optional(ChainGroup{ovals, false, {}})
+                                                               : std::nullopt;
 }
 
 }  // namespace

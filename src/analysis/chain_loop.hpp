@@ -51,10 +51,30 @@ template <class T>
   return T(angle.factor) * position + T(angle.offset);
 }
 
+// The acute angle between the normal and the way of the contact point on its body.
+template <class T>
+[[nodiscard]] inline T pressure_of_rows(const ChainTouch& touch, const ChainBody<T>* bodies) {
+  using std::abs;
+  const Rotation<T>& n = bodies[touch.link].R_WB;
+  const OneFreedom& freedom = touch.freedom;
+  if (!freedom.turns) {
+    const Rotation<T> way =
+        n.inverse() * all_lanes<T>(Rotation<double>{freedom.direction_W.x(), freedom.direction_W.y()});
+    return arctangent(abs(way.sin), abs(way.cos));
+  }
+  const ChainPoint<T> p = chain_point<ChainRates::kNone>(bodies[touch.link], Vector2d(touch.p_x, 0));
+  const Vector2<T> arm =
+      n.inverse() * Vector2<T>(p.p_W.x() - T(freedom.p_WO.x()), p.p_W.y() - T(freedom.p_WO.y()));
+  return arctangent(abs(arm.x()), abs(arm.y()));
+}
+
 template <ChainRates kRates, class T>
 [[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const RowRates<T>& rates,
                                      const ChainBody<T>* bodies) {
   const Quantity quantity = task.column.quantity;
+  if (quantity == Quantity::kPressure) {
+    return pressure_of_rows(task.touch, bodies);
+  }
   const ChainBody<T>& body = bodies[task.column.body];
   if (quantity == Quantity::kAngle) {
     return angle_of_rows(task.angle, position, bodies);

@@ -136,7 +136,7 @@ struct Touch {
 template <class T>
 [[nodiscard]] inline Touch<T> touch_at(const OvalContact& contact, const Frame<T>& frame,
                                        const Guess<T>& guess) {
-  const OneFreedom& freedom = contact.freedom;
+  const OneFreedom& freedom = contact.touch.freedom;
   const Vector2<T> n = guess.normal();
   const Rotation<T> R = freedom.turns ? guess.turn : all_lanes<T>(freedom.R_WB);
   const Boundary<T> first = boundary_at(contact.on_known, frame.axis, n);
@@ -177,9 +177,9 @@ template <class T>
 /// The step of last_step (contact/last_step.hpp): δ of the body, φ of the normal.
 template <class T>
 inline void take_pass(const OvalContact& contact, const Touch<T>& touch, Guess<T>& guess) {
-  const bool turns = contact.freedom.turns;
+  const bool turns = contact.touch.freedom.turns;
   const Vector2<T> n = guess.normal();
-  const Lever<T> lever = lever_of(contact.freedom, touch.p2, n);
+  const Lever<T> lever = lever_of(contact.touch.freedom, touch.p2, n);
   const T w = T(1) / (touch.rho1 + touch.rho2);
   const T P = turns ? lever.along + touch.rho2 : lever.along;
   const T M = turns ? lever.along - touch.rho1 : lever.along;
@@ -213,14 +213,14 @@ template <class T>
   const Vector2<T> a =
       less(sum(known.a_WB, less(times(known.alpha, left_of(r1)), times(square, r1))), joint.a_W);
   const T length = touch.rho1 + touch.rho2;
-  const Lever<T> lever = lever_of(contact.freedom, r2, n);
+  const Lever<T> lever = lever_of(contact.touch.freedom, r2, n);
   Rates<T> rates;
   rates.gap_q = lever.gap_q;
   const T per_gap_q = T(1) / lever.gap_q;
   rates.rate = dot(n, v) * per_gap_q;
   rates.phi_dot = (rates.rate * lever.along - cross(n, v)) / length;
   const T pull = length * rates.phi_dot * rates.phi_dot;
-  if (contact.freedom.turns) {
+  if (contact.touch.freedom.turns) {
     const T out = dot(n, r2);
     rates.second_rate = (dot(n, a) + rates.rate * rates.rate * out - pull) * per_gap_q;
     rates.gap_q_rate = (rates.phi_dot - rates.rate) * out;
@@ -308,7 +308,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
   using namespace chain_ovals;
   using T = Pack<W>;
   constexpr ChainRates kAll = ChainRates::kAccelerations;
-  const OneFreedom& freedom = contact.freedom;
+  const OneFreedom& freedom = contact.touch.freedom;
   std::array<ChainPoint<T>, kPacks> joint;
   std::array<Frame<T>, kPacks> frame;
   std::array<Guess<T>, kPacks> guess;
@@ -316,7 +316,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
   for (std::size_t i = 0; i < kPacks; ++i) {
     const ChainBody<T>* pack = bodies + i * stride;
     const ChainBody<T>& known = pack[contact.known];
-    joint[i] = chain_point<kAll>(pack[contact.carrier], freedom.p_WO);
+    joint[i] = chain_point<kAll>(pack[contact.touch.carrier], freedom.p_WO);
     const ChainPoint<T> center = chain_point<ChainRates::kNone>(known, contact.on_known.center_B);
     frame[i] = {less(center.p_W, joint[i].p_W), known.R_WB * all_lanes<T>(contact.on_known.axis_B)};
     const T h = driver[i].position - T(before.position);
@@ -341,7 +341,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
   for (std::size_t i = 0; i < kPacks; ++i) {
     ChainBody<T>* pack = bodies + i * stride;
     const Rates<T> rates = rates_at(contact, touch[i], guess[i].normal(), joint[i], pack[contact.known]);
-    ChainBody<T>& body = pack[contact.body];
+    ChainBody<T>& body = pack[contact.touch.body];
     if (freedom.turns) {
       body.R_WB = guess[i].turn;
       body.omega = rates.rate;
@@ -356,6 +356,9 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
                   times(rates.second_rate, along)},
                  freedom.p_BO);
     }
+    ChainBody<T>& link = pack[contact.touch.link];
+    link.R_WB = guess[i].n;
+    link.p_WB = sum(joint[i].p_W, touch[i].p1);
     const std::size_t at = 1 + i * W;
     driver[i].position.store(&numbers.position[at]);
     guess[i].turn.cos.store(&numbers.turn_cos[at]);

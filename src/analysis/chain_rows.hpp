@@ -35,6 +35,7 @@ struct ChainTask {
   ChainColumn column;
   Vector2d p_B = Vector2d::Zero();
   ChainAngle angle;
+  ChainTouch touch;  ///< of kPressure
   std::vector<double> values;
 };
 

@@ -3,7 +3,7 @@
 #include "chain_bounds.hpp"
 #include "chain_rows.hpp"
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 
@@ -117,21 +117,39 @@ std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_
       turns(rpr->link);
       rides(rpr->slider);
     } else if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
-      turns(ovals->body);
-      if (!ovals->freedom.turns) {
-        at(ovals->body) = {ChainAngle::Source::kFixed, ovals->body, 0, ovals->freedom.theta};
+      turns(ovals->touch.body);
+      if (!ovals->touch.freedom.turns) {
+        at(ovals->touch.body) = {ChainAngle::Source::kFixed, ovals->touch.body, 0,
+                                 ovals->touch.freedom.theta};
       }
     }
   }
   return angles;
 }
 
+// The contact with this index.
+const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact) {
+  for (const ChainGroup& group : groups) {
+    if (const ChainTouch* touch = touch_of(group); touch != nullptr && touch->contact == contact) {
+      return touch;
+    }
+  }
+  return nullptr;
+}
+
+// Whether there is such an angle: the second body is one on ground that the contact places.
+bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, const ChainColumn& column) {
+  const ChainTouch* touch = touch_in(groups, column.body);
+  return touch != nullptr && touch->carrier == kGround &&
+         mechanism.contacts[static_cast<std::size_t>(column.body)].second.body == touch->body;
+}
+
 // Where a contact of ovals is in the first row; rates in `state` are those for a unit velocity.
 OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& state, std::size_t g,
                  double position) {
-  const BodyMotion& body = state.bodies[static_cast<std::size_t>(of.body)];
-  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(of.contact)];
-  const OneFreedom& freedom = of.freedom;
+  const BodyMotion& body = state.bodies[static_cast<std::size_t>(of.touch.body)];
+  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(of.touch.contact)];
+  const OneFreedom& freedom = of.touch.freedom;
   OvalRow row;
   row.position = position;
   row.turn = body.X_WB.R_WB;
@@ -175,10 +193,10 @@ double largest_coordinate(const Mechanism& mechanism, std::span<const ChainGroup
     if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
       largest = std::max({largest, ovals->on_known.center_B.cwiseAbs().maxCoeff(), ovals->on_known.along,
                           ovals->on_body.center_B.cwiseAbs().maxCoeff(), ovals->on_body.along});
-    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind); rrr != nullptr && group.disc) {
+    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind); rrr != nullptr && group.discs) {
       largest = std::max(
           {largest, rrr->length_a, rrr->A.p_B.cwiseAbs().maxCoeff(), rrr->b_pC.cwiseAbs().maxCoeff()});
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind); rrp != nullptr && group.disc) {
+    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind); rrp != nullptr && group.discs) {
       largest = std::max(
           {largest, rrp->length, rrp->A.p_B.cwiseAbs().maxCoeff(), rrp->slider->p_B.cwiseAbs().maxCoeff()});
     }
@@ -329,11 +347,12 @@ bool DyadChain::Impl::take_modes(const Run& run) {
       return false;
     }
     if (const auto* contact = std::get_if<OvalContact>(&groups[g].kind)) {
-      ovals[g] = oval_row(*contact, run.mechanism().contacts[static_cast<std::size_t>(contact->contact)],
-                          run.at.state, g, schedule.position[0]);
+      ovals[g] =
+          oval_row(*contact, run.mechanism().contacts[static_cast<std::size_t>(contact->touch.contact)],
+                   run.at.state, g, schedule.position[0]);
     }
     best_modes[g] = run.at.state.groups[g].mode;
-    if (groups[g].disc && !take_mode_of_disc(run, g)) {
+    if (groups[g].discs && !take_mode_of_disc(run, g)) {
       return false;
     }
     place_as(run, plan.groups[g]);
@@ -343,7 +362,7 @@ bool DyadChain::Impl::take_modes(const Run& run) {
 
 // The mode in which the dyad puts the disc where the run has it.
 bool DyadChain::Impl::take_mode_of_disc(const Run& run, std::size_t g) {
-  const auto disc = static_cast<std::size_t>(*groups[g].disc);
+  const auto disc = static_cast<std::size_t>(groups[g].discs->body);
   const Pose<double>& X_WB = run.at.state.bodies[disc].X_WB;
   const ChainDriver<double> driver{schedule.position[0], {schedule.cosine[0], schedule.sine[0]}};
   for (const double mode : {1.0, -1.0}) {
@@ -379,6 +398,11 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
       !is_chain(mechanism, plan, impl->groups)) {
     return std::nullopt;
   }
+  for (const ChainColumn& column : columns) {
+    if (column.quantity == Quantity::kPressure && !has_pressure(mechanism, impl->groups, column)) {
+      return std::nullopt;
+    }
+  }
   const std::size_t bodies = mechanism.bodies.size() + mechanism.contacts.size();
   impl->plan = plan;
   impl->schedule = schedule_of(rows);
@@ -387,7 +411,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->rates = rates_for(columns);
   for (const ChainColumn& column : columns) {
     impl->tasks.push_back(
-        {column, Vector2d::Zero(), {}, std::vector<double>(impl->schedule.position.size())});
+        {column, Vector2d::Zero(), {}, {}, std::vector<double>(impl->schedule.position.size())});
   }
   impl->needs_size = !mechanism.contacts.empty() ||
                      std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
@@ -403,6 +427,9 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->bounds.resize(bodies);
   const std::vector<ChainAngle> angles = angles_of(impl->groups, bodies);
   for (ChainTask& task : impl->tasks) {
+    if (task.column.quantity == Quantity::kPressure) {
+      continue;
+    }
     task.angle = angles[static_cast<std::size_t>(task.column.body)];
   }
   return DyadChain(std::move(impl));
@@ -418,7 +445,9 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     return false;
   }
   for (ChainTask& task : own.tasks) {
-    if (task.column.point) {
+    if (task.column.quantity == Quantity::kPressure) {
+      task.touch = *touch_in(own.groups, task.column.body);
+    } else if (task.column.point) {
       const Body& body = mechanism.bodies[static_cast<std::size_t>(task.column.body)];
       task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
     }

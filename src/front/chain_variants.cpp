@@ -98,6 +98,11 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
       }
     }
   }
+  for (std::size_t c = 0; c < mechanism.contacts.size(); ++c) {
+    if (name == fmt::format("{}.pressure", mechanism.contacts[c].name)) {
+      return add({static_cast<int>(c), std::nullopt, Quantity::kPressure}, dimension::kAngle);
+    }
+  }
   return std::nullopt;
 }
 

@@ -50,6 +50,8 @@ inline double number_of(const ChainColumn& column, const Mechanism& mechanism, c
                            : Vector2d(0, 0);
   const PointMotion point = point_motion(row.bodies[body], p_B);
   switch (column.quantity) {
+    case ChainColumn::Quantity::kPressure:
+      break;
     case ChainColumn::Quantity::kX:
       return point.p_W.x();
     case ChainColumn::Quantity::kY:

@@ -222,6 +222,7 @@ a = { path = "bodies.follower.curves.roller.center.0", min = -62, max = -58 }
 swing = { column = "follower.angle", of = "range" }
 peak  = { column = "follower.alpha", of = "maxabs", where = true }
 pin   = { column = "follower_pivot.velocity", of = "min" }
+most  = { column = "touch.pressure", of = "max", where = true }
 )",
                                  {"driver.samples=91"});
   expect_same(discs);
@@ -238,6 +239,7 @@ x = { path = "bodies.follower.curves.roller.center.0", min = -67, max = -60 }
 [sweep.results]
 swing = { column = "follower.angle", of = "range" }
 peak  = { column = "follower.alpha", of = "maxabs", where = true }
+mean  = { column = "touch.pressure", of = "mean" }
 )",
                                  {"driver.samples=361"});
   expect_same(ovals);

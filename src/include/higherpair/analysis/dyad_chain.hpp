@@ -9,10 +9,12 @@
 
 namespace higherpair {
 
-/// A number of a body, or of one of its points, in every row of a run; SI units, ground frame.
+/// A number of a body, of one of its points, or of a contact in every row of a run; SI units, ground frame.
 struct ChainColumn {
-  enum class Quantity { kX, kY, kAngle, kVx, kVy, kOmega, kAx, kAy, kAlpha };
-  int body = 0;
+  /// kPressure: angle in [0, π/2] between the normal and the way that the joint of the contact's second body
+  /// leaves its point.
+  enum class Quantity { kPressure, kX, kY, kAngle, kVx, kVy, kOmega, kAx, kAy, kAlpha };
+  int body = 0;              ///< of kPressure: index of Mechanism::contacts
   std::optional<int> point;  ///< of Body::points; none: the frame's origin
   Quantity quantity = Quantity::kX;
 };
@@ -34,8 +36,8 @@ struct ChainColumn {
 class DyadChain {
 public:
   /// None where the mechanism is no such linkage: more or other groups, several drivers, ends of slides,
-  /// other contacts, surplus conditions.
-  /// \param rows  the driver in every row, as move_to() would be told
+  /// other contacts, surplus conditions; or where a kPressure is not that of a body on ground that its
+  /// contact places. \param rows  the driver in every row, as move_to() would be told
   [[nodiscard]] static std::optional<DyadChain> of(const Mechanism& mechanism, const Plan& plan,
                                                    std::span<const DriverMotion> rows,
                                                    std::vector<ChainColumn> columns);
