@@ -1,5 +1,6 @@
 #include "chain_bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +14,15 @@ constexpr double kSafeTurn = 2;
 
 double squared(double x) {
   return x * x;
+}
+
+// Radii of curvature: b²/a at the ends of the long axis, a²/b at those of the short one.
+double sharpest(const Oval& oval) {
+  return oval.along > 0 ? square(oval.across) / oval.along : 0;
+}
+
+double flattest(const Oval& oval) {
+  return oval.across > 0 ? square(oval.along) / oval.across : 0;
 }
 
 struct PointBound {
@@ -111,9 +121,37 @@ public:
     return turns_little(omega);
   }
 
-  template <class Other>
-  bool add(const Other& /*kind*/, const ChainWatch<double>& /*watch*/) {
-    return false;
+  // n·(v2 - v1) = 0 gives the body's rate, n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇ its acceleration, with
+  // u1 = z ω_r + w2 v_s, u2 = z ω_r - w1 v_s, φ̇ = ω1 + w1 ω_r + w v_s of the equivalent link, and w1, w2
+  // <= 1. Between two rows ∂gap/∂q keeps half of what it is in them.
+  bool add(const OvalContact& contact, const ChainWatch<double>& watch) {
+    const double per_q = -watch.margin / 2;
+    if (!(per_q > 0)) {
+      return false;
+    }
+    const MotionBound& known = at(contact.known);
+    const OneFreedom& freedom = contact.touch.freedom;
+    const PointBound joint = bound_at(at(contact.touch.carrier), freedom.p_WO);
+    const PointBound center = bound_at(known, contact.on_known.center_B);
+    const double reach = contact.on_known.along;
+    const double v1 = center.speed + known.omega * reach;
+    const double a1 = center.acceleration + (known.alpha + square(known.omega)) * reach;
+    const double arm =
+        freedom.turns ? (contact.on_body.center_B - freedom.p_BO).norm() + contact.on_body.along : 0.0;
+    const double rate = (v1 + joint.speed) / per_q;
+    const double omega = freedom.turns ? rate : 0.0;
+    const double sliding = v1 + joint.speed + (freedom.turns ? rate * arm : rate);
+    const double turning = known.omega + omega;
+    const double least = sharpest(contact.on_known) + sharpest(contact.on_body);
+    const double z = std::min(flattest(contact.on_known), flattest(contact.on_body));
+    const double along = z * turning + sliding;
+    const double second = (a1 + joint.acceleration + square(omega) * arm + turning * along +
+                           sliding * (known.omega + turning + sliding / least)) /
+                          per_q;
+    at(contact.touch.body) = freedom.turns
+                                 ? MotionBound{freedom.p_BO, joint.speed, joint.acceleration, rate, second}
+                                 : MotionBound{freedom.p_BO, rate, second, 0, 0};
+    return turns_little(omega);
   }
 
 private:
@@ -135,11 +173,11 @@ private:
 
 }  // namespace
 
-bool stays_on_branches(const Plan& plan, std::span<const ChainWatch<double>> watches, double step,
-                       std::vector<MotionBound>& bounds) {
-  ChainBounds all(step, plan.size, bounds);
-  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
-    if (!std::visit([&](const auto& kind) { return all.add(kind, watches[g]); }, plan.groups[g].kind)) {
+bool stays_on_branches(std::span<const ChainGroup> groups, std::span<const ChainWatch<double>> watches,
+                       double step, double size, std::vector<MotionBound>& bounds) {
+  ChainBounds all(step, size, bounds);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!std::visit([&](const auto& kind) { return all.add(kind, watches[g]); }, groups[g].kind)) {
       return false;
     }
   }

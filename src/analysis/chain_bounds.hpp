@@ -23,9 +23,13 @@ struct MotionBound {
 /// function f is off its chord by no more than step²/8 max |f″|. Here |f″| is bounded from lengths and from
 /// bounds of the rates of the bodies before, group by group; once the group is known to stay away from its
 /// limit, its own rates are bounded too.
-/// \param watches  of Plan::groups
+/// Contacts of ovals have been held against each other from row to row already (chain_ovals.hpp); of them
+/// the bounds are taken for the groups behind them.
+/// \param watches  of the groups
+/// \param size     of the mechanism [m]
 /// \param bounds   of the bodies; the result where it is true
-[[nodiscard]] bool stays_on_branches(const Plan& plan, std::span<const ChainWatch<double>> watches,
-                                     double step, std::vector<MotionBound>& bounds);
+[[nodiscard]] bool stays_on_branches(std::span<const ChainGroup> groups,
+                                     std::span<const ChainWatch<double>> watches, double step, double size,
+                                     std::vector<MotionBound>& bounds);
 
 }  // namespace higherpair

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "chain_group.hpp"
 #include "higherpair/linkage/rpr_dyad.hpp"
 #include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
-#include "higherpair/mechanism/plan.hpp"
 
 #include <limits>
 
@@ -34,10 +34,11 @@ struct ChainBody {
 template <class T>
 struct ChainWatch {
   /// Largest |cos| of the angle between the links of an RRR dyad, or |sin| of that between link and line of
-  /// an RRP dyad, above 1 where it cannot be put together; largest -s² of an RPR dyad.
+  /// an RRP dyad, above 1 where it cannot be put together; largest -s² of an RPR dyad, and -|∂gap/∂q| of a
+  /// contact.
   T margin{-std::numeric_limits<double>::infinity()};
   T sum{0};   ///< of these: keeps what is not a number, which a largest value may lose
-  T far2{0};  ///< largest squared distance of the two known points
+  T far2{0};  ///< largest squared distance of the two known points; of a contact from its pivot
 
   void note(const T& value) {
     using std::max;
@@ -257,10 +258,10 @@ inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, 
   }
 }
 
-/// Places the bodies of a group. \pre it is one of these kinds
+/// Places the bodies of a group. \pre it is no OvalContact
 template <ChainRates kRates, class T>
-inline void solve_group(const Group& group, double mode, const ChainDriver<T>& driver, ChainBody<T>* bodies,
-                        ChainWatch<T>& watch) {
+inline void solve_group(const ChainGroup& group, double mode, const ChainDriver<T>& driver,
+                        ChainBody<T>* bodies, ChainWatch<T>& watch) {
   if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
     solve_group<kRates>(*rrr, mode, bodies, watch);
   } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {

@@ -51,10 +51,30 @@ template <class T>
   return T(angle.factor) * position + T(angle.offset);
 }
 
+// The acute angle between the normal and the way of the contact point on its body.
+template <class T>
+[[nodiscard]] inline T pressure_of_rows(const ChainTouch& touch, const ChainBody<T>* bodies) {
+  using std::abs;
+  const Rotation<T>& n = bodies[touch.link].R_WB;
+  const OneFreedom& freedom = touch.freedom;
+  if (!freedom.turns) {
+    const Rotation<T> way =
+        n.inverse() * all_lanes<T>(Rotation<double>{freedom.direction_W.x(), freedom.direction_W.y()});
+    return arctangent(abs(way.sin), abs(way.cos));
+  }
+  const ChainPoint<T> p = chain_point<ChainRates::kNone>(bodies[touch.link], Vector2d(touch.p_x, 0));
+  const Vector2<T> arm =
+      n.inverse() * Vector2<T>(p.p_W.x() - T(freedom.p_WO.x()), p.p_W.y() - T(freedom.p_WO.y()));
+  return arctangent(abs(arm.x()), abs(arm.y()));
+}
+
 template <ChainRates kRates, class T>
 [[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const RowRates<T>& rates,
                                      const ChainBody<T>* bodies) {
   const Quantity quantity = task.column.quantity;
+  if (quantity == Quantity::kPressure) {
+    return pressure_of_rows(task.touch, bodies);
+  }
   const ChainBody<T>& body = bodies[task.column.body];
   if (quantity == Quantity::kAngle) {
     return angle_of_rows(task.angle, position, bodies);
@@ -86,7 +106,7 @@ inline void fill(const ChainRowsJob& job) {
   using T = Pack<W>;
   constexpr std::size_t kPacks = kChainRows / W;
   const std::size_t bodies = job.bodies;
-  const std::size_t groups = job.plan.groups.size();
+  const std::size_t groups = job.groups.size();
   Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
   Room<ChainWatch<T>, kMostChainGroups> watches(groups);
   const ChainSchedule& schedule = job.schedule;
@@ -100,9 +120,12 @@ inline void fill(const ChainRowsJob& job) {
       rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
     }
     for (std::size_t g = 0; g < groups; ++g) {
+      if (const auto* ovals = std::get_if<OvalContact>(&job.groups[g].kind)) {
+        solve_ovals<W>(*ovals, driver, job.size, job.ovals[g], room.data(), bodies, watches[g]);
+        continue;
+      }
       for (std::size_t i = 0; i < kPacks; ++i) {
-        solve_group<kRates>(job.plan.groups[g], job.modes[g], driver[i], room.data() + i * bodies,
-                            watches[g]);
+        solve_group<kRates>(job.groups[g], job.modes[g], driver[i], room.data() + i * bodies, watches[g]);
       }
     }
     for (ChainTask& task : job.tasks) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chain_kernel.hpp"
+#include "chain_ovals.hpp"
 #include "higherpair/analysis/dyad_chain.hpp"
 
 #include <cstddef>
@@ -34,6 +35,7 @@ struct ChainTask {
   ChainColumn column;
   Vector2d p_B = Vector2d::Zero();
   ChainAngle angle;
+  ChainTouch touch;  ///< of kPressure
   std::vector<double> values;
 };
 
@@ -43,13 +45,15 @@ inline constexpr std::size_t kMostChainGroups = 64;
 
 /// All rows of a chain.
 struct ChainRowsJob {
-  const Plan& plan;
+  std::span<const ChainGroup> groups;
   std::span<const double> modes;  ///< of the groups: +1 or -1
   const ChainSchedule& schedule;
   ChainRates rates;
-  std::size_t bodies;  ///< so many, with ground
+  std::size_t bodies;  ///< so many, with ground and the links between discs
+  double size;         ///< of the mechanism [m]; for contacts of ovals
   std::span<ChainTask> tasks;
   std::span<ChainWatch<double>> watches;  ///< of the groups: the result for all rows
+  std::span<OvalRow> ovals;  ///< of the groups: where a contact is in the first row, then the last
 };
 
 /// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.

@@ -3,7 +3,7 @@
 #include "chain_bounds.hpp"
 #include "chain_rows.hpp"
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 
@@ -24,23 +24,38 @@ constexpr double kFarthestPoint = 1e3;
 // Assemblies whose distances from the poses differ by less than this share are as near as each other.
 constexpr double kAsNear = 1e-9;
 
-constexpr std::size_t kMostDyads = 6;  // 2^6 assemblies are tried
+constexpr std::ptrdiff_t kMostDyads = 6;  // 2^6 assemblies are tried
 
-bool is_chain(const Mechanism& mechanism, const Plan& plan) {
-  if (mechanism.drivers.size() != 1 || !mechanism.contacts.empty() || plan.surplus != 0) {
-    return false;
-  }
-  std::size_t dyads = 0;
+// Of the size: how far a disc may be from where a Run has put it. The other mode is much farther away.
+constexpr double kSamePlace = 1e-6;
+
+// The groups as a chain solves them, into `groups`; each contact may have a body of its own between two
+// centres, behind those of the mechanism. False where one of them is not for a chain.
+bool take_groups(const Mechanism& mechanism, const Plan& plan, std::vector<ChainGroup>& groups) {
+  groups.clear();
+  int link = static_cast<int>(mechanism.bodies.size());
   for (const Group& group : plan.groups) {
-    const auto* driven = std::get_if<DrivenBody>(&group.kind);
-    const bool grounded = driven != nullptr && driven->carried.carrier == 0;
-    if ((!traits_of(group).two_modes && !grounded) || !group.ended_joints.empty()) {
+    auto made = chain_group(mechanism, group, link);
+    if (!made) {
       return false;
     }
-    dyads += traits_of(group).two_modes ? 1 : 0;
+    link += group.contacts.empty() ? 0 : 1;
+    groups.push_back(*std::move(made));
   }
-  return dyads <= kMostDyads && mechanism.bodies.size() <= kMostChainBodies &&
-         plan.groups.size() <= kMostChainGroups;
+  return true;
+}
+
+bool is_chain(const Mechanism& mechanism, const Plan& plan, const std::vector<ChainGroup>& groups) {
+  const auto dyads =
+      std::count_if(groups.begin(), groups.end(), [](const ChainGroup& group) { return group.two_modes; });
+  return mechanism.drivers.size() == 1 && plan.surplus == 0 && dyads <= kMostDyads &&
+         mechanism.bodies.size() + mechanism.contacts.size() <= kMostChainBodies &&
+         groups.size() <= kMostChainGroups;
+}
+
+bool has_ovals(const std::vector<ChainGroup>& groups) {
+  return std::any_of(groups.begin(), groups.end(),
+                     [](const ChainGroup& group) { return std::holds_alternative<OvalContact>(group.kind); });
 }
 
 ChainRates rates_for(const std::vector<ChainColumn>& columns) {
@@ -76,7 +91,7 @@ double longest_step(std::span<const DriverMotion> rows) {
 }
 
 // Where the angles of all bodies come from; those of riders from their carriers.
-std::vector<ChainAngle> angles_of(const Plan& plan, std::size_t bodies) {
+std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies) {
   std::vector<ChainAngle> angles(bodies);
   const auto at = [&](int body) -> ChainAngle& { return angles[static_cast<std::size_t>(body)]; };
   const auto turns = [&](int body) { at(body) = {ChainAngle::Source::kRotation, body, 0, 0}; };
@@ -86,7 +101,7 @@ std::vector<ChainAngle> angles_of(const Plan& plan, std::size_t bodies) {
       at(rider->body).offset += rider->relative_angle;
     }
   };
-  for (const Group& group : plan.groups) {
+  for (const ChainGroup& group : groups) {
     if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
       const CarriedBody& carried = driven->carried;
       at(carried.body) = carried.freedom.turns
@@ -101,9 +116,55 @@ std::vector<ChainAngle> angles_of(const Plan& plan, std::size_t bodies) {
     } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
       turns(rpr->link);
       rides(rpr->slider);
+    } else if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
+      turns(ovals->touch.body);
+      if (!ovals->touch.freedom.turns) {
+        at(ovals->touch.body) = {ChainAngle::Source::kFixed, ovals->touch.body, 0,
+                                 ovals->touch.freedom.theta};
+      }
     }
   }
   return angles;
+}
+
+// The contact with this index.
+const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact) {
+  for (const ChainGroup& group : groups) {
+    if (const ChainTouch* touch = touch_of(group); touch != nullptr && touch->contact == contact) {
+      return touch;
+    }
+  }
+  return nullptr;
+}
+
+// Whether there is such an angle: the second body is one on ground that the contact places.
+bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, const ChainColumn& column) {
+  const ChainTouch* touch = touch_in(groups, column.body);
+  return touch != nullptr && touch->carrier == kGround &&
+         mechanism.contacts[static_cast<std::size_t>(column.body)].second.body == touch->body;
+}
+
+// Where a contact of ovals is in the first row; rates in `state` are those for a unit velocity.
+OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& state, std::size_t g,
+                 double position) {
+  const BodyMotion& body = state.bodies[static_cast<std::size_t>(of.touch.body)];
+  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(of.touch.contact)];
+  const OneFreedom& freedom = of.touch.freedom;
+  OvalRow row;
+  row.position = position;
+  row.turn = body.X_WB.R_WB;
+  row.n_W = contact.first.body == of.known ? motion.at.n_W : Vector2d(-motion.at.n_W);
+  row.phi_dot = motion.rates.phi_dot;
+  row.gap_q = state.groups[g].sine;
+  row.gap_q_rate = state.groups[g].sine_rate;
+  row.rate = body.omega;
+  row.second_rate = body.alpha;
+  if (!freedom.turns) {
+    row.slide = (body.X_WB * freedom.p_BO - freedom.p_WO).dot(freedom.direction_W);
+    row.rate = body.v_WB.dot(freedom.direction_W);
+    row.second_rate = body.a_WB.dot(freedom.direction_W);
+  }
+  return row;
 }
 
 // Angles of a body that turns from row to row by less than half a turn, from those in (-π, π]; the first is
@@ -121,25 +182,37 @@ void unwind(const ChainAngle& angle, double posed, std::span<double> values) {
   }
 }
 
-double largest_coordinate(const Mechanism& mechanism) {
+double largest_coordinate(const Mechanism& mechanism, std::span<const ChainGroup> groups) {
   double largest = 0;
   for (const Body& body : mechanism.bodies) {
     for (const NamedPoint& point : body.points) {
       largest = std::max({largest, std::abs(point.p_B.x()), std::abs(point.p_B.y())});
     }
   }
+  for (const ChainGroup& group : groups) {
+    if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
+      largest = std::max({largest, ovals->on_known.center_B.cwiseAbs().maxCoeff(), ovals->on_known.along,
+                          ovals->on_body.center_B.cwiseAbs().maxCoeff(), ovals->on_body.along});
+    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind); rrr != nullptr && group.discs) {
+      largest = std::max(
+          {largest, rrr->length_a, rrr->A.p_B.cwiseAbs().maxCoeff(), rrr->b_pC.cwiseAbs().maxCoeff()});
+    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind); rrp != nullptr && group.discs) {
+      largest = std::max(
+          {largest, rrp->length, rrp->A.p_B.cwiseAbs().maxCoeff(), rrp->slider->p_B.cwiseAbs().maxCoeff()});
+    }
+  }
   return largest;
 }
 
-double shortest_link(const Plan& plan) {
+double shortest_link(std::span<const ChainGroup> groups, double size) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const Group& group : plan.groups) {
+  for (const ChainGroup& group : groups) {
     if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
       shortest = std::min({shortest, rrr->length_a, rrr->length_b});
     } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
       shortest = std::min(shortest, rrp->length);
-    } else if (std::holds_alternative<RprDyad>(group.kind)) {
-      shortest = std::min(shortest, plan.size);
+    } else if (!std::holds_alternative<DrivenBody>(group.kind)) {
+      shortest = std::min(shortest, size);
     }
   }
   return shortest;
@@ -152,9 +225,11 @@ struct DyadChain::Impl {
   ChainSchedule schedule;
   double step = 0;  // the longest between two rows
   std::size_t rows = 0;
-  ChainRates rates = ChainRates::kNone;
+  ChainRates rates = ChainRates::kNone;  // that the columns want
   std::vector<ChainTask> tasks;
-  bool needs_size = false;                // for dyads whose sine is a length
+  std::vector<ChainGroup> groups;         // of the plan
+  bool needs_size = false;                // for dyads whose sine is a length, and contacts
+  std::vector<OvalRow> ovals;             // of the groups: contacts in the first row
   std::vector<ChainBody<double>> posed;   // the poses
   std::vector<double> posed_angles;       // in them
   std::vector<ChainBody<double>> bodies;  // in the first row
@@ -170,6 +245,10 @@ struct DyadChain::Impl {
   [[nodiscard]] double cost_of(const Mechanism& mechanism, const Group& group) const;
   void try_modes(const Mechanism& mechanism, std::size_t g, double cost);
   [[nodiscard]] bool assemble(const Mechanism& mechanism);
+  [[nodiscard]] bool assemble_by_run(const Mechanism& mechanism);
+  [[nodiscard]] bool take_modes(const Run& run);
+  [[nodiscard]] bool take_mode_of_disc(const Run& run, std::size_t g);
+  void place_as(const Run& run, const Group& group);
 };
 
 void DyadChain::Impl::take_poses(const Mechanism& mechanism) {
@@ -188,10 +267,8 @@ bool DyadChain::Impl::redimension(const Mechanism& mechanism) {
     plan.size = size_of(mechanism);
   }
   redimension_groups(plan, mechanism);
-  const bool same_kinds = std::none_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
-    return std::holds_alternative<CoupledBodies>(group.kind);
-  });
-  return same_kinds && largest_coordinate(mechanism) <= kFarthestPoint * shortest_link(plan);
+  return take_groups(mechanism, plan, groups) &&
+         largest_coordinate(mechanism, groups) <= kFarthestPoint * shortest_link(groups, plan.size);
 }
 
 // Squared distances of the joint points of a group's bodies from their places in the poses.
@@ -224,15 +301,15 @@ void DyadChain::Impl::try_modes(const Mechanism& mechanism, std::size_t g, doubl
     return;
   }
   const ChainDriver<double> driver{schedule.position[0], {schedule.cosine[0], schedule.sine[0]}};
-  const Group& group = plan.groups[g];
+  const ChainGroup& group = groups[g];
   for (const double mode : {1.0, -1.0}) {
     ChainWatch<double> watch;
     modes[g] = mode;
     solve_group<ChainRates::kNone>(group, mode, driver, bodies.data(), watch);
-    const bool dyad = traits_of(group).two_modes;
+    const bool dyad = group.two_modes;
     const double limit = std::holds_alternative<RprDyad>(group.kind) ? 0 : 1;
     if (!dyad || watch.margin < limit) {
-      try_modes(mechanism, g + 1, cost + cost_of(mechanism, group));
+      try_modes(mechanism, g + 1, cost + cost_of(mechanism, plan.groups[g]));
     }
     if (!dyad) {
       return;
@@ -242,17 +319,71 @@ void DyadChain::Impl::try_modes(const Mechanism& mechanism, std::size_t g, doubl
 
 // Finds best_modes. Where assemblies are as near as each other, rounding decides: that of a Run.
 bool DyadChain::Impl::assemble(const Mechanism& mechanism) {
+  if (!mechanism.contacts.empty()) {
+    return assemble_by_run(mechanism);
+  }
   best_cost = next_cost = std::numeric_limits<double>::infinity();
   try_modes(mechanism, 0, 0);
   if (best_cost < next_cost * (1 - kAsNear)) {
     return true;
   }
+  return assemble_by_run(mechanism);
+}
+
+// What start_run finds: contacts are looked for in ways of their own.
+bool DyadChain::Impl::assemble_by_run(const Mechanism& mechanism) {
   plan.size = size_of(mechanism);
-  const auto run = start_run(make_run_model(mechanism, plan), {schedule.position[0]});
-  for (std::size_t g = 0; run && g < best_modes.size(); ++g) {
-    best_modes[g] = run->at.state.groups[g].mode;
+  const auto nobody = std::shared_ptr<void>();  // owns what outlives the run
+  const auto run = start_run(
+      {std::shared_ptr<const Mechanism>(nobody, &mechanism), std::shared_ptr<const Plan>(nobody, &plan)},
+      {schedule.position[0]});
+  return run && take_modes(*run);
+}
+
+bool DyadChain::Impl::take_modes(const Run& run) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const PairTrack& track = run.at.state.tracks[g];
+    if (!std::holds_alternative<std::monostate>(track) && !std::holds_alternative<ContactTrack>(track)) {
+      return false;
+    }
+    if (const auto* contact = std::get_if<OvalContact>(&groups[g].kind)) {
+      ovals[g] =
+          oval_row(*contact, run.mechanism().contacts[static_cast<std::size_t>(contact->touch.contact)],
+                   run.at.state, g, schedule.position[0]);
+    }
+    best_modes[g] = run.at.state.groups[g].mode;
+    if (groups[g].discs && !take_mode_of_disc(run, g)) {
+      return false;
+    }
+    place_as(run, plan.groups[g]);
   }
-  return run.has_value();
+  return true;
+}
+
+// The mode in which the dyad puts the disc where the run has it.
+bool DyadChain::Impl::take_mode_of_disc(const Run& run, std::size_t g) {
+  const auto disc = static_cast<std::size_t>(groups[g].discs->body);
+  const Pose<double>& X_WB = run.at.state.bodies[disc].X_WB;
+  const ChainDriver<double> driver{schedule.position[0], {schedule.cosine[0], schedule.sine[0]}};
+  for (const double mode : {1.0, -1.0}) {
+    ChainWatch<double> watch;
+    solve_group<ChainRates::kNone>(groups[g], mode, driver, bodies.data(), watch);
+    const Rotation<double> turned = bodies[disc].R_WB * X_WB.R_WB.inverse();
+    if ((bodies[disc].p_WB - X_WB.p_WB).norm() <= kSamePlace * plan.size && turned.cos > 0 &&
+        std::abs(turned.sin) <= kSamePlace) {
+      best_modes[g] = mode;
+      return true;
+    }
+  }
+  return false;
+}
+
+void DyadChain::Impl::place_as(const Run& run, const Group& group) {
+  for (const int body : group.bodies) {
+    const auto i = static_cast<std::size_t>(body);
+    bodies[i].R_WB = run.at.state.bodies[i].X_WB.R_WB;
+    bodies[i].p_WB = run.at.state.bodies[i].X_WB.p_WB;
+  }
 }
 
 DyadChain::DyadChain(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -262,11 +393,17 @@ DyadChain::~DyadChain() = default;
 
 std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& plan,
                                        std::span<const DriverMotion> rows, std::vector<ChainColumn> columns) {
-  if (!is_chain(mechanism, plan) || rows.empty()) {
+  auto impl = std::make_unique<Impl>();
+  if (rows.empty() || !take_groups(mechanism, plan, impl->groups) ||
+      !is_chain(mechanism, plan, impl->groups)) {
     return std::nullopt;
   }
-  auto impl = std::make_unique<Impl>();
-  const std::size_t bodies = mechanism.bodies.size();
+  for (const ChainColumn& column : columns) {
+    if (column.quantity == Quantity::kPressure && !has_pressure(mechanism, impl->groups, column)) {
+      return std::nullopt;
+    }
+  }
+  const std::size_t bodies = mechanism.bodies.size() + mechanism.contacts.size();
   impl->plan = plan;
   impl->schedule = schedule_of(rows);
   impl->step = longest_step(rows);
@@ -274,20 +411,25 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->rates = rates_for(columns);
   for (const ChainColumn& column : columns) {
     impl->tasks.push_back(
-        {column, Vector2d::Zero(), {}, std::vector<double>(impl->schedule.position.size())});
+        {column, Vector2d::Zero(), {}, {}, std::vector<double>(impl->schedule.position.size())});
   }
-  impl->needs_size = std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
-    return std::holds_alternative<RprDyad>(group.kind);
-  });
-  impl->posed.resize(bodies);
-  impl->posed_angles.resize(bodies);
+  impl->needs_size = !mechanism.contacts.empty() ||
+                     std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
+                       return std::holds_alternative<RprDyad>(group.kind);
+                     });
+  impl->ovals.resize(plan.groups.size());
+  impl->posed.resize(mechanism.bodies.size());
+  impl->posed_angles.resize(mechanism.bodies.size());
   impl->bodies.resize(bodies);
   impl->modes.resize(plan.groups.size());
   impl->best_modes.resize(plan.groups.size());
   impl->watches.resize(plan.groups.size());
   impl->bounds.resize(bodies);
-  const std::vector<ChainAngle> angles = angles_of(plan, bodies);
+  const std::vector<ChainAngle> angles = angles_of(impl->groups, bodies);
   for (ChainTask& task : impl->tasks) {
+    if (task.column.quantity == Quantity::kPressure) {
+      continue;
+    }
     task.angle = angles[static_cast<std::size_t>(task.column.body)];
   }
   return DyadChain(std::move(impl));
@@ -303,14 +445,17 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     return false;
   }
   for (ChainTask& task : own.tasks) {
-    if (task.column.point) {
+    if (task.column.quantity == Quantity::kPressure) {
+      task.touch = *touch_in(own.groups, task.column.body);
+    } else if (task.column.point) {
       const Body& body = mechanism.bodies[static_cast<std::size_t>(task.column.body)];
       task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
     }
   }
-  fill_chain_rows(
-      {own.plan, own.best_modes, own.schedule, own.rates, own.bodies.size(), own.tasks, own.watches});
-  if (!stays_on_branches(own.plan, own.watches, own.step, own.bounds)) {
+  const ChainRates rates = has_ovals(own.groups) ? ChainRates::kAccelerations : own.rates;
+  fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.bodies.size(), own.plan.size,
+                   own.tasks, own.watches, own.ovals});
+  if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds)) {
     return false;
   }
   for (ChainTask& task : own.tasks) {

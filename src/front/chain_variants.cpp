@@ -98,6 +98,11 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
       }
     }
   }
+  for (std::size_t c = 0; c < mechanism.contacts.size(); ++c) {
+    if (name == fmt::format("{}.pressure", mechanism.contacts[c].name)) {
+      return add({static_cast<int>(c), std::nullopt, Quantity::kPressure}, dimension::kAngle);
+    }
+  }
   return std::nullopt;
 }
 
@@ -132,6 +137,11 @@ bool same_rows(const std::vector<DriverMotion>& a, const std::vector<DriverMotio
   });
 }
 
+bool is_as_written(const ChainRecipe& recipe, std::span<const double> numbers, const Mechanism& read) {
+  Mechanism written = recipe.mechanism;
+  return set_numbers(recipe, numbers, written) && numbers_of(written) == numbers_of(read);
+}
+
 enum class Agreement { kNone, kUnknown, kFull };
 
 // Whether a variant that is read is what the recipe makes of its numbers. One that cannot be read says
@@ -142,14 +152,30 @@ Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, 
   if (!read) {
     return Agreement::kUnknown;
   }
-  Mechanism written = recipe.mechanism;
   const auto schedule = schedule_of(read->data(), run);
   ChainRecipe other;
-  const bool same = set_numbers(recipe, numbers, written) &&
-                    numbers_of(written) == numbers_of(read->mechanism()) && schedule &&
+  const bool same = (!recipe.writes() || is_as_written(recipe, numbers, read->mechanism())) && schedule &&
                     take_rows(*schedule, run.in_time, other) && same_rows(recipe.rows, other.rows) &&
                     recipe.where == other.where;
   return same ? Agreement::kFull : Agreement::kNone;
+}
+
+// False where a number is of something else than a body.
+bool take_targets(std::span<const std::string> paths, ChainRecipe& recipe) {
+  bool all = true;
+  for (const std::string& path : paths) {
+    if (const auto target = target_of(recipe.mechanism, path)) {
+      recipe.targets.push_back(*target);
+    } else if (path.starts_with("bodies.")) {
+      all = false;
+    } else {
+      return false;
+    }
+  }
+  if (!all) {
+    recipe.targets.clear();
+  }
+  return true;
 }
 
 }  // namespace
@@ -168,12 +194,8 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
   recipe.plan = *model.data().plan;
   recipe.to_si = higherpair::to_si(dimension::kLength, model.units());
   recipe.measures = std::move(measures);
-  for (const std::string& path : paths) {
-    const auto target = target_of(recipe.mechanism, path);
-    if (!target) {
-      return std::nullopt;
-    }
-    recipe.targets.push_back(*target);
+  if (!take_targets(paths, recipe)) {
+    return std::nullopt;
   }
   for (const Measure& measure : recipe.measures) {
     const auto slot = add_column(recipe.mechanism, units, measure.column, recipe);
@@ -205,7 +227,15 @@ std::optional<ChainVariants> ChainVariants::of(const ChainRecipe& recipe) {
 }
 
 bool ChainVariants::solve(std::span<const double> numbers) {
-  if (!set_numbers(*recipe_, numbers, mechanism_) || !chain_.solve(mechanism_)) {
+  return set_numbers(*recipe_, numbers, mechanism_) && solve(mechanism_);
+}
+
+bool ChainVariants::solve(const Model& variant) {
+  return variant.data().plan && solve(variant.mechanism());
+}
+
+bool ChainVariants::solve(const Mechanism& mechanism) {
+  if (!chain_.solve(mechanism)) {
     return false;
   }
   // What overflows in the units of the table is undefined there.

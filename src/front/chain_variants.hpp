@@ -13,9 +13,9 @@
 
 namespace higherpair {
 
-/// How to work out the variants of a linkage of dyads whose numbers are coordinates of points: they are
-/// written into the mechanism, which is neither read nor planned nor followed (analysis/dyad_chain.hpp).
-/// Never changes once made.
+/// How to work out the variants of a linkage of dyads and discs (analysis/dyad_chain.hpp) whose numbers are
+/// of its bodies: they are not followed row by row. Where all are coordinates of points they are written into
+/// the mechanism, which is neither read nor planned. Never changes once made.
 struct ChainRecipe {
   /// Where a number of the profile lands.
   struct Target {
@@ -26,7 +26,7 @@ struct ChainRecipe {
 
   Mechanism mechanism;
   Plan plan;
-  std::vector<Target> targets;  ///< of the numbers
+  std::vector<Target> targets;  ///< of the numbers; none where variants have to be read
   Scaling to_si;
   std::vector<DriverMotion> rows;
   std::vector<double> where;  ///< Measured::where of each row
@@ -35,14 +35,17 @@ struct ChainRecipe {
   std::vector<Measure> measures;   ///< what is asked
   std::vector<std::size_t> slots;  ///< of each measure: its column
 
-  /// None where numbers are others, the profile says more with them than where points are, a measure is not
-  /// of bodies and points, or the run is not one for DyadChain.
+  /// None where numbers are not of bodies or say more than how these are made, a measure is not of bodies and
+  /// points, or the run is not one for DyadChain.
   /// \param models  of these paths
   /// \param tries   values of the numbers at which the mechanism that is read must be the one that is written
   [[nodiscard]] static std::optional<ChainRecipe> of(const Model& model, std::span<const std::string> paths,
                                                      const RunSettings& run, std::vector<Measure> measures,
                                                      ModelVariants& models,
                                                      std::span<const std::vector<double>> tries);
+
+  /// Whether a variant is what its numbers make of the mechanism, without being read.
+  [[nodiscard]] bool writes() const { return !targets.empty(); }
 };
 
 /// Variants by a recipe, one after the other; it outlives them.
@@ -52,8 +55,10 @@ public:
   [[nodiscard]] static std::optional<ChainVariants> of(const ChainRecipe& recipe);
 
   /// Whether it is certain that every row of the variant with these numbers is `ok` and its path good. Then
-  /// value() says what its measures come to; else it has to be read and run.
+  /// value() says what its measures come to; else it has to be read and run. \pre the recipe writes()
   [[nodiscard]] bool solve(std::span<const double> numbers);
+  /// The same of a variant that has been read.
+  [[nodiscard]] bool solve(const Model& variant);
 
   /// \param wants_where  false: Measured::where may be left undefined
   [[nodiscard]] Measured value(std::size_t measure, bool wants_where) const;
@@ -64,9 +69,10 @@ private:
         mechanism_(recipe.mechanism),
         chain_(std::move(chain)),
         extremes_(recipe.columns.size()) {}
+  [[nodiscard]] bool solve(const Mechanism& mechanism);
 
   const ChainRecipe* recipe_;
-  Mechanism mechanism_;
+  Mechanism mechanism_;  // of a recipe that writes: the variant solved last
   DyadChain chain_;
   std::vector<Extremes> extremes_;  // of the columns, in the variant solved last
 };

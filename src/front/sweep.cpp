@@ -67,15 +67,20 @@ public:
   /// Its rows appended to the block; false where it was stopped.
   [[nodiscard]] bool add(std::int64_t variant, SweepBlock& block) {
     variant_ = variant;
-    if (chain_ && chain_->solve(numbers(variant))) {
+    const bool writes = chain_ && data_.chain->writes();
+    if (writes && chain_->solve(numbers(variant))) {
       add_proven(block);
-      return data_.run.stop == nullptr || !data_.run.stop->load();
+      return goes_on();
     }
     const Result<Model> made = model(variant);
+    if (made && chain_ && !writes && chain_->solve(*made)) {
+      add_proven(block);
+      return goes_on();
+    }
     auto analysis = made ? made->start(data_.run) : Result<Analysis>(tl::unexpected(made.error()));
     if (!analysis) {
       add_not_started(analysis.error().diagnostics.front().message, block);
-      return data_.run.stop == nullptr || !data_.run.stop->load();
+      return goes_on();
     }
     if (data_.writes_rows()) {
       add_rows(*analysis, block);
@@ -87,6 +92,8 @@ public:
   }
 
 private:
+  [[nodiscard]] bool goes_on() const { return data_.run.stop == nullptr || !data_.run.stop->load(); }
+
   void begin_row(SweepBlock& block) const {
     block.values.push_back(static_cast<double>(variant_));
     block.values.insert(block.values.end(), variables_.begin(), variables_.end());

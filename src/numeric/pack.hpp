@@ -105,6 +105,21 @@ template <int W>
 }
 
 template <int W>
+[[gnu::always_inline]] inline PackMask<W> operator&(const PackMask<W>& a, const PackMask<W>& b) {
+  return {a.bits & b.bits};
+}
+
+/// Whether it holds in every lane.
+template <int W>
+[[gnu::always_inline]] inline bool holds_everywhere(const PackMask<W>& mask) {
+  long long all = mask.bits[0];
+  for (int i = 1; i < W; ++i) {
+    all &= mask.bits[i];
+  }
+  return all != 0;
+}
+
+template <int W>
 [[gnu::always_inline]] inline Pack<W> sqrt(const Pack<W>& a) {
   typename Pack<W>::Doubles roots;
   for (int i = 0; i < W; ++i) {

@@ -1,10 +1,6 @@
 // Rows of linkages in closed form: where they are proven they are those of a run that follows the motion.
-#include "higherpair/analysis/dyad_chain.hpp"
-
-#include "analysis/mechanism_builder.hpp"
+#include "analysis/chain_testing.hpp"
 #include "analysis/random_mechanism.hpp"
-#include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,99 +12,6 @@ namespace higherpair::testing {
 namespace {
 
 using Quantity = ChainColumn::Quantity;
-
-constexpr std::array kOfBodies = {Quantity::kX,  Quantity::kY,  Quantity::kAngle,
-                                  Quantity::kVx, Quantity::kVy, Quantity::kOmega,
-                                  Quantity::kAx, Quantity::kAy, Quantity::kAlpha};
-
-std::vector<DriverMotion> turn(double start, double way, std::size_t rows) {
-  std::vector<DriverMotion> drivers;
-  for (std::size_t k = 0; k < rows; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(rows - 1);
-    drivers.push_back({start + way * share, 1.7 - share, 0.6});
-  }
-  return drivers;
-}
-
-std::vector<ChainColumn> all_columns(const Mechanism& mechanism) {
-  std::vector<ChainColumn> columns;
-  for (int body = 1; body < static_cast<int>(mechanism.bodies.size()); ++body) {
-    for (const Quantity quantity : kOfBodies) {
-      columns.push_back({body, std::nullopt, quantity});
-    }
-    columns.push_back({body, 0, Quantity::kX});
-    columns.push_back({body, 0, Quantity::kVy});
-    columns.push_back({body, 0, Quantity::kAx});
-  }
-  return columns;
-}
-
-double number_of(const ChainColumn& column, const Mechanism& mechanism, const MotionRow& row) {
-  const auto body = static_cast<std::size_t>(column.body);
-  const Vector2d p_B = column.point
-                           ? mechanism.bodies[body].points[static_cast<std::size_t>(*column.point)].p_B
-                           : Vector2d(0, 0);
-  const PointMotion point = point_motion(row.bodies[body], p_B);
-  switch (column.quantity) {
-    case Quantity::kX:
-      return point.p_W.x();
-    case Quantity::kY:
-      return point.p_W.y();
-    case Quantity::kAngle:
-      return row.bodies[body].theta;
-    case Quantity::kVx:
-      return point.v_W.x();
-    case Quantity::kVy:
-      return point.v_W.y();
-    case Quantity::kOmega:
-      return row.bodies[body].omega;
-    case Quantity::kAx:
-      return point.a_W.x();
-    case Quantity::kAy:
-      return point.a_W.y();
-    case Quantity::kAlpha:
-      return row.bodies[body].alpha;
-  }
-  return NAN;
-}
-
-enum class Outcome { kNoChain, kNotProven, kProven };
-
-// Holds a chain against a run, row by row; what the run finds on the way must not be missed. Rates are
-// sharper than their rounding times the inverse of the smallest sine (0.02), thrice.
-Outcome compare(const Mechanism& mechanism, const std::vector<DriverMotion>& rows) {
-  const auto plan = make_plan(mechanism);
-  const auto columns = all_columns(mechanism);
-  auto chain = plan ? DyadChain::of(mechanism, *plan, rows, columns) : std::nullopt;
-  if (!chain) {
-    return Outcome::kNoChain;
-  }
-  if (!chain->solve(mechanism)) {
-    return Outcome::kNotProven;
-  }
-  auto run = start_run(make_run_model(mechanism, *plan), {rows.front().position});
-  EXPECT_TRUE(run.has_value());
-  for (std::size_t k = 0; run && k < rows.size(); ++k) {
-    move_to(*run, {rows[k]});
-    EXPECT_EQ(run->row.status, RowStatus::kOk) << "row " << k;
-    for (const RunEvent& event : run->events) {
-      EXPECT_EQ(event.type, EventType::kStrokeEnd) << "row " << k << ": " << event.cause;
-    }
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double expected = number_of(columns[i], mechanism, run->row);
-      const double scale = std::max({1.0, std::abs(expected), std::abs(run->row.bodies[1].omega)});
-      const double precision = columns[i].quantity >= Quantity::kAx   ? 1e-8
-                               : columns[i].quantity >= Quantity::kVx ? 1e-10
-                                                                      : 1e-12;
-      EXPECT_LE(std::abs(chain->values(i)[k] - expected), precision * scale)
-          << "row " << k << " of column " << i << ", body " << columns[i].body;
-    }
-    if (::testing::Test::HasFailure()) {
-      return Outcome::kProven;
-    }
-  }
-  return Outcome::kProven;
-}
 
 // A four-bar with pins at (0, 0) and (ground, 0), its crank along x.
 Mechanism four_bar(double ground, double crank, double coupler, double rocker) {

@@ -63,6 +63,10 @@ public:
     return curve(index, make_circle(in_body(index, center_W), radius).value());
   }
 
+  CurveRef edge(int index, const Vector2d& p_W) {
+    return curve(index, make_point(in_body(index, p_W)).value());
+  }
+
   /// The ellipse whose outward normal at p_W is n_W.
   CurveRef ellipse_at(int index, const Vector2d& p_W, const Vector2d& n_W, const Vector2d& semi_axes,
                       double rotation) {

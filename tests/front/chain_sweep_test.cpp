@@ -209,6 +209,58 @@ last  = { column = "slider.x", of = "last" }
 )"));
 }
 
+TEST(ChainSweep, DiscsAndOvalsThatTouchComeOutAsFollowedOnes) {
+  const Sweeps discs = sweeps_of(shipped_text("eccentric_disc_oscillating_roller") + R"(
+[sweep]
+method = "sobol"
+count  = 16
+[sweep.variables]
+e = { path = "bodies.cam.curves.disc.center.0", min = 12, max = 17 }
+r = { path = "bodies.follower.curves.roller.radius", min = 13, max = 17 }
+a = { path = "bodies.follower.curves.roller.center.0", min = -62, max = -58 }
+[sweep.results]
+swing = { column = "follower.angle", of = "range" }
+peak  = { column = "follower.alpha", of = "maxabs", where = true }
+pin   = { column = "follower_pivot.velocity", of = "min" }
+most  = { column = "touch.pressure", of = "max", where = true }
+)",
+                                 {"driver.samples=91"});
+  expect_same(discs);
+  EXPECT_GT(discs.plain.good, 4);
+  EXPECT_LT(discs.plain.good, 16);
+  const Sweeps ovals = sweeps_of(shipped_text("ellipse_cam_roller") + R"(
+[sweep]
+method = "sobol"
+count  = 40
+[sweep.variables]
+a = { path = "bodies.cam.curves.oval.semi_axes.0", min = 15, max = 60 }
+t = { path = "bodies.cam.curves.oval.rotation", min = -20, max = 20 }
+x = { path = "bodies.follower.curves.roller.center.0", min = -67, max = -60 }
+[sweep.results]
+swing = { column = "follower.angle", of = "range" }
+peak  = { column = "follower.alpha", of = "maxabs", where = true }
+mean  = { column = "touch.pressure", of = "mean" }
+)",
+                                 {"driver.samples=361"});
+  expect_same(ovals);
+  EXPECT_GT(ovals.plain.good, 30);
+}
+
+// Loads, angles and lengths of other things than points: read, but not followed.
+TEST(ChainSweep, AnyNumberOfABodyMayVary) {
+  expect_same(sweeps_of(shipped_text("slider_crank") + R"(
+[sweep]
+method = "random"
+count  = 30
+[sweep.variables]
+r = { path = "bodies.crank.points.A.0", min = 1.8, max = 2.2 }
+p = { path = "bodies.rod.pose.angle", min = 14, max = 54 }
+[sweep.results]
+stroke = { column = "piston.x", of = "range" }
+tilt   = { column = "piston.angle", of = "max" }
+)"));
+}
+
 TEST(ChainSweep, TighterTolerancesAreRunAsBefore) {
   SweepSettings settings;
   settings.tolerance = 1e-15;

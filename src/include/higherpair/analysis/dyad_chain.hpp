@@ -9,10 +9,12 @@
 
 namespace higherpair {
 
-/// A number of a body, or of one of its points, in every row of a run; SI units, ground frame.
+/// A number of a body, of one of its points, or of a contact in every row of a run; SI units, ground frame.
 struct ChainColumn {
-  enum class Quantity { kX, kY, kAngle, kVx, kVy, kOmega, kAx, kAy, kAlpha };
-  int body = 0;
+  /// kPressure: angle in [0, π/2] between the normal and the way that the joint of the contact's second body
+  /// leaves its point.
+  enum class Quantity { kPressure, kX, kY, kAngle, kVx, kVy, kOmega, kAx, kAy, kAlpha };
+  int body = 0;              ///< of kPressure: index of Mechanism::contacts
   std::optional<int> point;  ///< of Body::points; none: the frame's origin
   Quantity quantity = Quantity::kX;
 };
@@ -24,12 +26,18 @@ struct ChainColumn {
 /// stay. Here that is proven: from the rows and from bounds of the second derivatives between them no dyad
 /// comes near a limit. Where it cannot be proven there is no answer, and a Run has to be asked.
 ///
-/// One thread at a time. solve() allocates only where two assemblies are as near to the poses as each other.
+/// Discs that touch, slipping, are such a dyad as well, that of their equivalent linkage; so is a disc on a
+/// knife edge. The contact of an ellipse with an ellipse, a disc or an edge is found for many rows at once by
+/// Newton's method; each row is held against the one before by the tests that a Run makes of its steps, and
+/// where one fails there is no answer either.
+///
+/// One thread at a time. solve() allocates only where there are contacts, which a Run finds first, or where
+/// two assemblies are as near to the poses as each other.
 class DyadChain {
 public:
   /// None where the mechanism is no such linkage: more or other groups, several drivers, ends of slides,
-  /// contacts, surplus conditions.
-  /// \param rows  the driver in every row, as move_to() would be told
+  /// other contacts, surplus conditions; or where a kPressure is not that of a body on ground that its
+  /// contact places. \param rows  the driver in every row, as move_to() would be told
   [[nodiscard]] static std::optional<DyadChain> of(const Mechanism& mechanism, const Plan& plan,
                                                    std::span<const DriverMotion> rows,
                                                    std::vector<ChainColumn> columns);
@@ -40,7 +48,7 @@ public:
   /// Works out the columns. True only where a Run, started at the first row and moved to one after the other,
   /// would have given every row as `ok`, with no event but ends of strokes, at a tolerance of 1e-9 or above;
   /// its numbers are the same to within rounding.
-  /// \param mechanism  the one of of() with other coordinates of points
+  /// \param mechanism  the one of of() with other coordinates of points and other curves
   [[nodiscard]] bool solve(const Mechanism& mechanism);
 
   /// Of each row, of the last solve().

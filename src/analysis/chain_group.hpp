@@ -1,0 +1,55 @@
+#pragma once
+
+#include "higherpair/mechanism/plan.hpp"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace higherpair {
+
+/// A circle or an ellipse in its body's frame, the body inside; or a point, whose semi-axes are 0.
+struct Oval {
+  Vector2d center_B = Vector2d::Zero();
+  Rotation<double> axis_B;  ///< direction of the first semi-axis
+  double along = 0;         ///< semi-axes [m]
+  double across = 0;
+};
+
+/// How a contact is kept among the bodies of a chain: by a body of its own, whose x axis is the normal.
+struct ChainTouch {
+  int contact = 0;  ///< index of Mechanism::contacts
+  int link = 0;     ///< that body
+  double p_x = 0;   ///< the contact point in its frame, on the x axis [m]
+  int body = 0;     ///< the body that the contact places
+  int carrier = 0;
+  OneFreedom freedom;  ///< of it, in the carrier's frame
+};
+
+/// A body on a joint to a known one, of which an oval touches an oval of another known body.
+struct OvalContact {
+  ChainTouch touch;  ///< the contact point is its link's origin; a body that slides does so on ground
+  int known = 0;     ///< the other body
+  Oval on_known;
+  Oval on_body;
+};
+
+/// What places the bodies of one group. Discs that touch are the dyad of their equivalent linkage.
+struct ChainGroup {
+  std::variant<DrivenBody, RrrDyad, RrpDyad, RprDyad, OvalContact> kind;
+  bool two_modes = false;
+  std::optional<ChainTouch> discs;  ///< of a dyad that stands for the contact of two discs
+};
+
+/// The contact of a group, if it has one.
+[[nodiscard]] inline const ChainTouch* touch_of(const ChainGroup& group) {
+  const auto* ovals = std::get_if<OvalContact>(&group.kind);
+  return ovals != nullptr ? &ovals->touch : group.discs ? &*group.discs : nullptr;
+}
+
+/// How a chain solves a group. None where it cannot: another kind, a contact that rolls, may part, or whose
+/// curves are others than convex circles and ellipses.
+/// \param link  index of a contact's own body
+[[nodiscard]] std::optional<ChainGroup> chain_group(const Mechanism& mechanism, const Group& group, int link);
+
+}  // namespace higherpair

@@ -1,0 +1,103 @@
+// Rows come out with the same bits whatever the width of the packs.
+#include "analysis/chain_loop.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace higherpair::testing {
+namespace {
+
+using Quantity = ChainColumn::Quantity;
+
+constexpr std::size_t kRowCount = 4 * kChainRows;
+constexpr int kCrank = 1, kCoupler = 2, kRocker = 3, kFollower = 4, kLink = 5, kBodies = 6;
+
+OneFreedom pivot(const Vector2d& p_W) {
+  OneFreedom freedom;
+  freedom.p_WO = p_W;
+  return freedom;
+}
+
+// A crank with a four-bar, and an oval on it that turns the oval of a follower.
+std::vector<ChainGroup> groups() {
+  const DrivenBody driven{0, {kCrank, 0, pivot({0, 0}), 1}};
+  RrrDyad dyad;
+  dyad.A = {kCrank, Vector2d(2, 0)};
+  dyad.B = {0, Vector2d(1, 0)};
+  dyad.link_a = kCoupler;
+  dyad.link_b = kRocker;
+  dyad.a_pC = Vector2d(3.5, 0);
+  dyad.b_pC = Vector2d(4, 0);
+  dyad.length_a = 3.5;
+  dyad.length_b = 4;
+  const ChainTouch touch{0, kLink, 0, kFollower, 0, pivot({8, 0})};
+  const OvalContact ovals{touch,
+                          kCrank,
+                          {{0.3, 0.1}, Rotation<double>::from_angle(0.4), 2, 1.5},
+                          {{-6, 0.2}, Rotation<double>::from_angle(-0.7), 1.2, 0.8}};
+  return {{driven, false, {}}, {dyad, true, {}}, {ovals, false, {}}};
+}
+
+ChainSchedule schedule() {
+  ChainSchedule schedule;
+  for (std::size_t k = 0; k < kRowCount; ++k) {
+    const double position = 0.03 * static_cast<double>(k);
+    schedule.position.push_back(position);
+    schedule.cosine.push_back(std::cos(position));
+    schedule.sine.push_back(std::sin(position));
+    schedule.velocity.push_back(1.3 - position);
+    schedule.acceleration.push_back(0.4);
+  }
+  return schedule;
+}
+
+// The columns, one behind the other.
+template <class Fill>
+std::vector<double> numbers_by(const Fill& fill) {
+  const std::vector<ChainGroup> all = groups();
+  const ChainSchedule rows = schedule();
+  std::vector<ChainTask> tasks;
+  const auto add = [&](const ChainColumn& column, const ChainAngle& angle) {
+    tasks.push_back({column, Vector2d::Zero(), angle, std::get<OvalContact>(all[2].kind).touch,
+                     std::vector<double>(kRowCount)});
+  };
+  for (const int body : {kRocker, kFollower}) {
+    const ChainAngle angle{ChainAngle::Source::kRotation, body, 0, 0};
+    for (const Quantity quantity : {Quantity::kX, Quantity::kAngle, Quantity::kOmega, Quantity::kAlpha}) {
+      add({body, std::nullopt, quantity}, angle);
+    }
+  }
+  add({0, std::nullopt, Quantity::kPressure}, {});
+  const std::vector<double> modes{1, 1, 1};
+  std::vector<ChainWatch<double>> watches(all.size());
+  std::vector<OvalRow> ovals(all.size());
+  ovals[2].turn = Rotation<double>::from_angle(-0.6);
+  ovals[2].n_W = Vector2d(0.8, 0.6);
+  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, kBodies, 8, tasks, watches, ovals});
+  std::vector<double> numbers;
+  for (const ChainTask& task : tasks) {
+    numbers.insert(numbers.end(), task.values.begin(), task.values.end());
+  }
+  for (const ChainWatch<double>& watch : watches) {
+    numbers.push_back(watch.margin);
+  }
+  return numbers;
+}
+
+TEST(ChainPacks, RowsHaveTheSameBitsWhateverTheirWidth) {
+  const auto two = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<2>(job); });
+  const auto four = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<4>(job); });
+  const auto eight = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<8>(job); });
+  const auto widest = numbers_by([](const ChainRowsJob& job) { fill_chain_rows(job); });
+  for (const double number : two) {
+    ASSERT_FALSE(std::isnan(number));
+  }
+  EXPECT_EQ(two, four);
+  EXPECT_EQ(two, eight);
+  EXPECT_EQ(two, widest);
+}
+
+}  // namespace
+}  // namespace higherpair::testing
