@@ -41,13 +41,15 @@ void DesignCandidates::work_out_rows(std::span<const double> x, int branch) {
     fail();
     return;
   }
+  // What closed forms let pass, and yet comes to a limit, is next to one: there each row is dear.
+  const WhenLost when_lost = pins_ || direct_ ? WhenLost::kGiveUp : WhenLost::kLookFurther;
   if (!pins_) {
-    follow_rows(*setup_, *candidate, branch, rows_);
+    follow_rows(*setup_, *candidate, branch, when_lost, rows_);
     return;
   }
   // What the pins say of gaps, transmissions and paths is kept: their derivatives are known.
   DesignRows followed;
-  follow_rows(*setup_, *candidate, branch, followed);
+  follow_rows(*setup_, *candidate, branch, when_lost, followed);
   std::swap(rows_.measured, followed.measured);
   std::swap(rows_.table, followed.table);
   std::swap(rows_.table_slots, followed.table_slots);

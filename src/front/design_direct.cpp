@@ -117,7 +117,8 @@ void place_rows(const DesignSetup& setup, std::unique_ptr<const Mechanism> mecha
     reader.take(rows.direct->bodies(), placed, motions.front().position,
                 placed ? RowStatus::kOk : RowStatus::kNotAssemblable);
   }
-  const bool closes = std::all_of(rows.gaps.begin(), rows.gaps.end(), [](double gap) { return gap < 0; });
+  const bool closes =
+      std::all_of(rows.gaps.begin(), rows.gaps.end(), [&](double gap) { return setup.closes(gap); });
   reader.finish(closes ? 0 : 1);
 }
 

@@ -12,9 +12,6 @@
 namespace higherpair {
 namespace {
 
-// What dyads have to spare, of the size: on the very edge of their reach rounding loses the motion.
-constexpr double kSpare = 1e-7;
-
 // By so much constraints are held more than they have to be, so that what the optimiser tolerates is no
 // violation.
 constexpr double kInside = 2 * kConstraintTolerance;
@@ -177,7 +174,7 @@ private:
   // Appends them to numbers_.
   void add_constraints(std::size_t measure) {
     for (const double gap : rows_->gaps) {
-      numbers_.push_back(std::isfinite(gap) ? gap / setup_->size + kSpare : 0.0);
+      numbers_.push_back(std::isfinite(gap) ? (gap + setup_->spare()) / setup_->size : 0.0);
     }
     numbers_.push_back(rows_->missing > 0 ? rows_->missing : kGoodPath);
     std::size_t transmission = 0;

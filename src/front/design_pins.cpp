@@ -119,7 +119,7 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
   bool closes = true;
   for (const Largest& largest : largest_) {
     rows.gaps.push_back(largest.gap);
-    closes = closes && largest.gap < 0;
+    closes = closes && setup_->closes(largest.gap);
   }
   rows.missing =
       (static_cast<double>(not_good) + (closes ? 0 : 0.5)) / static_cast<double>(positions_.size());

@@ -27,6 +27,12 @@ struct DesignSetup {
   std::vector<double> scales = {};
   double cost_scale = 1;  ///< what costs are of the order of, in the unit of tables
 
+  /// What dyads are to have to spare [m]: on the very edge of their reach rounding loses the motion.
+  [[nodiscard]] double spare() const { return 1e-7 * size; }
+  /// Whether they reach all the way, when this is the largest gap. Constraints ask for all of spare(), so
+  /// that what an optimiser tolerates is no edge either.
+  [[nodiscard]] bool closes(double gap) const { return gap < -spare() / 2; }
+
   /// Whether a candidate's table or events are wanted, and whether what check() has of it is.
   [[nodiscard]] bool needs_table() const;
   [[nodiscard]] bool needs_check() const;

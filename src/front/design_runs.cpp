@@ -40,8 +40,16 @@ void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
   reader.finish(limits);
 }
 
-bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run, RowReader& reader,
-             DesignRows& rows) {
+// Rows that are not gone to any more.
+void give_up(const DriverSchedule& schedule, std::int64_t row, const std::vector<BodyMotion>& bodies,
+             RowReader& reader) {
+  for (; row < schedule.size(); ++row) {
+    reader.take(bodies, false, schedule.state(row).si.position, RowStatus::kNotAssemblable);
+  }
+}
+
+bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run, WhenLost when_lost,
+             RowReader& reader, DesignRows& rows) {
   const std::shared_ptr<const Model::Data>& data = candidate.data;
   auto columns = columns_of(*data, setup.settings, data->profile.units);
   if (!columns) {
@@ -85,6 +93,10 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
     rows.places.push_back(analysis.impl().schedule.state(row.number).profile.position);
     reader.take(at.row.bodies, there, drivers.front(), row.status);
     there ? reader.take_gaps(at.row.bodies) : reader.take_gaps(closure_gaps(at, drivers));
+    if (!there && when_lost == WhenLost::kGiveUp) {
+      give_up(analysis.impl().schedule, row.number + 1, at.row.bodies, reader);
+      break;
+    }
   }
   rows.measured.assign(setup.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < setup.quantities.size(); ++k) {
@@ -101,7 +113,8 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
 
 }  // namespace
 
-void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, DesignRows& rows) {
+void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, WhenLost when_lost,
+                 DesignRows& rows) {
   rows.restart();
   rows.points.clear();
   RowReader reader(setup, *candidate.mechanism, candidate.plan, rows);
@@ -118,7 +131,7 @@ void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int
     follow(*run, candidate.schedule, reader);
     rows.run = *std::move(run);
   } else {
-    rows.started = measure(setup, candidate, *std::move(run), reader, rows);
+    rows.started = measure(setup, candidate, *std::move(run), when_lost, reader, rows);
   }
 }
 

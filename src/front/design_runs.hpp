@@ -15,7 +15,14 @@ struct DesignCandidate {
   DriverSchedule schedule;
 };
 
+/// What becomes of the rows behind a limit position.
+enum class WhenLost {
+  kLookFurther,  ///< those that can be assembled count: how many are missing says how much is wrong
+  kGiveUp,       ///< all are missing: closed forms say how much is wrong, and better
+};
+
 /// The rows of a candidate by following its motion; with the table that measures need, where there are some.
-void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, DesignRows& rows);
+void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, WhenLost when_lost,
+                 DesignRows& rows);
 
 }  // namespace higherpair

@@ -12,27 +12,62 @@ double change_by(const Slope& slope, double of_number) {
   return (of_number < 0 ? slope.down : slope.up) * of_number;
 }
 
+// What the scatter of a result is made of, σ² = Σ_i Σ_k ρ_ik d_i d_k with d_i = s_i σ_i.
+class Scatter {
+public:
+  Scatter(const ToleranceTask& task, const std::vector<double>& deviations)
+      : deviations_(deviations), parts_(deviations.size()) {
+    for (std::size_t i = 0; i < deviations.size(); ++i) parts_[i] = deviations[i] * deviations[i];
+    for (const Correlation& one : task.correlations) {
+      const double common = one.coefficient * deviations[one.first] * deviations[one.second];
+      parts_[one.first] += common;
+      parts_[one.second] += common;
+    }
+    variance_ = std::max(0.0, std::accumulate(parts_.begin(), parts_.end(), 0.0));
+  }
+
+  [[nodiscard]] double variance() const { return variance_; }
+
+  // Σ_k ρ_ik d_i d_k of each number: they add up to the variance.
+  [[nodiscard]] const std::vector<double>& parts() const { return parts_; }
+
+  // The largest factor on σ_i alone that brings the variance down to `target`; none: there is none.
+  [[nodiscard]] std::optional<double> factor_for(std::size_t i, double target) const {
+    const double own = deviations_[i] * deviations_[i];
+    const double common = parts_[i] - own;
+    const double others = variance_ - own - 2 * common;
+    // own f² + 2 common f + others = target
+    const double square = common * common + own * (target - others);
+    const double rounding = 1e-14 * own * variance_;
+    const double factor = (std::sqrt(std::max(square, 0.0)) - common) / own;
+    return square >= -rounding && factor >= 0 ? std::optional(factor) : std::nullopt;
+  }
+
+private:
+  std::vector<double> deviations_, parts_;
+  double variance_ = 0;
+};
+
 // Of a wanted band: how far a narrower scatter brings it.
-void find_tightening(ToleranceBand& band, double value, double most_share) {
+void find_tightening(ToleranceBand& band, double value, const Scatter& scatter) {
   const double room = *band.within - std::abs(band.center - value);
   if (room < 0 || !(band.deviation > 0)) {
     return;
   }
-  const double target = room / kBandSigmas / band.deviation;  // of σ
-  band.tighten_all = target;
-  const double square = (target * target - (1 - most_share)) / most_share;
-  if (square >= 0) band.tighten = std::sqrt(square);
+  const double target = room / kBandSigmas;  // of σ
+  band.tighten_all = target / band.deviation;
+  band.tighten = scatter.factor_for(band.order.front(), target * target);
 }
 
 ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result,
                       std::optional<double> within) {
   ToleranceBand band;
   band.center = band.worst_low = band.worst_high = result.value;
-  std::vector<double> variances;
+  std::vector<double> deviations;
   for (std::size_t i = 0; i < task.tolerances.size(); ++i) {
     const Tolerance& tolerance = task.tolerances[i];
     const Slope& slope = result.slopes[i];
-    variances.push_back(0);
+    deviations.push_back(0);
     if (slope.kind == SlopeKind::kNone) {
       band.complete = false;
       continue;
@@ -42,17 +77,19 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
     band.worst_low += std::min({low, high, around ? 0 : low});
     band.worst_high += std::max({low, high, around ? 0 : high});
     band.center += change_by(slope, tolerance.middle() - tolerance.value);
-    variances.back() = std::pow(slope.steepest() * tolerance.deviation(), 2);
+    deviations.back() = slope.steepest() * tolerance.deviation();
   }
-  const double variance = std::accumulate(variances.begin(), variances.end(), 0.0);
-  band.deviation = std::sqrt(variance);
+  const Scatter scatter(task, deviations);
+  band.deviation = std::sqrt(scatter.variance());
   band.low = std::max(band.center - kBandSigmas * band.deviation, band.worst_low);
   band.high = std::min(band.center + kBandSigmas * band.deviation, band.worst_high);
-  for (const double one : variances) band.shares.push_back(variance > 0 ? one / variance : 0);
-  band.order.resize(variances.size());
+  for (const double part : scatter.parts()) {
+    band.shares.push_back(scatter.variance() > 0 ? part / scatter.variance() : 0);
+  }
+  band.order.resize(band.shares.size());
   std::iota(band.order.begin(), band.order.end(), std::size_t{0});
   std::stable_sort(band.order.begin(), band.order.end(),
-                   [&](std::size_t a, std::size_t b) { return variances[a] > variances[b]; });
+                   [&](std::size_t a, std::size_t b) { return band.shares[a] > band.shares[b]; });
   band.within = within;
   if (within) {
     const auto fits = [&](double low, double high) {
@@ -61,7 +98,7 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
     };
     band.kept = fits(band.low, band.high);
     band.worst_kept = fits(band.worst_low, band.worst_high);
-    if (!band.kept) find_tightening(band, result.value, band.shares[band.order.front()]);
+    if (!band.kept) find_tightening(band, result.value, scatter);
   }
   return band;
 }

@@ -16,17 +16,15 @@ namespace {
 std::shared_ptr<const SweepTask> task_of(const ToleranceTask& tolerances, const SensitivityReport& report,
                                          const ToleranceVariantSettings& settings, bool in_time) {
   auto task = std::make_shared<SweepTask>();
-  task->plan.method = SweepMethod::kRandom;
+  task->plan = tolerances.variants();
   task->plan.count = settings.count;
   task->plan.seed = settings.seed;
   task->in_time = in_time;
   task->place = tolerances.place;
   for (std::size_t i = 0; i < tolerances.tolerances.size(); ++i) {
-    const Tolerance& tolerance = tolerances.tolerances[i];
     // Columns of one table have names of their own: the results have theirs by number.
-    task->plan.variables.push_back(
-        {fmt::format("number.{}", i), tolerance.paths, tolerance.distribution(), 0});
-    task->units.push_back(tolerance.unit);
+    task->plan.variables[i].name = fmt::format("number.{}", i);
+    task->units.push_back(tolerances.tolerances[i].unit);
   }
   for (std::size_t m = 0; m < report.results.size(); ++m) {
     task->results.push_back({fmt::format("result.{}", m), report.results[m].measure, false});

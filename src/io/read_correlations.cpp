@@ -10,7 +10,8 @@
 namespace higherpair::io_detail {
 namespace {
 
-std::optional<std::size_t> variable_named(TableReader& table, const Item& item, const VariantPlan& plan) {
+std::optional<std::size_t> variable_named(TableReader& table, const Item& item, const CorrelationWords& words,
+                                          const VariantPlan& plan) {
   const auto name = as_text(table.reading(), item);
   if (!name) {
     return std::nullopt;
@@ -19,30 +20,34 @@ std::optional<std::size_t> variable_named(TableReader& table, const Item& item, 
   for (const SweepVariable& variable : plan.variables) names.push_back(variable.name);
   const auto found = std::find(names.begin(), names.end(), *name);
   if (found == names.end()) {
-    report(table.reading(), item, "there is no such variable; " + suggestion(*name, names));
+    report(table.reading(), item,
+           fmt::format("there is no such {}; {}", words.one, suggestion(*name, names)));
     return std::nullopt;
   }
   const auto index = static_cast<std::size_t>(found - names.begin());
   const Distribution& d = plan.variables[index].distribution;
   if (d.kind != DistributionKind::kNormal || d.is_truncated()) {
-    report(table.reading(), item, "only variables with `normal`, without `min` and `max`, can be correlated");
+    report(table.reading(), item, fmt::format("only {} can be correlated", words.possible));
     return std::nullopt;
   }
   return index;
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& table, const VariantPlan& plan) {
-  const auto item = table.need("between", "the names of two variables");
+std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& table,
+                                                                const CorrelationWords& words,
+                                                                const VariantPlan& plan) {
+  const std::string expected = fmt::format("the names of two {}s", words.one);
+  const auto item = table.need("between", expected);
   const auto* items = item ? std::get_if<Array>(&item->value->content) : nullptr;
   if (!item) {
     return std::nullopt;
   }
   if (items == nullptr || items->size() != 2) {
-    report(table.reading(), *item, "expected the names of two variables");
+    report(table.reading(), *item, "expected " + expected);
     return std::nullopt;
   }
-  const auto first = variable_named(table, {items->data(), item->path + ".0"}, plan);
-  const auto second = variable_named(table, {&(*items)[1], item->path + ".1"}, plan);
+  const auto first = variable_named(table, {items->data(), item->path + ".0"}, words, plan);
+  const auto second = variable_named(table, {&(*items)[1], item->path + ".1"}, words, plan);
   if (!first || !second) {
     return std::nullopt;
   }
@@ -50,7 +55,7 @@ std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& tab
     return std::minmax(other.first, other.second) == std::minmax(*first, *second);
   };
   if (*first == *second) {
-    report(table.reading(), *item, "expected two different variables");
+    report(table.reading(), *item, fmt::format("expected two different {}s", words.one));
   } else if (std::any_of(plan.correlations.begin(), plan.correlations.end(), is_same)) {
     report(table.reading(), *item, "another correlation is between these two already");
   } else {
@@ -59,8 +64,8 @@ std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& tab
   return std::nullopt;
 }
 
-void read_correlation(TableReader& table, VariantPlan& plan) {
-  const auto between = read_between(table, plan);
+void read_correlation(TableReader& table, const CorrelationWords& words, VariantPlan& plan) {
+  const auto between = read_between(table, words, plan);
   const auto covariance = table.take("covariance");
   const auto coefficient = covariance
                                ? table.take("coefficient")
@@ -80,8 +85,8 @@ void read_correlation(TableReader& table, VariantPlan& plan) {
   const double scale = covariance ? deviation(between->first) * deviation(between->second) : 1;
   if (!(std::abs(number) < scale)) {
     report(table.reading(), *item,
-           fmt::format("must lie between {} and {}{}; variables that are the same are one with several paths",
-                       -scale, scale, covariance ? ", the product of both deviations" : ""));
+           fmt::format("must lie between {} and {}{}; {}s that are the same are one with several paths",
+                       -scale, scale, covariance ? ", the product of both deviations" : "", words.one));
     return;
   }
   plan.correlations.push_back({between->first, between->second, number / scale});
@@ -89,31 +94,29 @@ void read_correlation(TableReader& table, VariantPlan& plan) {
 
 }  // namespace
 
-void read_correlations(TableReader& sweep, std::optional<SweepMethod> method, VariantPlan& plan) {
-  const auto item = sweep.take("correlations");
+void read_correlations(TableReader& task, const CorrelationWords& words, VariantPlan& plan) {
+  const auto item = task.take("correlations");
   if (!item) {
-    return;
-  }
-  if (method == SweepMethod::kGrid || method == SweepMethod::kList) {
-    report(sweep.reading(), *item, "only draws (random, sobol) can be correlated");
     return;
   }
   const auto* items = std::get_if<Array>(&item->value->content);
   if (items == nullptr) {
-    report(sweep.reading(), *item, "expected a list of { between = [\"a\", \"b\"], coefficient = … }");
+    report(task.reading(), *item, "expected a list of { between = [\"a\", \"b\"], coefficient = … }");
     return;
   }
   for (std::size_t i = 0; i < items->size(); ++i) {
     const Item entry = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
-    if (const Table* table = as_table(sweep.reading(), entry, "a correlation (a table)")) {
-      TableReader reader(sweep.reading(), *table, entry.value->mark, entry.path);
-      read_correlation(reader, plan);
+    if (const Table* table = as_table(task.reading(), entry, "a correlation (a table)")) {
+      TableReader reader(task.reading(), *table, entry.value->mark, entry.path);
+      read_correlation(reader, words, plan);
     }
   }
   if (!correlation_factor(plan)) {
-    report(sweep.reading(), *item,
-           "these contradict each other: no variables can be correlated like this; make the coefficients "
-           "smaller");
+    report(
+        task.reading(), *item,
+        fmt::format("these contradict each other: no {}s can be correlated like this; make the coefficients "
+                    "smaller",
+                    words.one));
   }
 }
 

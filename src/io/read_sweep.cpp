@@ -43,16 +43,11 @@ void read_seed(TableReader& table, VariantPlan& plan) {
   plan.seed = static_cast<std::uint64_t>(seed.value_or(1));
 }
 
-void read_results(TableReader& table, SweepTask& task) {
-  const auto item = table.take("results");
-  if (!item) {
-    return;
-  }
-  for_each_table(
-      table.reading(), *item, "a measure (a table)", [&](const std::string& name, TableReader& entry) {
+void read_results_of(TableReader& table, SweepTask& task) {
+  read_results(
+      table, [&](const std::string& name, const std::optional<Measure>& measure, TableReader& entry) {
         SweepResult result;
         result.name = name;
-        const auto measure = read_measure(entry);
         result.where = entry.flag("where", false);
         const bool has_place =
             !measure || (measure->of != MeasureKind::kRange && measure->of != MeasureKind::kMean &&
@@ -61,7 +56,6 @@ void read_results(TableReader& table, SweepTask& task) {
           entry.refuse("where",
                        fmt::format("\"{}\" is of all rows and stands at no place", name_of(measure->of)));
         }
-        entry.finish();
         result.measure = measure.value_or(Measure());
         task.results.push_back(std::move(result));
       });
@@ -86,7 +80,7 @@ void read_rows(TableReader& table, SweepTask& task) {
 void read_what(TableReader& table, SweepTask& task) {
   task.in_time = table.flag("time", false);
   task.counts = table.flag("counts", false);
-  read_results(table, task);
+  read_results_of(table, task);
   read_rows(table, task);
   constexpr const char* kEither =
       "where `rows` are written there is no row of results: leave one of the two out";
@@ -128,40 +122,48 @@ void check_size(TableReader& table, const VariantPlan& plan) {
 
 }  // namespace
 
-void read_sweep(TableReader& root, const Table& document, Profile& profile) {
-  const auto item = root.take("sweep");
-  const Table* keys = item ? as_table(root.reading(), *item, "a table") : nullptr;
-  if (keys == nullptr) {
+void read_results(TableReader& task,
+                  const std::function<void(const std::string& name, const std::optional<Measure>& measure,
+                                           TableReader& table)>& finish) {
+  const auto item = task.take("results");
+  if (!item) {
     return;
   }
-  Reading& reading = root.reading();
-  const std::size_t mistakes = reading.mistakes.size();
-  TableReader table(reading, *keys, item->value->mark, item->path);
-  SweepTask task;
-  task.place = place_of(reading, item->value->mark);
-  const auto method = read_method(table);
-  task.plan.method = method.value_or(SweepMethod::kGrid);
-  if (method == SweepMethod::kRandom || method == SweepMethod::kSobol) {
-    read_count(table, task.plan);
-    read_seed(table, task.plan);
-  } else if (method) {
-    table.refuse("count", "only random and sobol have one; a variable of a grid has its own `count`");
-    table.refuse("seed", "only random and sobol have one");
-  } else {
-    (void)table.take("count");
-    (void)table.take("seed");
-  }
-  read_sweep_variables(table, document, method, task);
-  read_correlations(table, method, task.plan);
-  read_what(table, task);
-  table.finish();
-  check_names(table, task);
-  if (reading.mistakes.size() == mistakes) {
-    check_size(table, task.plan);
-  }
-  if (reading.mistakes.size() == mistakes) {
-    profile.sweep = std::make_shared<const SweepTask>(std::move(task));
-  }
+  for_each_table(task.reading(), *item, "a measure (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   finish(name, read_measure(table), table);
+                   table.finish();
+                 });
+}
+
+void read_sweep(TableReader& root, const Table& document, Profile& profile) {
+  profile.sweep = read_task<SweepTask>(root, "sweep", [&](const Item&, TableReader& table, SweepTask& task) {
+    const std::size_t mistakes = table.reading().mistakes.size();
+    const auto method = read_method(table);
+    const bool draws = method == SweepMethod::kRandom || method == SweepMethod::kSobol;
+    task.plan.method = method.value_or(SweepMethod::kGrid);
+    if (draws) {
+      read_count(table, task.plan);
+      read_seed(table, task.plan);
+    } else if (method) {
+      table.refuse("count", "only random and sobol have one; a variable of a grid has its own `count`");
+      table.refuse("seed", "only random and sobol have one");
+      table.refuse("correlations", "only draws (random, sobol) can be correlated");
+    } else {
+      (void)table.take("count");
+      (void)table.take("seed");
+    }
+    read_sweep_variables(table, document, method, task);
+    if (draws || !method) {
+      read_correlations(table, {"variable", "variables with `normal`, without `min` and `max`,"}, task.plan);
+    }
+    read_what(table, task);
+    table.finish();
+    check_names(table, task);
+    if (table.reading().mistakes.size() == mistakes) {
+      check_size(table, task.plan);
+    }
+  });
 }
 
 }  // namespace higherpair::io_detail

@@ -38,12 +38,22 @@ Distribution Tolerance::distribution() const {
   return d;
 }
 
+VariantPlan ToleranceTask::variants() const {
+  VariantPlan plan;
+  plan.method = SweepMethod::kRandom;
+  plan.correlations = correlations;
+  for (const Tolerance& tolerance : tolerances) {
+    plan.variables.push_back({tolerance.name, tolerance.paths, tolerance.distribution(), 0});
+  }
+  return plan;
+}
+
 namespace io_detail {
 namespace {
 
 // Keys of [tolerances] that name no tolerance.
 bool is_own_key(std::string_view key) {
-  return key == "results" || key == "time";
+  return key == "results" || key == "correlations" || key == "time";
 }
 
 class ToleranceReader {
@@ -160,54 +170,50 @@ private:
   Dimension dimension_;  // of the number that is read
 };
 
-void read_results(TableReader& table, ToleranceTask& task) {
-  const auto item = table.take("results");
-  if (!item) {
-    return;
-  }
-  for_each_table(
-      table.reading(), *item, "a measure (a table)", [&](const std::string& name, TableReader& entry) {
+void read_results_of(TableReader& table, ToleranceTask& task) {
+  read_results(
+      table, [&](const std::string& name, const std::optional<Measure>& measure, TableReader& entry) {
         ToleranceResult result;
         result.name = name;
-        result.measure = read_measure(entry).value_or(Measure());
+        result.measure = measure.value_or(Measure());
         if (const auto within = entry.take("within")) {
           const auto number = as_quantity(entry.reading(), *within, {dimension::kNumber, Sign::kPositive});
           result.within = number ? std::optional(number->si) : std::nullopt;
         }
-        entry.finish();
         task.results.push_back(std::move(result));
       });
+}
+
+void read_correlations_of(TableReader& table, ToleranceTask& task) {
+  VariantPlan plan = task.variants();
+  read_correlations(table, {"tolerance", "tolerances with distribution = \"normal\""}, plan);
+  task.correlations = std::move(plan.correlations);
 }
 
 }  // namespace
 
 void read_tolerances(TableReader& root, const Table& document, Profile& profile) {
-  const auto item = root.take("tolerances");
-  const Table* keys = item ? as_table(root.reading(), *item, "a table") : nullptr;
-  if (keys == nullptr) {
-    return;
-  }
-  Reading& reading = root.reading();
-  const std::size_t mistakes = reading.mistakes.size();
-  TableReader table(reading, *keys, item->value->mark, item->path);
-  ToleranceTask task;
-  task.place = place_of(reading, item->value->mark);
-  task.in_time = table.flag("time", false);
-  Table named;
-  std::copy_if(keys->begin(), keys->end(), std::back_inserter(named),
-               [](const Entry& entry) { return !is_own_key(entry.key); });
-  const Value all = {named, item->value->mark};
-  ToleranceReader reader(reading, document);
-  for_each_table(
-      reading, {&all, item->path}, "a tolerance, NAME = { path = …, plus_minus = … }",
-      [&](const std::string& name, TableReader& one) { task.tolerances.push_back(reader.read(name, one)); });
-  read_results(table, task);
-  if (reading.mistakes.size() == mistakes && task.tolerances.empty()) {
-    report(reading, *item, "expected at least one tolerance, NAME = { path = …, plus_minus = … }");
-  }
-  if (reading.mistakes.size() == mistakes) {
-    profile.tolerances = std::make_shared<const ToleranceTask>(std::move(task));
-  }
+  const auto read = [&](const Item& item, TableReader& table, ToleranceTask& task) {
+    Reading& reading = table.reading();
+    const std::size_t mistakes = reading.mistakes.size();
+    task.in_time = table.flag("time", false);
+    Table named;
+    const auto& keys = std::get<Table>(item.value->content);
+    std::copy_if(keys.begin(), keys.end(), std::back_inserter(named),
+                 [](const Entry& entry) { return !is_own_key(entry.key); });
+    const Value all = {named, item.value->mark};
+    ToleranceReader reader(reading, document);
+    for_each_table(reading, {&all, item.path}, "a tolerance, NAME = { path = …, plus_minus = … }",
+                   [&](const std::string& name, TableReader& one) {
+                     task.tolerances.push_back(reader.read(name, one));
+                   });
+    read_correlations_of(table, task);
+    read_results_of(table, task);
+    if (reading.mistakes.size() == mistakes && task.tolerances.empty()) {
+      report(reading, item, "expected at least one tolerance, NAME = { path = …, plus_minus = … }");
+    }
+  };
+  profile.tolerances = read_task<ToleranceTask>(root, "tolerances", read);
 }
 
 }  // namespace io_detail

@@ -3,8 +3,11 @@
 #include "higherpair/io/sweep_task.hpp"
 #include "table_reader.hpp"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace higherpair::io_detail {
@@ -28,7 +31,39 @@ void read_distribution(TableReader& table, const Item& item, std::optional<Sweep
 void read_sweep_variables(TableReader& sweep, const Table& document, std::optional<SweepMethod> method,
                           SweepTask& task);
 
-/// `correlations`: of normal variables.
-void read_correlations(TableReader& sweep, std::optional<SweepMethod> method, VariantPlan& plan);
+/// How messages call what scatters.
+struct CorrelationWords {
+  std::string one;       ///< "variable"
+  std::string possible;  ///< those that can be correlated
+};
+
+/// `correlations` of a task: between those of the plan's variables that are normal and not cut off.
+void read_correlations(TableReader& task, const CorrelationWords& words, VariantPlan& plan);
+
+/// `results`: named measures. \param finish  takes what else is in the table of one, and the measure where it
+/// is right
+void read_results(TableReader& task,
+                  const std::function<void(const std::string& name, const std::optional<Measure>& measure,
+                                           TableReader& table)>& finish);
+
+/// A task of the profile in a table of its own. \param read  the keys of the table, which is the item \return
+/// none where there is no such table, or something in it is wrong, which is reported
+template <class Task>
+std::shared_ptr<const Task> read_task(
+    TableReader& root, const std::string& key,
+    const std::function<void(const Item& item, TableReader& table, Task& task)>& read) {
+  const auto item = root.take(key);
+  const Table* keys = item ? as_table(root.reading(), *item, "a table") : nullptr;
+  if (keys == nullptr) {
+    return nullptr;
+  }
+  Reading& reading = root.reading();
+  const std::size_t mistakes = reading.mistakes.size();
+  TableReader table(reading, *keys, item->value->mark, item->path);
+  Task task;
+  task.place = place_of(reading, item->value->mark);
+  read(*item, table, task);
+  return reading.mistakes.size() == mistakes ? std::make_shared<const Task>(std::move(task)) : nullptr;
+}
 
 }  // namespace higherpair::io_detail

@@ -1,6 +1,7 @@
 // Derivatives of results: closed forms, differences between whole runs with other numbers, kinks, and what
 // has none.
 #include "front/cam_profile.hpp"
+#include "front/slider_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <algorithm>
@@ -17,33 +18,9 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::kCam;
+using testing::kSlider;
 using testing::model_of;
 using testing::shipped_model;
-
-constexpr const char* kSlider = R"(
-[bodies.ground]
-points.O = [0, 0]
-points.rail = [0, 12]
-[bodies.crank]
-points = { O = [0, 0], A = [30, 0] }
-[bodies.rod]
-pose   = { x = 30, y = 0, angle = 7 }
-points = { A = [0, 0], B = [100, 0] }
-[bodies.slider]
-pose     = { x = 129, y = 12 }
-points.B = [0, 0]
-[joints]
-o = { type = "revolute", between = ["ground.O", "crank.O"] }
-a = { type = "revolute", between = ["crank.A", "rod.A"] }
-b = { type = "revolute", between = ["rod.B", "slider.B"] }
-s = { type = "prismatic", between = ["ground.rail", "slider.B"], direction = [1, 0] }
-[driver]
-joint   = "o"
-start   = 0
-end     = 360
-samples = 7
-velocity = "2 rad/s"
-)";
 
 constexpr const char* kRocker = R"(
 [bodies.ground]

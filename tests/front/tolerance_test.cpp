@@ -1,5 +1,6 @@
 // Bands of results within tolerances, against closed forms and random variants.
 #include "front/cam_profile.hpp"
+#include "front/slider_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <atomic>
@@ -7,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace higherpair {
 namespace {
 
 using testing::kCam;
+using testing::kSlider;
 using testing::model_of;
 using testing::shipped_model;
 
@@ -81,6 +84,45 @@ TEST(ToleranceBands, SayWhichToleranceToTightenAndHowFar) {
   EXPECT_TRUE(with("tolerances.results.top.within=0.2").worst_kept);
 }
 
+// Both ways by which numbers of one result can go together, and what is left of it.
+TEST(ToleranceBands, OfCorrelatedNumbersHaveTheirCovariance) {
+  const auto with = [](double coefficient) {
+    return bands_of(model_of(kCam + std::string(kLinear) +
+                             fmt::format("[[tolerances.correlations]]\nbetween = [\"throw\", \"radius\"]\n"
+                                         "coefficient = {}\n",
+                                         coefficient)))
+        .bands.at(0);
+  };
+  const ToleranceBand together = with(0.8), apart = with(-0.8);
+  EXPECT_NEAR(together.deviation, 0.01 * std::sqrt(2 + 2 * 0.8), 1e-10);
+  EXPECT_NEAR(apart.deviation, 0.01 * std::sqrt(2 - 2 * 0.8), 1e-10);
+  EXPECT_NEAR(together.shares[0], 0.5, 1e-9);
+  for (const ToleranceBand& band : {together, apart}) {
+    EXPECT_NEAR(band.worst_high, 40 + 0.09, 1e-10);
+    EXPECT_NEAR(band.center, 40.02, 1e-10);
+  }
+  EXPECT_NEAR(with(0).deviation, 0.01 * std::sqrt(2.0), 1e-10);
+}
+
+// A radius that is scattered three times as much, and a throw that makes up for some of it.
+TEST(ToleranceBands, GiveANumberThatMakesUpForOthersANegativeShare) {
+  const std::string correlated = kCam + std::string(kLinear) + R"(
+[[tolerances.correlations]]
+between    = ["radius", "throw"]
+covariance = -2.4e-4
+)";
+  const ToleranceBand band = bands_of(model_of(correlated, {"tolerances.radius.plus_minus=0.09",
+                                                            "tolerances.results.top.within=0.07"}))
+                                 .bands.at(0);
+  EXPECT_NEAR(band.deviation, 0.01 * std::sqrt(9 + 1 - 2 * 2.4), 1e-10);
+  EXPECT_NEAR(band.shares[0], (9 - 2.4) / 5.2, 1e-9);
+  EXPECT_NEAR(band.shares[1], (1 - 2.4) / 5.2, 1e-9);
+  ASSERT_TRUE(band.tighten);
+  const double f = *band.tighten;  // 0.02 off the middle, the rest is 3 σ
+  EXPECT_LT(f, 1);
+  EXPECT_NEAR(0.03 * std::sqrt(9 * f * f + 1 - 2 * 2.4 * f), 0.05, 1e-10);
+}
+
 // With one uniform number three standard deviations are beyond the zone.
 TEST(ToleranceBands, AreNeverBeyondTheWorstCase) {
   const Model model = model_of(kCam + std::string(R"(
@@ -115,6 +157,21 @@ TEST(ToleranceVariantsOf, ALinearResultAgreeWithItsBands) {
   EXPECT_NEAR(seen.share_within, below(0.03 / bands[0].deviation) - below(-0.07 / bands[0].deviation), 0.005);
 }
 
+TEST(ToleranceVariantsOf, CorrelatedNumbersScatterTogether) {
+  const Model model = model_of(kCam + std::string(kLinear) +
+                                   "[[tolerances.correlations]]\nbetween = [\"radius\", \"throw\"]\n"
+                                   "coefficient = -0.9\n",
+                               {"driver.samples=13"});
+  const auto [report, bands] = bands_of(model);
+  EXPECT_NEAR(bands[0].deviation, 0.01 * std::sqrt(0.2), 1e-10);
+  ToleranceVariantSettings settings;
+  settings.count = 20000;
+  const VariantBand seen = tolerance_variants(model, report, settings).value().bands.at(0);
+  EXPECT_NEAR(seen.deviation, bands[0].deviation, 0.02 * bands[0].deviation);
+  EXPECT_NEAR(seen.low, bands[0].low, 0.3 * bands[0].deviation);
+  EXPECT_FALSE(seen.curved);
+}
+
 TEST(ToleranceVariantsOf, AreTheSameOnAnyNumberOfThreadsAndOthersWithAnotherSeed) {
   const Model model = model_of(kCam + std::string(kLinear), {"driver.samples=7"});
   const SensitivityReport report = sensitivity(model).value();
@@ -131,31 +188,13 @@ TEST(ToleranceVariantsOf, AreTheSameOnAnyNumberOfThreadsAndOthersWithAnotherSeed
 
 // A pivot in the middle of its offset changes the stroke to second order alone: no slope sees it.
 TEST(ToleranceVariantsOf, AResultThatBendsSayThatItDoes) {
-  const Model model = model_of(R"(
-[bodies.ground]
-points = { O = [0, 0], rail = [0, 0] }
-[bodies.crank]
-points = { O = [0, 0], A = [30, 0] }
-[bodies.rod]
-pose   = { x = 30, y = 0, angle = 0 }
-points = { A = [0, 0], B = [100, 0] }
-[bodies.slider]
-pose     = { x = 130, y = 0 }
-points.B = [0, 0]
-[joints]
-o = { type = "revolute", between = ["ground.O", "crank.O"] }
-a = { type = "revolute", between = ["crank.A", "rod.A"] }
-b = { type = "revolute", between = ["rod.B", "slider.B"] }
-s = { type = "prismatic", between = ["ground.rail", "slider.B"], direction = [1, 0] }
-[driver]
-joint   = "o"
-start   = 30
-end     = 390
-samples = 1441
+  const Model model =
+      model_of(kSlider + std::string(R"(
 [tolerances]
 offset = { path = "bodies.ground.points.rail.1", plus_minus = 3, distribution = "uniform" }
 results.stroke = { column = "slider.x", of = "range" }
-)");
+)"),
+               {"bodies.ground.points.rail.1=0", "driver.start=30", "driver.end=390", "driver.samples=1441"});
   const auto [report, bands] = bands_of(model);
   EXPECT_NEAR(report.results[0].value, 60, 1e-9);
   EXPECT_NEAR(bands[0].worst_high - bands[0].worst_low, 0, 1e-9);

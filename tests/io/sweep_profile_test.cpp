@@ -1,6 +1,6 @@
 // What [sweep] of a profile says, and every message about it.
 #include "higherpair/io/sweep_task.hpp"
-#include "io/profile_testing.hpp"
+#include "io/only_message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kCamProfile;
-using testing::messages;
 using testing::Overrides;
 using testing::read;
 
@@ -35,11 +34,9 @@ SweepTask task_of(const Overrides& overrides, const std::string& sweep = kSweep)
 
 // What is said behind the place, of one mistake.
 std::string message(const Overrides& overrides, const std::string& sweep = kSweep) {
-  const auto all = messages(cam(sweep), overrides);
-  EXPECT_EQ(all.size(), 1U) << ::testing::PrintToString(all);
-  if (all.empty()) return "";
-  const std::size_t at = all[0].find(": sweep");
-  return at == std::string::npos ? all[0] : all[0].substr(at + 2);
+  const std::string all = testing::only_message(cam(sweep), overrides);
+  const std::size_t at = all.find(": sweep");
+  return at == std::string::npos ? all : all.substr(at + 2);
 }
 
 TEST(SweepProfiles, AreReadInTheirOrder) {

@@ -1,7 +1,7 @@
 // What [tolerances] of a profile says, and every message about it; all quantities of a profile.
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/tolerance_task.hpp"
-#include "io/profile_testing.hpp"
+#include "io/only_message.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kCamProfile;
-using testing::messages;
 using testing::Overrides;
 using testing::read;
 
@@ -30,9 +29,7 @@ std::string toleranced_cam(const std::string& tolerances = kTolerances) {
 }
 
 std::string tolerance_message(const Overrides& overrides, const std::string& tolerances = kTolerances) {
-  const auto all = messages(toleranced_cam(tolerances), overrides);
-  EXPECT_EQ(all.size(), 1U) << ::testing::PrintToString(all);
-  return all.empty() ? "" : all[0];
+  return testing::only_message(toleranced_cam(tolerances), overrides);
 }
 
 TEST(ToleranceProfiles, AreReadInTheirOrder) {
@@ -117,6 +114,38 @@ r = { path = "bodies.cam.curves.disc.radius", plus = 0.02, minus = -0.02 }
   EXPECT_THAT(tolerance_message({"tolerances.results.peak.of=most"}), HasSubstr("expected one of"));
   EXPECT_THAT(tolerance_message({}, "[tolerances]\n"), HasSubstr("expected at least one tolerance"));
   EXPECT_THAT(tolerance_message({}, "[tolerances]\nr = 3\n"), HasSubstr("expected a tolerance"));
+}
+
+TEST(ToleranceProfiles, ReadCorrelationsAndSayWhatIsWrongWithThem) {
+  const std::string two = std::string(kTolerances) + R"(
+[tolerances.e]
+path       = "bodies.cam.curves.disc.center.0"
+plus_minus = 0.03
+[tolerances.flat]
+path         = "bodies.ground.points.O2.0"
+plus_minus   = 0.03
+distribution = "uniform"
+)";
+  const auto with = [](const std::string& entry) { return "tolerances.correlations=[" + entry + "]"; };
+  const auto task =
+      read(toleranced_cam(two), {with("{ between = [\"e\", \"r\"], coefficient = 0.6 }")}).tolerances;
+  ASSERT_EQ(task->correlations.size(), 1U);
+  EXPECT_EQ(task->correlations[0].first, 1U);
+  EXPECT_EQ(task->correlations[0].second, 0U);
+  EXPECT_EQ(task->correlations[0].coefficient, 0.6);
+  EXPECT_EQ(task->tolerances.size(), 3U);
+  const auto says = [&](const std::string& entry) { return tolerance_message({with(entry)}, two); };
+  EXPECT_THAT(says("{ between = [\"e\", \"rr\"], coefficient = 0.6 }"),
+              HasSubstr("there is no such tolerance; did you mean"));
+  EXPECT_THAT(says("{ between = [\"e\", \"flat\"], coefficient = 0.6 }"),
+              HasSubstr("only tolerances with distribution = \"normal\" can be correlated"));
+  EXPECT_THAT(says("{ between = [\"e\"], coefficient = 0.6 }"),
+              HasSubstr("expected the names of two tolerances"));
+  EXPECT_THAT(says("{ between = [\"e\", \"r\"], coefficient = 1 }"),
+              HasSubstr("tolerances that are the same are one with several paths"));
+  // 0.01 mm and 0.02/3 mm
+  EXPECT_THAT(says("{ between = [\"e\", \"r\"], covariance = 7e-5 }"),
+              HasSubstr("the product of both deviations"));
 }
 
 TEST(Quantities, OfAProfileAreAllThatMeasureSomething) {

@@ -20,15 +20,18 @@ inline constexpr double kBandQuantile = 0.00134989803163009;
 /// the widths of the zones, m_i their middles and p_i the numbers of the profile:
 ///     centre = value + Σ s_i (m_i − p_i)
 ///     worst case: every number at the end of its zone that is worse
-///     statistical: centre ± 3 σ, σ² = Σ s_i² σ_i², but never beyond the worst case
-/// (W. H. Greenwood and K. W. Chase, Worst case tolerance analysis with nonlinear problems, 1988; root sum of
-/// squares). A slope that is another one to either side counts as the steeper one in σ.
+///     statistical: centre ± 3 σ, σ² = Σ Σ ρ_ik s_i σ_i s_k σ_k, but never beyond the worst case
+/// with ρ_ii = 1 and ρ_ik of correlated numbers, else 0: the root sum of squares where none are (W. H.
+/// Greenwood and K. W. Chase, Worst case tolerance analysis with nonlinear problems, 1988). A slope that is
+/// another one to either side counts as the steeper one in σ.
 struct ToleranceBand {
   double center = 0;
   double worst_low = 0, worst_high = 0;
   double deviation = 0;  ///< σ
   double low = 0, high = 0;
-  std::vector<double> shares;      ///< of each tolerance in σ², their sum is 1; all 0 where σ is
+  /// Of each tolerance in σ²: Σ_k ρ_ik s_i σ_i s_k σ_k/σ², negative where its scatter makes up for that of
+  /// others. Their sum is 1; all 0 where σ is.
+  std::vector<double> shares;
   std::vector<std::size_t> order;  ///< the tolerances, the largest share first
   bool complete = true;            ///< false: some slopes are not known and count as 0
 

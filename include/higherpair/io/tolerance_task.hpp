@@ -2,7 +2,7 @@
 
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/measure.hpp"
-#include "higherpair/sweep/distribution.hpp"
+#include "higherpair/sweep/variants.hpp"
 
 #include <optional>
 #include <string>
@@ -41,10 +41,14 @@ struct ToleranceResult {
 
 /// What [tolerances] says: which numbers scatter, and what of the run is wanted.
 struct ToleranceTask {
-  std::vector<Tolerance> tolerances;     ///< at least one
-  std::vector<ToleranceResult> results;  ///< may be empty
-  bool in_time = false;                  ///< runs in time, as `step`
+  std::vector<Tolerance> tolerances;      ///< at least one
+  std::vector<Correlation> correlations;  ///< between tolerances, both normal
+  std::vector<ToleranceResult> results;   ///< may be empty
+  bool in_time = false;                   ///< runs in time, as `step`
   Place place;
+
+  /// Random variants that scatter so; how many is left open.
+  [[nodiscard]] VariantPlan variants() const;
 };
 
 }  // namespace higherpair
