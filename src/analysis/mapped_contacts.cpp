@@ -35,6 +35,10 @@ std::optional<int> driver_of(const Mechanism& mechanism, int joint) {
   return std::nullopt;
 }
 
+bool is_unbounded(const Curve& curve) {
+  return is_line(curve) || (is_conic(curve) && curve.q <= 0);
+}
+
 class Mapper {
 public:
   Mapper(const Mechanism& mechanism, const Plan& plan, const std::vector<double>& drivers,
@@ -48,9 +52,6 @@ public:
     const auto follower = follower_of(index);
     if (contact.rolling) {
       mapped.refusal = "it rolls: its arcs, not only its tangency, tie the two bodies";
-    } else if (contact.by_boundary) {
-      mapped.refusal =
-          "a curve of it has ends or several parts, and maps are of whole conics, lines and points";
     } else if (!follower) {
       mapped.refusal = "no body is placed by this contact alone: it is solved together with other conditions";
     } else {
@@ -92,6 +93,11 @@ private:
     mapped.follower = carried_body(mechanism_, joint(*follower_joint), follower);
     mapped.pair = {curve_of(mechanism_, on_known), mapped.known.freedom, curve_of(mechanism_, on_follower),
                    mapped.follower.freedom};
+    if (contact.by_boundary) {
+      mapped.boundary1 = &boundary_of(mechanism_, on_known);
+      mapped.boundary2 = &boundary_of(mechanism_, on_follower);
+      mapped.unbounded = {is_unbounded(mapped.pair.curve1), is_unbounded(mapped.pair.curve2)};
+    }
     mapped.driver = driver_of(mechanism_, *known_joint);
     mapped.posed = coordinate(mapped.follower, posed_);
     set_position(mapped);

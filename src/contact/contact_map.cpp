@@ -1,5 +1,7 @@
 #include "higherpair/contact/contact_map.hpp"
 
+#include "boundary_map.hpp"
+#include "boundary_trace.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "map_branches.hpp"
 #include "map_network.hpp"
@@ -16,6 +18,23 @@ namespace {
 // a - b of two follower coordinates, up to whole turns.
 double gap_of_q(const ContactMap& map, double a, double b) {
   return map.pair.motion2.turns ? nearest_turn(a - b, 0) : a - b;
+}
+
+// A point of a branch of boundaries. Whether it is free is looked for where the points next to it differ.
+std::optional<MapPoint> traced_point(const ContactMap& map, int index,
+                                     std::vector<MapPoint>::const_iterator above, double u) {
+  const auto i = static_cast<std::size_t>(index);
+  const MapBranch& branch = map.branches[i];
+  const auto at = map.trace->at(map.trace->paths[i], u);
+  if (!at) {
+    return std::nullopt;
+  }
+  MapPoint point;
+  static_cast<TangentPosition&>(point) = *at;
+  const MapPoint& after = above == branch.points.end() ? branch.points.back() : *above;
+  const MapPoint& before = above == branch.points.begin() ? branch.points.front() : *(above - 1);
+  point.free = before.free == after.free ? before.free : map.trace->is_free(branch.opposed, *at);
+  return point;
 }
 
 // The other opposed branch that crosses `branch` between two of its points, and where: there the bodies touch
@@ -57,8 +76,7 @@ bool is_singular(const ContactMap& map, const MapBranch& branch, double from, do
   }
   return std::any_of(map.events.begin(), map.events.end(), [&](const MapEvent& event) {
     const double u = map.pair.motion1.turns ? nearest_turn(event.at.u, from) : event.at.u;
-    const double margin =
-        map.pair.motion1.turns ? kNearMapCrossing : kNearMapCrossing * size_of_pair(map.pair);
+    const double margin = map.pair.motion1.turns ? kNearMapCrossing : kNearMapCrossing * map.size;
     return event.at.type == CriticalType::kCrossing &&
            (std::abs(u - from) < margin || (u - from) * (u - to) < 0);
   });
@@ -107,6 +125,7 @@ void add_free_changes(ContactMap& map) {
 ContactMap map_contacts(const ContactPair& pair, const MapRange& range) {
   ContactMap map;
   map.pair = pair;
+  map.size = size_of_pair(pair);
   map.range = range;
   if (!is_algebraic(pair)) {
     map.status = MapStatus::kNotAlgebraic;
@@ -123,6 +142,15 @@ ContactMap map_contacts(const ContactPair& pair, const MapRange& range) {
   return map;
 }
 
+ContactMap map_contacts(const BoundaryPair& pair, const MapRange& range,
+                        const std::array<bool, 2>& unbounded) {
+  ContactMap map = map_boundaries(pair, range, unbounded);
+  if (map.status == MapStatus::kOk) {
+    add_free_changes(map);
+  }
+  return map;
+}
+
 std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
   const MapBranch& branch = map.branches[static_cast<std::size_t>(index)];
   if (u < branch.begin.u || u > branch.end.u || branch.points.empty()) {
@@ -132,6 +160,9 @@ std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
                                       [](const MapPoint& point, double value) { return point.u < value; });
   if (above != branch.points.end() && above->u == u) {
     return *above;
+  }
+  if (map.trace) {
+    return traced_point(map, index, above, u);
   }
   // From a point next to it, the nearest first; not from where the contact is singular, nor past it.
   std::vector<const MapPoint*> starts;
@@ -173,7 +204,7 @@ std::vector<MapContact> contacts_at(const ContactMap& map, double u) {
 
 std::optional<int> branch_of(const ContactMap& map, double u, double q, const Vector2d& n_W) {
   for (const MapContact& contact : contacts_at(map, u)) {
-    if (difference_of_q(map.pair, size_of_pair(map.pair), contact.point.q, q) <= kSameMapContact &&
+    if (difference_of_q(map.pair, map.size, contact.point.q, q) <= kSameMapContact &&
         (contact.point.n_W - n_W).norm() <= kSameMapContact) {
       return contact.branch;
     }
@@ -222,6 +253,8 @@ std::string_view name_of(MapEndType type) {
       return "conforming";
     case MapEndType::kInfinity:
       return "infinity";
+    case MapEndType::kEnd:
+      return "end";
     case MapEndType::kRange:
       return "range";
     case MapEndType::kClosed:
@@ -245,7 +278,10 @@ std::string_view describe(MapStatus status) {
     case MapStatus::kTangentAtInfinity:
       return describe(ContactsStatus::kTangentAtInfinity);
     case MapStatus::kNotAlgebraic:
-      return "maps are known of conics, lines and points only";
+      return "a curve that is given by its support function has no map";
+    case MapStatus::kOnlyRelative:
+      return "both bodies turn about one pivot, or slide in one direction: only their relative position "
+             "counts";
     case MapStatus::kLimitEverywhere:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/events.hpp"
 #include "limit.hpp"
+#include "map_layout.hpp"
 #include "map_points.hpp"
 #include "map_walk.hpp"
 #include "tolerances.hpp"
@@ -14,25 +15,14 @@
 namespace higherpair {
 namespace {
 
-constexpr int kFewest = 9;  // points within a branch, however short it is
-
 bool is_finite(MapEndType type) {
   return type == MapEndType::kFold || type == MapEndType::kConforming;
 }
 
-// A driver coordinate at which a branch gets a point.
-struct Target {
-  double u = 0;
-  std::optional<std::int64_t> sample;
-};
-
 class BranchSampler {
 public:
   BranchSampler(const ContactPair& pair, const MapRange& range, MapNetwork& network)
-      : pair_(pair), range_(range), network_(network), taken_(network.nodes.size(), false) {
-    const double way = network.cyclic ? kTurn : range.end - range.start;
-    spacing_ = way / static_cast<double>(range.samples - 1);
-  }
+      : pair_(pair), range_(range), network_(network), taken_(network.nodes.size(), false) {}
 
   [[nodiscard]] std::vector<MapBranch> run() {
     std::vector<MapBranch> branches;
@@ -50,7 +40,7 @@ public:
     std::sort(branches.begin(), branches.end(), [](const MapBranch& a, const MapBranch& b) {
       return a.begin.u != b.begin.u ? a.begin.u < b.begin.u : a.points.front().q < b.points.front().q;
     });
-    join(branches);
+    join_branches(branches, network_.events);
     return branches;
   }
 
@@ -99,7 +89,7 @@ private:
       const NodeSide& behind = node(last.node).behind;
       branch.begin = {before.type, before.u, 0, before.event};
       branch.end = {behind.type, behind.u + last.u_turn, 0, behind.event};
-      const double turn = whole_turns(branch);
+      const double turn = network_.cyclic ? turns_into_range(branch, range_.start) : 0;
       branch.begin.u += turn;
       branch.end.u += turn;
       shift(chain, turn);
@@ -114,55 +104,14 @@ private:
     }
   }
 
-  // Whole turns of the driver after which a branch holds the start of the range or begins within it.
-  [[nodiscard]] double whole_turns(const MapBranch& branch) const {
-    if (!network_.cyclic) {
-      return 0;
-    }
-    const double turns = std::ceil((range_.start - branch.begin.u) / kTurn);
-    const bool earlier = branch.end.u + (turns - 1) * kTurn >= range_.start;
-    return (earlier ? turns - 1 : turns) * kTurn;
-  }
-
   [[nodiscard]] const MapInterval& interval_of(const Link& link) const {
     return network_.intervals[static_cast<std::size_t>(node(link.node).interval)];
-  }
-
-  // A sample within the branch, its ends only where they belong to it.
-  [[nodiscard]] std::vector<Target> targets_of(const MapBranch& branch) const {
-    const double unit = network_.cyclic ? 1 : network_.size;
-    const auto margin = [&](const MapEnd& end) {
-      const bool included = end.type == MapEndType::kClosed || end.type == MapEndType::kRange;
-      return std::min((included ? -kMapEndMargin : kMapEndMargin) * unit,
-                      (branch.end.u - branch.begin.u) / 100);
-    };
-    const double low = branch.begin.u + margin(branch.begin);
-    const double high = branch.end.u - margin(branch.end);
-    const double a = ((spacing_ > 0 ? low : high) - range_.start) / spacing_;
-    const double b = ((spacing_ > 0 ? high : low) - range_.start) / spacing_;
-    std::vector<Target> targets;
-    const auto last = static_cast<std::int64_t>(std::floor(b));
-    for (auto k = static_cast<std::int64_t>(std::ceil(a)); k <= last; ++k) {
-      const double u = range_.start + static_cast<double>(k) * spacing_;
-      targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), k});
-    }
-    // A branch between two samples, or hardly more, gets points of its own.
-    const bool whole = branch.begin.type == MapEndType::kClosed || branch.begin.type == MapEndType::kRange;
-    if (targets.size() < kFewest && !whole) {
-      targets.clear();
-      for (int i = 1; i < kFewest; ++i) {
-        const double share = (1 - std::cos(kPi * i / kFewest)) / 2;
-        targets.push_back({low + share * (high - low), std::nullopt});
-      }
-    }
-    std::sort(targets.begin(), targets.end(), [](const Target& l, const Target& r) { return l.u < r.u; });
-    return targets;
   }
 
   // Each interval's targets are reached from its own node; where branches cross at its side, those next to it
   // are interpolated.
   void sample(MapBranch& branch, const std::vector<Link>& chain) {
-    const std::vector<Target> targets = targets_of(branch);
+    const std::vector<SampleTarget> targets = sample_targets(branch, range_, network_.cyclic, network_.size);
     auto next = targets.begin();
     const auto index = [&](auto at) { return static_cast<std::size_t>(at - targets.begin()); };
     std::vector<ContactTrack> tracks;
@@ -181,9 +130,9 @@ private:
           add_point(branch, between(branch, *before, *behind, next->u), *next);
         }
       }
-      next = std::find_if(next, targets.end(), [&](const Target& target) { return target.u >= low; });
+      next = std::find_if(next, targets.end(), [&](const SampleTarget& target) { return target.u >= low; });
       const bool last = &link == &chain.back();
-      const auto stop = std::find_if(next, targets.end(), [&](const Target& target) {
+      const auto stop = std::find_if(next, targets.end(), [&](const SampleTarget& target) {
         return last ? target.u > high : target.u >= high;
       });
       reach(branch, middle, std::span(targets).subspan(index(next), index(stop) - index(next)), tracks);
@@ -192,24 +141,26 @@ private:
     }
     add_extremes(branch, tracks);
     add_ends(branch, node(chain.front().node).track);
-    choose_turn(branch);
+    if (pair_.motion2.turns && !branch.points.empty()) {
+      choose_turn(branch, range_.start);
+    }
   }
 
   static std::optional<ContactPosition> held_at(ContactTrack track, double u) {
     return walk_to(track, u, false) ? std::optional(track.at) : std::nullopt;
   }
 
-  static void add_point(MapBranch& branch, MapPoint point, const Target& target) {
+  static void add_point(MapBranch& branch, MapPoint point, const SampleTarget& target) {
     point.sample = target.sample;
     branch.points.push_back(point);
   }
 
   // The targets of one interval, from its middle downwards and upwards.
-  void reach(MapBranch& branch, const ContactTrack& middle, std::span<const Target> targets,
+  void reach(MapBranch& branch, const ContactTrack& middle, std::span<const SampleTarget> targets,
              std::vector<ContactTrack>& tracks) const {
     const auto split = std::partition_point(targets.begin(), targets.end(),
-                                            [&](const Target& t) { return t.u < middle.at.u; });
-    std::vector<std::pair<ContactTrack, Target>> found;
+                                            [&](const SampleTarget& t) { return t.u < middle.at.u; });
+    std::vector<std::pair<ContactTrack, SampleTarget>> found;
     ContactTrack track = middle;
     for (auto target = split; target != targets.begin();) {
       --target;
@@ -292,53 +243,10 @@ private:
     return point;
   }
 
-  // q in (-π, π] at the point nearest to the start.
-  void choose_turn(MapBranch& branch) const {
-    if (!pair_.motion2.turns || branch.points.empty()) {
-      return;
-    }
-    const auto nearest = std::min_element(
-        branch.points.begin(), branch.points.end(), [&](const MapPoint& a, const MapPoint& b) {
-          return std::abs(a.u - range_.start) < std::abs(b.u - range_.start);
-        });
-    const double turn = nearest_turn(nearest->q, 0) - nearest->q;
-    branch.begin.q += turn;
-    branch.end.q += turn;
-    for (auto* points : {&branch.points, &branch.extremes}) {
-      for (MapPoint& point : *points) {
-        point.q += turn;
-      }
-    }
-  }
-
-  void join(std::vector<MapBranch>& branches) const {
-    const auto side_of = [](const MapBranch& branch, const MapEnd& end) { return &end == &branch.begin; };
-    for (std::size_t i = 0; i < branches.size(); ++i) {
-      for (const MapEnd* end : {&branches[i].begin, &branches[i].end}) {
-        if (end->event >= 0) {
-          network_.events[static_cast<std::size_t>(end->event)].branches.push_back(static_cast<int>(i));
-        }
-      }
-    }
-    for (MapBranch& branch : branches) {
-      for (MapEnd* end : {&branch.begin, &branch.end}) {
-        for (std::size_t i = 0; end->event >= 0 && i < branches.size(); ++i) {
-          for (const MapEnd* other : {&branches[i].begin, &branches[i].end}) {
-            if (other != end && other->event == end->event &&
-                side_of(branches[i], *other) == side_of(branch, *end)) {
-              end->other = static_cast<int>(i);
-            }
-          }
-        }
-      }
-    }
-  }
-
   const ContactPair& pair_;
   const MapRange& range_;
   MapNetwork& network_;
   std::vector<bool> taken_;
-  double spacing_ = 0;
 };
 
 }  // namespace

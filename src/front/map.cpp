@@ -1,6 +1,7 @@
 #include "higherpair/front/map.hpp"
 
 #include "higherpair/analysis/mapped_contacts.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/contact_map.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -220,7 +221,11 @@ ContactMapReport report_of(const Profile& profile, const MappedContact& mapped,
     refused.refusal = "the driver slides and stays where it is: give driver.end";
     return refused;
   }
-  return map_report(profile, mapped, map_contacts(mapped.pair, range));
+  if (mapped.boundary1 == nullptr) {
+    return map_report(profile, mapped, map_contacts(mapped.pair, range));
+  }
+  const BoundaryPair pair{mapped.boundary1, mapped.pair.motion1, mapped.boundary2, mapped.pair.motion2};
+  return map_report(profile, mapped, map_contacts(pair, range, mapped.unbounded));
 }
 
 // Why no contact has a map.

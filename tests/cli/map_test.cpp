@@ -140,6 +140,46 @@ TEST(Map, MarksTheSecondContactsOfAnOvalInARing) {
   EXPECT_NEAR(marks.at(1).at("driver").get<double>(), 99.39339667515178, 1e-11);
 }
 
+// The lift of the law is the position on the mechanism's own branch, and the follower turns where the law
+// does.
+TEST(Map, OfACamOfAMotionLawFollowsTheLaw) {
+  const auto json = json_of(shipped_profile("four_arc_cam.toml") + " --samples 9");
+  const nlohmann::json& contact = json.at("contacts").at(0);
+  EXPECT_TRUE(contact.at("complete").get<bool>());
+  const auto own = contact.at("own").at("branch").get<std::size_t>();
+  const nlohmann::json& branch = contact.at("branches").at(own - 1);
+  EXPECT_EQ(branch.at("end").at("type"), "closed");
+  ASSERT_EQ(branch.at("extremes").size(), 2U);
+  EXPECT_NEAR(branch.at("extremes").at(1).at("driver").get<double>(), 90, 1e-11);
+  EXPECT_NEAR(branch.at("extremes").at(1).at("position").get<double>(), 32, 1e-12);
+  // At 45 degrees the flank is touched: 38 - 18 sin 45.
+  const auto row = std::find_if(
+      json.at("rows").begin(), json.at("rows").end(),
+      [&](const nlohmann::json& one) { return one.at(1).get<std::size_t>() == own && one.at(2) == 45.0; });
+  ASSERT_NE(row, json.at("rows").end());
+  EXPECT_NEAR(row->at(3).get<double>(), 38 - 18 * std::sqrt(0.5), 1e-12);
+}
+
+// A pin is in its slot from 180 - 360/8 to 180 + 360/8 degrees, and leaves it where the slot ends.
+TEST(Map, OfAGenevaWheelEndsWhereThePinLeavesItsSlots) {
+  const auto json = json_of(shipped_profile("geneva_four_slots.toml") + " --samples 9");
+  const nlohmann::json& branches = json.at("contacts").at(0).at("branches");
+  ASSERT_EQ(branches.size(), 4U);
+  for (const nlohmann::json& branch : branches) {
+    EXPECT_EQ(branch.at("begin").at("type"), "end");
+    EXPECT_NEAR(branch.at("begin").at("driver").get<double>(), 135, 1e-9);
+    EXPECT_NEAR(branch.at("end").at("driver").get<double>(), 225, 1e-9);
+  }
+}
+
+TEST(Map, OfACamWhoseRollerTurnsAboutItsOwnCentreSaysWhyThereIsNone) {
+  const Answer answer = map_of(
+      shipped_profile("spline_cam.toml") +
+      " --set bodies.follower.curves.roller.center='[0,0]' --set bodies.follower.curves.roller.radius=45");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.text, HasSubstr("joint does not change their distance"));
+}
+
 TEST(Map, IsRefusedWhereNoContactHasOne) {
   const MapAnswer rolling = map_of(shipped_profile("rolling_ellipses.toml"));
   EXPECT_EQ(rolling.code, 3);

@@ -147,7 +147,7 @@ TEST(CurvesByTheirSupport, HaveNoMapAndNoCertificateOfConics) {
   const ContactPair pair = ovals.pair(true, false);
   const ContactMap map = map_contacts(pair, {});
   EXPECT_EQ(map.status, MapStatus::kNotAlgebraic);
-  EXPECT_EQ(describe(map.status), "maps are known of conics, lines and points only");
+  EXPECT_EQ(describe(map.status), "a curve that is given by its support function has no map");
   EXPECT_EQ(certify_contacts(pair, 0.3, find_curve_contacts(pair, 0.3)).status,
             CertificateStatus::kNotDecided);
 }

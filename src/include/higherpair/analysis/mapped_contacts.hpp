@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/run.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,11 @@ struct MappedContact {
   int contact = 0;
   std::string refusal;  ///< why it is no such pair, as a sentence; empty: it is, and the rest is set
   ContactPair pair;     ///< body 1: the one that is solved first
-  CarriedBody known;    ///< it, on ground
+  /// Of contacts of curves with ends or several parts: both, which belong to the mechanism; null of others.
+  const Boundary* boundary1 = nullptr;
+  const Boundary* boundary2 = nullptr;
+  std::array<bool, 2> unbounded = {false, false};  ///< the boundary is what was kept of an unbounded curve
+  CarriedBody known;                               ///< it, on ground
   CarriedBody follower;
   int known_joint = 0;  ///< of Mechanism::joints
   int follower_joint = 0;

@@ -4,7 +4,9 @@
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/contact/critical_positions.hpp"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,9 @@
 namespace higherpair {
 
 inline constexpr double kTurn = 2 * kPi;  ///< of the driver [rad]
+
+struct BoundaryPair;
+class BoundaryTrace;
 
 /// The driver coordinates that a map covers: one whole turn from `start`, or the way from `start` to `end`.
 struct MapRange {
@@ -31,6 +36,7 @@ enum class MapEndType {
   kFold,        ///< ∂gap/∂q = 0: the limit position, where another branch merges with this one
   kConforming,  ///< κ1 + κ2 = 0: the same with a common tangent, a cusp
   kInfinity,    ///< the contact runs off to infinity along an open curve
+  kEnd,         ///< the contact comes to an end of a boundary, or to a concave corner of one
   kRange,       ///< the end of a sliding driver's range
   kClosed,      ///< none: the branch comes back to its beginning after whole turns of the driver
   kLost,        ///< not followed further: the map is not complete
@@ -71,6 +77,7 @@ enum class MapStatus {
   kTouchesNowhere,     ///< it does not depend on q, and they do not touch
   kTangentAtInfinity,  ///< hyperbolas that share an asymptote at every relative position
   kLimitEverywhere,    ///< the driver does not move the follower, which is at a limit position
+  kOnlyRelative,       ///< boundaries of bodies on one pivot, or on parallel slides
 };
 
 /// What the status means, as a sentence.
@@ -78,7 +85,9 @@ enum class MapStatus {
 
 /// All contacts of a pair over the range of its driver: the configuration space of the pair.
 struct ContactMap {
-  ContactPair pair;
+  ContactPair pair;                            ///< of boundaries its motions only
+  double size = 0;                             ///< of the pair [m]
+  std::shared_ptr<const BoundaryTrace> trace;  ///< of boundaries: the curves of contacts, else null
   MapRange range;
   MapStatus status = MapStatus::kNoPair;
   bool complete = true;  ///< false: a branch was lost between two positions at which all contacts are known
@@ -100,6 +109,19 @@ struct ContactMap {
 /// samples
 /// >= 2
 [[nodiscard]] ContactMap map_contacts(const ContactPair& pair, const MapRange& range);
+
+/// The same of two boundaries, which have to outlive the map.
+///
+/// The set M is the zeros of one function of the places along the two boundaries (TangencySheet), which is
+/// smooth where q(u) is not: at folds and conforming contacts, and where a contact goes over from span to
+/// span. It is followed on a grid of the boundaries' samples (sheet_curves.hpp) and then cut into branches
+/// where ∂gap/∂q or κ1 + κ2 changes its sign; the curvature's sum may do so by a jump. Folds, conforming
+/// contacts and points are exact to within rounding; that no branch is missed is not proven: closed ones that
+/// lie between the samples of both boundaries may be. Where two faces lie on each other, or two corners meet,
+/// the branch goes on with another slope. Branches that cross are followed as two that do not quite touch.
+/// \param unbounded  whether the ends of a boundary are those at which an unbounded curve has been cut off
+[[nodiscard]] ContactMap map_contacts(const BoundaryPair& pair, const MapRange& range,
+                                      const std::array<bool, 2>& unbounded = {false, false});
 
 /// The contact of a branch at a driver coordinate between its ends; none elsewhere.
 [[nodiscard]] std::optional<MapPoint> point_at(const ContactMap& map, int branch, double u);

@@ -1,0 +1,75 @@
+#include "boundary_trace.hpp"
+
+#include "higherpair/geometry/roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kTouch = 1e-7;       // of the sizes of two boundaries: a depth that is none
+constexpr double kNotConcave = 1e-9;  // of 1 per size: κ1 + κ2 below 0 by rounding
+
+}  // namespace
+
+std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, const TraceLeg& leg, double share) const {
+  const TangencySheet& sheet = this->sheet(path.opposed);
+  const auto found = place_on(sheet, leg.step, share);
+  if (!found) {
+    return std::nullopt;
+  }
+  SheetPoint point = found->at;
+  const double part = leg.share_a == leg.share_b ? 0 : (share - leg.share_a) / (leg.share_b - leg.share_a);
+  if (sheet.pair().motion1.turns) {
+    point.u = nearest_turn(point.u, leg.u_a + part * (leg.u_b - leg.u_a)) + path.shift_u;
+  }
+  if (sheet.pair().motion2.turns) {
+    point.q = nearest_turn(point.q, leg.q_a + part * (leg.q_b - leg.q_a)) + path.shift_q;
+  }
+  return point;
+}
+
+std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, double u) const {
+  const double round = path.turn_u > 0 ? std::floor((u - path.begin_u()) / path.turn_u) : 0;
+  const double wanted = u - round * path.turn_u - path.shift_u;
+  auto leg = std::partition_point(path.legs.begin(), path.legs.end(),
+                                  [&](const TraceLeg& one) { return one.u_b < wanted; });
+  // Rounding of the ends.
+  leg = leg == path.legs.end() ? leg - 1 : leg;
+  const double from = leg->share_a;
+  const double way = leg->share_b - from;
+  const auto error = [&](double x) {
+    const auto there = at(path, *leg, from + x);
+    return there ? there->u - path.shift_u - wanted : NAN;
+  };
+  double share = from;
+  if (leg->u_b - wanted <= 0) {
+    share = leg->share_b;
+  } else if (leg->u_a < wanted) {
+    const auto x = root_between(error, error(0), way, error(way));
+    if (!x) {
+      return std::nullopt;
+    }
+    share += *x;
+  }
+  auto point = at(path, *leg, share);
+  if (point) {
+    point->u = u;
+    point->q += round * path.turn_q;
+  }
+  return point;
+}
+
+bool BoundaryTrace::is_free(bool opposed, const SheetPoint& at) const {
+  const BoundaryPair& pair = opposed_.pair();
+  const double size = pair.boundary1->size() + pair.boundary2->size();
+  if (!opposed || at.bend < -kNotConcave / size) {
+    return false;
+  }
+  return deepest_penetration(*pair.boundary1, pose_at(pair.motion1, at.u), *pair.boundary2,
+                             pose_at(pair.motion2, at.q), kTouch * size)
+             .depth == 0;
+}
+
+}  // namespace higherpair

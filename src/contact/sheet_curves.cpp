@@ -1,0 +1,296 @@
+#include "sheet_curves.hpp"
+
+#include "higherpair/geometry/roots.hpp"
+#include "sheet_grid.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// Where cells are halved: off the middle, which symmetry may make special.
+constexpr double kSplit = 0.4713;
+constexpr int kDeepest = 40;
+constexpr std::size_t kMostSteps = 200000;  // of all curves: more are noise
+constexpr double kStraight = 0.85;          // cosine between a curve and its chord
+constexpr double kNoLength = 1e-7;          // of a cell: a chord without a direction
+constexpr double kMostTurn = 0.3;           // of a body along a step [rad]
+
+enum class Rim { kLow1, kHigh1, kLow2, kHigh2 };
+
+// A zero on the rim of a cell.
+struct Zero {
+  int id = 0;
+  double t1 = 0, t2 = 0;
+  Rim rim = Rim::kLow1;
+};
+
+struct Rect {
+  Bounds t1, t2;
+};
+
+// A step between two zeros, by their ids.
+struct Link {
+  int from = 0, to = 0;
+  SheetStep step;
+};
+
+class CurveFinder {
+public:
+  explicit CurveFinder(const TangencySheet& sheet) : sheet_(sheet), grid_(sheet) {}
+
+  [[nodiscard]] SheetCurves run() {
+    for (int i = 0; i < grid_.count1(); ++i) {
+      for (int j = 0; j < grid_.count2(); ++j) {
+        if (grid_.has_cell(i, j)) {
+          enter(i, j);
+        }
+      }
+    }
+    chain();
+    return std::move(found_);
+  }
+
+private:
+  void enter(int i, int j) {
+    span1_ = grid_.part1(i).span;
+    span2_ = grid_.part2(j).span;
+    const Rect cell{grid_.part1(i).t, grid_.part2(j).t};
+    width_ = {cell.t1.width(), cell.t2.width()};
+    std::vector<Zero> zeros;
+    const auto add = [&](const std::vector<SheetGrid::Zero>& on_edge, Rim rim) {
+      for (const auto& [id, t] : on_edge) {
+        const bool along2 = rim == Rim::kLow1 || rim == Rim::kHigh1;
+        const double fixed = rim == Rim::kLow1    ? cell.t1.low
+                             : rim == Rim::kHigh1 ? cell.t1.high
+                             : rim == Rim::kLow2  ? cell.t2.low
+                                                  : cell.t2.high;
+        zeros.push_back({id, along2 ? fixed : t, along2 ? t : fixed, rim});
+      }
+    };
+    add(grid_.zeros_along2(grid_.part1(i).first, j), Rim::kLow1);
+    add(grid_.zeros_along2(grid_.part1(i).last, j), Rim::kHigh1);
+    add(grid_.zeros_along1(i, grid_.part2(j).first), Rim::kLow2);
+    add(grid_.zeros_along1(i, grid_.part2(j).last), Rim::kHigh2);
+    if (!zeros.empty()) {
+      connect(cell, std::move(zeros), kSplit, kSplit, 0);
+    } else if (const auto inner = grid_.inner_zero(i, j)) {
+      connect(cell, {}, (inner->x() - cell.t1.low) / width_.x(), (inner->y() - cell.t2.low) / width_.y(), 0);
+    }
+  }
+
+  [[nodiscard]] SheetPlace one(double t) const { return sheet_.place1({span1_, t}); }
+  [[nodiscard]] SheetPlace two(double t) const { return sheet_.place2({span2_, t}); }
+
+  // The direction of the curve, in widths of the cell.
+  [[nodiscard]] Vector2d direction(double t1, double t2) const {
+    const Vector2d slopes = sheet_.slopes(one(t1), two(t2));
+    return Vector2d(-slopes.y() * width_.y(), slopes.x() * width_.x()).normalized();
+  }
+
+  // Whether the curve between two zeros is a graph over its chord: by its directions at both ends and
+  // between.
+  [[nodiscard]] bool is_straight(const Zero& a, const Zero& b) const {
+    const Vector2d chord((b.t1 - a.t1) / width_.x(), (b.t2 - a.t2) / width_.y());
+    const double length = chord.norm();
+    if (length < kNoLength) {
+      return true;
+    }
+    const auto middle = place_on(sheet_, step_between(a, b), 0.5);
+    if (!middle) {
+      return false;
+    }
+    const auto along = [&](double t1, double t2) { return direction(t1, t2).dot(chord) / length; };
+    const auto [least, most] =
+        std::minmax({along(a.t1, a.t2), along(b.t1, b.t2), along(middle->place1.t, middle->place2.t)});
+    if (!(least > kStraight || most < -kStraight)) {
+      return false;
+    }
+    const SheetPoint from = sheet_.point(one(a.t1), two(a.t2));
+    const SheetPoint to = sheet_.point(one(b.t1), two(b.t2));
+    const BoundaryPair& pair = sheet_.pair();
+    return (!pair.motion1.turns || std::abs(nearest_turn(to.u - from.u, 0)) < kMostTurn) &&
+           (!pair.motion2.turns || std::abs(nearest_turn(to.q - from.q, 0)) < kMostTurn);
+  }
+
+  // The nearest zero of F itself to one of the lifted F.
+  [[nodiscard]] Zero polished(Zero at) const {
+    for (int pass = 0; pass < 2; ++pass) {
+      const Vector2d slopes = sheet_.slopes(one(at.t1), two(at.t2)).cwiseProduct(width_);
+      const Vector2d step = -sheet_.value(one(at.t1), two(at.t2)) / slopes.squaredNorm() * slopes;
+      if (step.norm() < kNoLength) {
+        at.t1 += step.x() * width_.x();
+        at.t2 += step.y() * width_.y();
+      }
+    }
+    return at;
+  }
+
+  [[nodiscard]] SheetStep step_between(const Zero& a, const Zero& b) const {
+    return {{span1_, a.t1}, {span2_, a.t2}, {span1_, b.t1}, {span2_, b.t2}, width_};
+  }
+
+  void connect(const Rect& cell, std::vector<Zero> zeros, double split1, double split2, int depth) {
+    if (links_.size() > kMostSteps) {
+      found_.complete = false;
+    } else if (zeros.size() == 2 && (depth == kDeepest || is_straight(zeros[0], zeros[1]))) {
+      const Zero& a = zeros[0];
+      const Zero& b = zeros[1];
+      found_.complete = found_.complete && depth < kDeepest;
+      links_.push_back({a.id, b.id, step_between(polished(a), polished(b))});
+    } else if (depth == kDeepest) {
+      found_.complete = found_.complete && zeros.empty();
+    } else if (!zeros.empty() || depth == 0) {
+      halve(cell, zeros, split1, split2, depth);
+    }
+  }
+
+  // The four parts of a cell, each with the zeros on its rim.
+  void halve(const Rect& cell, const std::vector<Zero>& zeros, double split1, double split2, int depth) {
+    const double m1 = cell.t1.low + split1 * cell.t1.width();
+    const double m2 = cell.t2.low + split2 * cell.t2.width();
+    for (const bool high1 : {false, true}) {
+      for (const bool high2 : {false, true}) {
+        const Bounds t1 = high1 ? Bounds{m1, cell.t1.high} : Bounds{cell.t1.low, m1};
+        const Bounds t2 = high2 ? Bounds{m2, cell.t2.high} : Bounds{cell.t2.low, m2};
+        quarters_[high1][high2].clear();
+        for (const Zero& zero : zeros) {
+          const bool within1 = zero.rim == Rim::kLow1    ? !high1
+                               : zero.rim == Rim::kHigh1 ? high1
+                                                         : (zero.t1 >= m1) == high1;
+          const bool within2 = zero.rim == Rim::kLow2    ? !high2
+                               : zero.rim == Rim::kHigh2 ? high2
+                                                         : (zero.t2 >= m2) == high2;
+          if (within1 && within2) {
+            quarters_[high1][high2].push_back(zero);
+          }
+        }
+        rects_[high1][high2] = {t1, t2};
+      }
+    }
+    const auto add = [&](bool along1, const Bounds& t, std::vector<Zero>& low, std::vector<Zero>& high) {
+      const auto fixed = along1 ? two(m2) : one(m1);
+      for (const double zero : grid_.zeros_between(fixed, along1 ? span1_ : span2_, t, along1)) {
+        const int id = grid_.new_id();
+        const double t1 = along1 ? zero : m1;
+        const double t2 = along1 ? m2 : zero;
+        low.push_back({id, t1, t2, along1 ? Rim::kHigh2 : Rim::kHigh1});
+        high.push_back({id, t1, t2, along1 ? Rim::kLow2 : Rim::kLow1});
+      }
+    };
+    add(true, {cell.t1.low, m1}, quarters_[0][0], quarters_[0][1]);
+    add(true, {m1, cell.t1.high}, quarters_[1][0], quarters_[1][1]);
+    add(false, {cell.t2.low, m2}, quarters_[0][0], quarters_[1][0]);
+    add(false, {m2, cell.t2.high}, quarters_[0][1], quarters_[1][1]);
+    const auto quarters = quarters_;
+    const auto rects = rects_;
+    for (const bool high1 : {false, true}) {
+      for (const bool high2 : {false, true}) {
+        connect(rects[high1][high2], quarters[high1][high2], kSplit, kSplit, depth + 1);
+      }
+    }
+  }
+
+  // The steps in their order.
+  void chain() {
+    std::vector<std::array<int, 2>> at_zero(static_cast<std::size_t>(grid_.ids()), {-1, -1});
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      for (const int id : {links_[k].from, links_[k].to}) {
+        auto& here = at_zero[static_cast<std::size_t>(id)];
+        found_.complete = found_.complete && here[1] < 0;
+        here[here[0] < 0 ? 0 : 1] = static_cast<int>(k);
+      }
+    }
+    std::vector<bool> taken(links_.size(), false);
+    for (const bool closed : {false, true}) {
+      for (std::size_t k = 0; k < links_.size(); ++k) {
+        for (const int id : {links_[k].from, links_[k].to}) {
+          if (!taken[k] && (closed || at_zero[static_cast<std::size_t>(id)][1] < 0)) {
+            follow(static_cast<int>(k), id, at_zero, taken);
+          }
+        }
+      }
+    }
+  }
+
+  void follow(int link, int start, const std::vector<std::array<int, 2>>& at_zero, std::vector<bool>& taken) {
+    SheetCurve curve;
+    int at = start;
+    while (link >= 0 && !taken[static_cast<std::size_t>(link)]) {
+      taken[static_cast<std::size_t>(link)] = true;
+      const Link& here = links_[static_cast<std::size_t>(link)];
+      SheetStep step = here.step;
+      const bool forward = here.from == at;
+      if (!forward) {
+        std::swap(step.from1, step.to1);
+        std::swap(step.from2, step.to2);
+      }
+      at = forward ? here.to : here.from;
+      curve.steps.push_back(step);
+      const auto& next = at_zero[static_cast<std::size_t>(at)];
+      link = next[0] == link ? next[1] : next[0];
+    }
+    curve.closed = at == start;
+    if (!curve.closed) {
+      curve.ends_at_begin = grid_.boundary_ending_at(start);
+      curve.ends_at_end = grid_.boundary_ending_at(at);
+      found_.complete = found_.complete && curve.ends_at_begin != 0 && curve.ends_at_end != 0;
+    }
+    found_.curves.push_back(std::move(curve));
+  }
+
+  const TangencySheet& sheet_;
+  SheetGrid grid_;
+  int span1_ = 0, span2_ = 0;  // of the cell
+  Vector2d width_;             // of the cell
+  std::array<std::array<std::vector<Zero>, 2>, 2> quarters_;
+  std::array<std::array<Rect, 2>, 2> rects_;
+  std::vector<Link> links_;
+  SheetCurves found_;
+};
+
+}  // namespace
+
+SheetCurves sheet_curves(const TangencySheet& sheet) {
+  return CurveFinder(sheet).run();
+}
+
+std::optional<SheetPlaces> place_on(const TangencySheet& sheet, const SheetStep& step, double share) {
+  constexpr int kPasses = 12;
+  const Vector2d from(step.from1.t, step.from2.t);
+  const Vector2d to(step.to1.t, step.to2.t);
+  const Vector2d chord = (to - from).cwiseQuotient(step.width);
+  const Vector2d across = perp(chord).cwiseProduct(step.width);
+  const double length2 = chord.squaredNorm();
+  SheetPlaces places{step.from1, step.from2, {}};
+  double offset = 0;
+  double last = INFINITY;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Vector2d t = from + share * (to - from) + offset * across;
+    places.place1.t = t.x();
+    places.place2.t = t.y();
+    const SheetPlace at1 = sheet.place1(places.place1);
+    const SheetPlace at2 = sheet.place2(places.place2);
+    const double value = sheet.value(at1, at2);
+    const double slope = sheet.slopes(at1, at2).dot(across);
+    const double change = length2 == 0 ? 0 : -value / slope;
+    if (!std::isfinite(change)) {
+      return std::nullopt;
+    }
+    const double size = std::abs(change);
+    if (std::abs(value) <= kEps * sheet.size() || size == 0 || (pass > 2 && size >= last / 2)) {
+      places.at = sheet.point(at1, at2);
+      const bool near = std::abs(offset) <= 1 && std::abs(value) <= kFineGap * sheet.size();
+      return near || length2 == 0 ? std::optional(places) : std::nullopt;
+    }
+    last = size;
+    offset += change;
+  }
+  return std::nullopt;
+}
+
+}  // namespace higherpair

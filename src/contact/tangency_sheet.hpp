@@ -1,0 +1,71 @@
+#pragma once
+
+#include "higherpair/contact/boundary_contact.hpp"
+
+namespace higherpair {
+
+/// A place of a boundary, its body at the coordinate 0.
+struct SheetPlace {
+  Vector2d p_W = Vector2d::Zero();  ///< [m]
+  Vector2d n_W =
+      Vector2d::UnitX();  ///< the normal that takes part: of body 2 inwards where normals are equal
+  double along = 0;       ///< dp/dt = along·t, t = n turned +90° [m per unit of the parameter]
+  double turn = 0;        ///< d(angle of n)/dt [rad per unit of the parameter]
+  bool corner = false;
+};
+
+/// A tangency of the pair; vectors in ground W.
+struct SheetPoint : TangentPosition {
+  double gap_q = 0;  ///< n·(velocity of body 2 per q): 0 at a fold
+  double gap_u = 0;  ///< n·(velocity of body 1 per u): 0 where the follower turns back
+  double bend = 0;   ///< κ1 + κ2 [1/m], +1 with a corner on one side, 0 with corners on both
+};
+
+/// All tangencies of two moving boundaries, as the zeros of one function of the two places.
+///
+/// Opposed normals and a common point are three equations in u, q and the two places, and u and q leave them
+/// in closed form. With m the points from the pivots O, d the directions of slides, d⊥ = d turned +90°:
+///
+/// | driver, follower | u, q                                                | F [m] | | ---------------- |
+/// --------------------------------------------------- | ------------------------------ | | turns, turns | q
+/// - u = ψ turns n2 into -n1; R(u) w = O2 - O1       | (w² - O1O2²)/(2 O1O2)          | |                  |
+/// with w = m1 - R(ψ) m2                               |                                | | turns, slides | u
+/// turns n1 into -n2; q = (O1 + R(u) m1 - p2)·d      | (O1 + R(u) m1 - p2)·d⊥         | | slides, turns    |
+/// q turns n2 into -n1; u = (O2 + R(q) m2 - p1)·d      | (O2 + R(q) m2 - p1)·d⊥         | | slides, slides |
+/// u d1 - q d2 = p2 - p1                               | (n1 × n2) times the size       |
+///
+/// F and its slopes are continuous over joints of spans, and have no singularity at folds, at conforming
+/// contacts, on faces or on corners.
+class TangencySheet {
+public:
+  /// \param opposed  false: the tangencies of equal outward normals
+  TangencySheet(const BoundaryPair& pair, bool opposed);
+
+  /// Whether u and q follow from the places: not with one pivot for both bodies, or parallel slides.
+  [[nodiscard]] bool is_regular() const;
+  [[nodiscard]] bool opposed() const { return side2_ > 0; }
+  [[nodiscard]] const BoundaryPair& pair() const { return pair_; }
+  /// What F is of the order of [m].
+  [[nodiscard]] double size() const { return size_; }
+
+  [[nodiscard]] SheetPlace place1(const BoundaryPlace& at) const;
+  [[nodiscard]] SheetPlace place2(const BoundaryPlace& at) const;
+
+  /// F [m].
+  [[nodiscard]] double value(const SheetPlace& one, const SheetPlace& two) const;
+  /// ∂F by the parameters of the two places.
+  [[nodiscard]] Vector2d slopes(const SheetPlace& one, const SheetPlace& two) const;
+  /// Whether a zero is a tangency: between two slides F vanishes for the other normals as well.
+  [[nodiscard]] bool faces(const SheetPlace& one, const SheetPlace& two) const;
+  /// The tangency of a zero; angles in (-π, π], q of two turning bodies in (-2π, 2π]. \pre is_regular()
+  [[nodiscard]] SheetPoint point(const SheetPlace& one, const SheetPlace& two) const;
+
+private:
+  BoundaryPair pair_;
+  double side2_ = 1;
+  double size_ = 0;
+  Pose<double> X_W1_, X_W2_;  // at the coordinates 0
+  Vector2d O12_;              // from O1 to O2
+};
+
+}  // namespace higherpair
