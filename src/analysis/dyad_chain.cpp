@@ -27,7 +27,7 @@ constexpr double kAsNear = 1e-9;
 constexpr std::ptrdiff_t kMostDyads = 6;  // 2^6 assemblies are tried
 
 // Of the size: how far a disc may be from where a Run has put it. The other mode is much farther away.
-constexpr double kSamePlace = 1e-6;
+constexpr double kSameChainPlace = 1e-6;
 
 // The groups as a chain solves them, into `groups`; each contact may have a body of its own between two
 // centres, behind those of the mechanism. False where one of them is not for a chain.
@@ -369,8 +369,8 @@ bool DyadChain::Impl::take_mode_of_disc(const Run& run, std::size_t g) {
     ChainWatch<double> watch;
     solve_group<ChainRates::kNone>(groups[g], mode, driver, bodies.data(), watch);
     const Rotation<double> turned = bodies[disc].R_WB * X_WB.R_WB.inverse();
-    if ((bodies[disc].p_WB - X_WB.p_WB).norm() <= kSamePlace * plan.size && turned.cos > 0 &&
-        std::abs(turned.sin) <= kSamePlace) {
+    if ((bodies[disc].p_WB - X_WB.p_WB).norm() <= kSameChainPlace * plan.size && turned.cos > 0 &&
+        std::abs(turned.sin) <= kSameChainPlace) {
       best_modes[g] = mode;
       return true;
     }

@@ -96,15 +96,18 @@ private:
       return;
     }
     const int sense = after > 0 ? 1 : -1;
-    if (output.sense == 0 && std::abs(before) > kSlowestOutput * fast) {
-      output.sense = before > 0 ? 1 : -1;
-    }
     if (sense == output.sense) {
       return;
     }
     // An output at rest has a sense by rounding alone.
     const double slow =
         kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size, output.turns));
+    if (output.sense == 0 && std::abs(before) > slow) {
+      output.sense = before > 0 ? 1 : -1;
+    }
+    if (sense == output.sense) {
+      return;
+    }
     if (std::abs(after) <= slow) {
       return;
     }

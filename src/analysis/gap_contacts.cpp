@@ -3,16 +3,15 @@
 #include "events.hpp"
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
-#include "higherpair/geometry/roots.hpp"
-#include "higherpair/numeric/special_values.hpp"
 #include "joint_ends.hpp"
 #include "meetings.hpp"
+#include "other_place.hpp"
+#include "passings.hpp"
 #include "span_joints.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,8 +23,6 @@ constexpr double kCapture = 1e-3;      // of the size: how far beside an end a c
 constexpr double kStartsApart = 1e-4;  // of the size: a pose that touches only by that much is open
 constexpr double kFirstNudge = 1e-13;  // of a step: a contact that closes beside an end begins farther in
 constexpr int kMostNudges = 24;
-constexpr double kNoJump =
-    1e-9;  // of a velocity [1, or of the size]: a mechanism whose dimensions are rounded
 
 const TouchingBody& touching_of(const Run& run, std::size_t g) {
   return std::get<TouchingBody>(run.plan().groups[g].kind);
@@ -35,41 +32,20 @@ const Contact& contact_of(const Run& run, const TouchingBody& touching) {
   return run.mechanism().contacts[static_cast<std::size_t>(touching.contact)];
 }
 
-// The place of a boundary with an outward normal; none where the sample nearest to it does not lead there.
-std::optional<BoundaryPlace> facing_place(const Boundary& boundary, const Vector2d& n_B) {
+// Places of a boundary next to those with an outward normal: on each part that has it one.
+std::vector<BoundaryPlace> facing_places(const Boundary& boundary, const Vector2d& n_B) {
+  std::vector<BoundaryPlace> found;
   const auto& samples = boundary.samples();
-  const auto best = std::max_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
-    return a.point.n_B.dot(n_B) < b.point.n_B.dot(n_B);
-  });
-  return place_with_normal(boundary, best->place, n_B);
-}
-
-// An end of an open boundary, and the other curve of the contact that may pass it.
-struct Passing {
-  CurveRef own, other;
-  BoundaryPlace end;
-  double outwards = 1;  // +1: the curve ends with growing t
-};
-
-struct PassingAt {
-  double beyond = 0;  // of the end: how far the other curve's facing place is off it, along its tangent [m]
-  double beside = 0;  // the same along the normal [m]
-  BoundaryPlace other;
-};
-
-std::optional<PassingAt> at(const Run& run, const Passing& passing, const State& state) {
-  const Boundary& own = boundary_of(run.mechanism(), passing.own);
-  const Boundary& other = boundary_of(run.mechanism(), passing.other);
-  const Pose<double>& X_WO = body_in(state, passing.own.body).X_WB;
-  const Pose<double>& X_WC = body_in(state, passing.other.body).X_WB;
-  const SpanPoint end = own.at(passing.end);
-  const Vector2d n_W = X_WO.R_WB * end.n_B;
-  const auto place = facing_place(other, X_WC.R_WB.inverse() * Vector2d(-n_W));
-  if (!place) {
-    return std::nullopt;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const auto& a = samples[i - 1];
+    const auto& b = samples[i];
+    const Vector2d middle = a.point.n_B + b.point.n_B;
+    const bool between = cross(a.point.n_B, n_B) * cross(n_B, b.point.n_B) >= 0 && middle.dot(n_B) > 0;
+    if (a.place.span == b.place.span && between) {
+      found.push_back(a.point.n_B.dot(n_B) > b.point.n_B.dot(n_B) ? a.place : b.place);
+    }
   }
-  const Vector2d apart = X_WC * other.at(*place).p_B - X_WO * end.p_B;
-  return PassingAt{passing.outwards * apart.dot(perp(n_W)), apart.dot(n_W), *place};
+  return found;
 }
 
 std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
@@ -91,21 +67,17 @@ std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
   return all;
 }
 
-// Where the other curve comes in over an end.
+// Where the other curve comes in over an end, near one of its places.
 std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, double s, double h,
-                                const Passing& passing) {
-  const auto before = at(run, passing, run.at.state);
-  const auto after = at(run, passing, run.work.trial);
-  if (!before || !after || !(before->beyond > 0) || !(after->beyond <= 0)) {
+                                const Passing& passing, const BoundaryPlace& near) {
+  const auto before = passing_at(run, passing, run.at.state, near);
+  const auto x = before && before->beyond > 0 ? passing_within(run, path, s, h, passing, near) : std::nullopt;
+  if (!x) {
     return std::nullopt;
   }
   const State kept = run.work.trial;
-  const auto beyond = [&](double x) {
-    const auto there = solve_at(run, path, s, x) ? at(run, passing, run.work.trial) : std::nullopt;
-    return there ? there->beyond : kNoValue;
-  };
-  const auto x = root_between(beyond, before->beyond, h, after->beyond);
-  const auto there = x && solve_at(run, path, s, *x) ? at(run, passing, run.work.trial) : std::nullopt;
+  const auto there =
+      solve_at(run, path, s, *x) ? passing_at(run, passing, run.work.trial, near) : std::nullopt;
   run.work.trial = kept;
   if (!there || !(std::abs(there->beside) <= kCapture * run.plan().size)) {
     return std::nullopt;
@@ -115,6 +87,14 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
       passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
   const BoundaryPlace& first = own_is_first ? passing.end : there->other;
   return Engagement{g, *x, {first, own_is_first ? there->other : passing.end}};
+}
+
+// The places of the other curve that may face an end in run.at.state.
+std::vector<BoundaryPlace> facing_places(const Run& run, const Passing& passing) {
+  const Vector2d n_W = body_in(run.at.state, passing.own.body).X_WB.R_WB *
+                       boundary_of(run.mechanism(), passing.own).at(passing.end).n_B;
+  const Pose<double>& X_WC = body_in(run.at.state, passing.other.body).X_WB;
+  return facing_places(boundary_of(run.mechanism(), passing.other), X_WC.R_WB.inverse() * Vector2d(-n_W));
 }
 
 // Closes a contact in a state in which it is open; false where the curves do not meet.
@@ -169,15 +149,6 @@ const std::string& follower_name(const Run& run, const TouchingBody& touching) {
   return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
 }
 
-std::string jump_text(const Run& run, const TouchingBody& touching, double before, double after) {
-  const double unit = touching.follower.freedom.turns ? 1 : run.plan().size;
-  if (std::abs(after - before) <= kNoJump * unit) {
-    return ", without a jump of velocity";
-  }
-  return fmt::format("; for a unit rate of the driver the rate of {} jumps from {:.6g} to {:.6g} (SI units)",
-                     follower_name(run, touching), before, after);
-}
-
 }  // namespace
 
 bool has_open_contact(const State& state) {
@@ -198,11 +169,13 @@ std::optional<Engagement> engagement_within(Run& run, const Path& path, double s
     }
     const Contact& contact = contact_of(run, touching_of(run, g));
     for (const Passing& passing : passings_of(run, contact)) {
-      take(entry(run, path, g, s, h, passing));
+      for (const BoundaryPlace& near : facing_places(run, passing)) {
+        take(entry(run, path, g, s, h, passing, near));
+      }
     }
     if (!contact.both_sides) {
       const auto closing =
-          meeting_within(run, path, static_cast<std::size_t>(touching_of(run, g).contact), s, h);
+          meeting_within(run, path, static_cast<std::size_t>(touching_of(run, g).contact), s, h).first;
       if (closing) {
         take(Engagement{g, closing->x, {closing->place.place1, closing->place.place2}});
       }
@@ -229,9 +202,9 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
       std::swap(run.at.state, run.work.trial);
       return std::nullopt;
     }
-    report(
-        run, EventType::kEngage, path, s + x, touching.contact,
-        "the two bodies begin to touch" + jump_text(run, touching, 0, follower_rate(run.at.state, touching)));
+    report(run, EventType::kEngage, path, s + x, touching.contact,
+           "the two bodies begin to touch" +
+               rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)}));
     return x;
   }
   return std::nullopt;
@@ -265,7 +238,7 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
   report(run, EventType::kRelease, path, s, touching.contact,
          fmt::format("{}: the bodies part and {} stays where it is{}", reason, follower_name(run, touching),
-                     jump_text(run, touching, before, 0)));
+                     rate_jump_text(run, touching, {before, 0})));
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,

@@ -67,12 +67,12 @@ public:
         boundary2_(boundary_of(run.mechanism(), contact_.second)),
         depth_(kOverlap * run.plan().size) {}
 
-  [[nodiscard]] std::optional<Meeting> first(double h) {
-    const auto found = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
+  [[nodiscard]] ContactMeeting all(double h) {
+    const auto first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
     if (kept_) {
       std::swap(run_.work.trial, *kept_);
     }
-    return found;
+    return {first, shares_};
   }
 
 private:
@@ -109,8 +109,7 @@ private:
   }
 
   [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
-    const double same = kSameMeeting * (boundary1_.size() + boundary2_.size());
-    return at.own && (at.own->p1_W - place.at.p1_W).norm() + (at.own->p2_W - place.at.p2_W).norm() <= same;
+    return at.own && is_place_of(*at.own, place, boundary1_.size() + boundary2_.size());
   }
 
   [[nodiscard]] Seen seen(const Pairing& at, const NearPlace& place) const {
@@ -194,11 +193,12 @@ private:
               : near;
   }
 
-  [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
+  [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) {
     std::vector<Seen> found;
     for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
       if (!is_own(at, place)) {
         found.push_back(seen(at, place));
+        shares_ = shares_ || (place.end == 0 && std::abs(found.back().gap) <= depth_);
       }
     }
     return found;
@@ -254,14 +254,19 @@ private:
   std::size_t index_;
   const Boundary& boundary1_;
   const Boundary& boundary2_;
-  double depth_;               // less is a touch
+  double depth_;  // less is a touch
+  bool shares_ = false;
   std::optional<State> kept_;  // run.work.trial, once it is used for other places
 };
 
 }  // namespace
 
-std::optional<Meeting> meeting_within(Run& run, const Path& path, std::size_t contact, double s, double h) {
-  return Search(run, path, contact, s).first(h);
+bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
+  return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <= kSamePlace * size;
+}
+
+ContactMeeting meeting_within(Run& run, const Path& path, std::size_t contact, double s, double h) {
+  return Search(run, path, contact, s).all(h);
 }
 
 }  // namespace higherpair

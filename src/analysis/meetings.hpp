@@ -20,10 +20,20 @@ struct Meeting {
   NearPlace place;
 };
 
+/// What the two bodies of a contact do elsewhere in a step.
+struct ContactMeeting {
+  std::optional<Meeting> first;  ///< none if they are in each other nowhere
+  bool shares = false;           ///< at a place seen in it they touch, and are no deeper in each other
+};
+
 /// The first place at which the two bodies of a contact by_boundary touch, besides their contact if they have
-/// one, between run.at.state, which is at s, and run.work.trial, h beyond it. None if they are deeper in each
-/// other nowhere. run.work.trial is left as it is.
-[[nodiscard]] std::optional<Meeting> meeting_within(Run& run, const Path& path, std::size_t contact, double s,
-                                                    double h);
+/// one, between run.at.state, which is at s, and run.work.trial, h beyond it. run.work.trial is left as it
+/// is.
+[[nodiscard]] ContactMeeting meeting_within(Run& run, const Path& path, std::size_t contact, double s,
+                                            double h);
+
+/// Whether a place is that of a contact, to within what its search leaves.
+/// \param size  of both boundaries together [m]
+[[nodiscard]] bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size);
 
 }  // namespace higherpair

@@ -6,7 +6,7 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "other_place.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -17,6 +17,11 @@
 
 namespace higherpair {
 namespace {
+
+// A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
+// same way, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
+constexpr double kSameRates = 1e-6;  // of the follower's unit
+constexpr double kAtCorner = 1e-6;   // of the driver's scale
 
 // Two convex bodies cannot, nor a body that is everywhere sharper than the ring in which it is.
 bool may_overlap(const Curve& a, const Curve& b) {
@@ -79,67 +84,23 @@ std::optional<std::size_t> tracked_group(const Run& run, int contact) {
   return std::nullopt;
 }
 
-struct Jump {
-  double rate_before = 0;  // of the follower, for a unit rate of the driver
-  double rate_after = 0;
-};
-
 // The rates of both contacts where the second one appears, x beyond run.at.state.
-Jump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
+RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
   const State kept = run.work.trial;
-  Jump rates{std::get<ContactTrack>(kept.tracks[g]).at.dq, next.at.dq};
+  RateJump rates{std::get<ContactTrack>(kept.tracks[g]).at.dq, next.at.dq};
   if (solve_at(run, path, s, x)) {
     const ContactPosition at = std::get<ContactTrack>(run.work.trial.tracks[g]).at;
     ContactTrack back = next;
-    rates.rate_before = at.dq;
-    rates.rate_after = follow_to(back, at.u).status == TrackStatus::kOk ? back.at.dq : next.at.dq;
+    rates.before = at.dq;
+    rates.after = follow_to(back, at.u).status == TrackStatus::kOk ? back.at.dq : next.at.dq;
   }
   run.work.trial = kept;
   return rates;
 }
 
-// The group of a contact by_boundary that a body is placed by.
-std::optional<std::size_t> touching_group(const Run& run, int contact) {
-  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-    if (touching != nullptr && touching->contact == contact &&
-        run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary) {
-      return g;
-    }
-  }
-  return std::nullopt;
-}
-
-// The same of boundaries, which meet in run.at.state: the body goes over to the place where they do. Not
-// where the bodies are on different sides at the two places: neither could be kept.
-std::optional<Jump> jump_along(Run& run, const Path& path, std::size_t g, double s, const NearPlace& place) {
-  const auto& touching = std::get<TouchingBody>(run.plan().groups[g].kind);
-  const auto i = static_cast<std::size_t>(touching.contact);
-  State over = run.at.state;
-  ContactMotion& motion = over.contacts[i];
-  const double phi = motion.phi;
-  motion.place = {place.place1, place.place2};
-  if (!place_contact(run.mechanism(), run.mechanism().contacts[i], over.bodies, motion)) {
-    return std::nullopt;
-  }
-  motion.phi = nearest_turn(motion.phi, phi);
-  const int mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
-  if (mode != over.groups[g].mode) {
-    return std::nullopt;
-  }
-  const double before = follower_rate(run.at.state, touching);
-  std::swap(run.at.state, over);
-  if (!solve_at(run, path, s, 0)) {
-    std::swap(run.at.state, over);
-    return std::nullopt;
-  }
-  std::swap(run.at.state, run.work.trial);
-  return Jump{before, follower_rate(run.at.state, touching)};
-}
-
 // Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places what
 // depends on the follower anew.
-std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
+std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
   const auto& tracked = std::get<TrackedPair>(run.plan().groups[g].kind);
   const auto& track = std::get<ContactTrack>(run.work.trial.tracks[g]);
   const FindResult found = find_nearest_contact(tracked.pair, track.at.u, track.at.q);
@@ -148,7 +109,7 @@ std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, do
   }
   ContactTrack next = start_track(tracked.pair, found.at, found.branch);
   next.phi = nearest_turn(next.phi, track.phi);
-  const Jump change = rates_at(run, path, g, s, x, next);
+  const RateJump change = rates_at(run, path, g, s, x, next);
   State over = run.work.trial;
   over.tracks[g] = next;
   const State kept = run.work.trial;
@@ -163,7 +124,8 @@ std::optional<Jump> jump(Run& run, const Path& path, std::size_t g, double s, do
 }
 
 // The event where a contact's bodies come into each other, or the motion goes on with another contact.
-void report(Run& run, std::size_t contact, const Path& path, double s, const std::optional<Jump>& change) {
+void report(Run& run, std::size_t contact, const Path& path, double s,
+            const std::optional<RateJump>& change) {
   RunEvent event;
   event.type = EventType::kOverlap;
   set_place(event, path, s);
@@ -177,8 +139,28 @@ void report(Run& run, std::size_t contact, const Path& path, double s, const std
     event.cause = fmt::format(
         "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate "
         "for a unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
-        change->rate_before, change->rate_after);
+        change->before, change->after);
   }
+  run.events.push_back(std::move(event));
+}
+
+// Both places touch there, with the same velocities: the motion goes on with the one that keeps the bodies
+// apart. A corner that the other one would have gone onto is not gone onto.
+void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact) {
+  RunEvent event =
+      event_at(EventType::kRelease, path, s,
+               "the contact goes on at another place where the two bodies touch, and they part at "
+               "the one before, without a jump of velocity");
+  event.contact = static_cast<int>(contact);
+  if (!run.events.empty() && run.events.back().type == EventType::kCorner &&
+      run.events.back().contact == event.contact &&
+      std::abs(run.events.back().driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
+    event.driver = run.events.back().driver;
+    event.share = run.events.back().share;
+    run.events.pop_back();
+  }
+  run.at.watches[contact].overlaps = false;
+  run.at.watches[contact].jumped = true;
   run.events.push_back(std::move(event));
 }
 
@@ -233,20 +215,23 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
   }
 }
 
-std::optional<Meeting> meeting_elsewhere(Run& run, const Path& path, double s, double h) {
-  std::optional<Meeting> first;
+Meetings meetings_elsewhere(Run& run, const Path& path, double s, double h) {
+  Meetings all;
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
     const OverlapWatch& watch = run.at.watches[i];
     if (!watch.needed || watch.overlaps || !run.mechanism().contacts[i].by_boundary ||
         !run.at.state.contacts[i].touches) {
       continue;
     }
-    const auto found = meeting_within(run, path, i, s, h);
-    if (found && (!first || std::abs(found->x) < std::abs(first->x))) {
-      first = found;
+    const ContactMeeting found = meeting_within(run, path, i, s, h);
+    if (found.first && (!all.first || std::abs(found.first->x) < std::abs(all.first->x))) {
+      all.first = found.first;
+    }
+    if (found.shares) {
+      all.sharing.push_back(i);
     }
   }
-  return first;
+  return all;
 }
 
 void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bool may_go_over) {
@@ -255,8 +240,12 @@ void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bo
   const auto g = may_go_over && !at_end && run.mechanism().contacts[i].jump
                      ? touching_group(run, static_cast<int>(i))
                      : std::nullopt;
-  const auto change = g ? jump_along(run, path, *g, s, meeting.place) : std::nullopt;
+  const auto change = g ? go_on_at(run, path, *g, s, meeting.place) : std::nullopt;
   run.at.watches[i].overlaps = true;
+  if (change && jump_size(run, std::get<TouchingBody>(run.plan().groups[*g].kind), *change) <= kSameRates) {
+    report_change_of_place(run, path, s, i);
+    return;
+  }
   report(run, i, path, s + (meeting.at - meeting.x), change);
 }
 

@@ -19,9 +19,15 @@ void renew_overlaps(Run& run);
 /// meetings are looked for before a step is taken, it says only whether they are still in each other.
 void watch_overlaps(Run& run, const Path& path, double s, double h);
 
-/// The first meeting of two touching boundaries elsewhere between run.at.state, which is at s, and
-/// run.work.trial, h beyond it; of bodies that are in each other already none.
-[[nodiscard]] std::optional<Meeting> meeting_elsewhere(Run& run, const Path& path, double s, double h);
+/// Where touching boundaries meet elsewhere in a step.
+struct Meetings {
+  std::optional<Meeting> first;
+  std::vector<std::size_t> sharing;  ///< contacts that touch at several places in it, see shared_places.hpp
+};
+
+/// The meetings between run.at.state, which is at s, and run.work.trial, h beyond it; of bodies that are in
+/// each other already none.
+[[nodiscard]] Meetings meetings_elsewhere(Run& run, const Path& path, double s, double h);
 
 /// Lets run.at.state, which stands at s where two touching boundaries meet elsewhere, go on with the contact
 /// there, if that keeps the bodies on the same side; else they are marked as in each other. Adds an event.

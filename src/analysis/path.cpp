@@ -10,6 +10,7 @@
 #include "limit_events.hpp"
 #include "overlap.hpp"
 #include "reduction.hpp"
+#include "shared_places.hpp"
 #include "short_way.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
@@ -185,10 +186,7 @@ private:
     release(run_, path_, s_, g, *reason);
     parted_at_ = s_;
     open_ = true;
-    limit_.reset();
-    refused_ = 0;
-    first_refused_ = longest_ = 0;
-    h_ = largest_;
+    go_on_anew();
     return true;
   }
 
@@ -237,8 +235,10 @@ private:
 
   // Ends a step, which leads to run.work.trial, where touching boundaries meet elsewhere.
   bool meet(double h) {
-    const auto meeting = meeting_elsewhere(run_, path_, s_, h);
+    const Meetings meetings = meetings_elsewhere(run_, path_, s_, h);
+    const auto& meeting = meetings.first;
     if (!meeting) {
+      note_shared(meetings, h);
       return false;
     }
     const State kept = run_.work.trial;
@@ -247,6 +247,7 @@ private:
         run_.work.trial = kept;
         return false;
       }
+      note_shared(meetings, meeting->x);
       note_events(run_, path_, s_, meeting->x);
       watch_overlaps(run_, path_, s_, meeting->x);
       accept(run_);
@@ -257,6 +258,29 @@ private:
     go_over_to(run_, path_, s_, *meeting, !again);
     met_at_ = s_;
     return true;
+  }
+
+  void note_shared(const Meetings& meetings, double h) {
+    for (const std::size_t contact : meetings.sharing) {
+      note_shared_places(run_, path_, contact, s_, h);
+    }
+  }
+
+  // Where a contact ends another place at which the same bodies touch takes over.
+  bool hand_over(std::size_t g) {
+    if (s_ == taken_over_at_ || !take_over(run_, path_, s_, g)) {
+      return false;
+    }
+    taken_over_at_ = s_;
+    go_on_anew();
+    return true;
+  }
+
+  void go_on_anew() {
+    limit_.reset();
+    refused_ = 0;
+    first_refused_ = longest_ = 0;
+    h_ = largest_;
   }
 
   Outcome take() {
@@ -351,7 +375,7 @@ private:
   }
 
   Outcome lose(const Limit& limit) {
-    if (part(limit.group)) {
+    if (hand_over(limit.group) || part(limit.group)) {
       return Outcome::kGoesOn;
     }
     run_.at.lost.event = limit_event(run_, limit.group, path_, limit.s);
@@ -376,11 +400,12 @@ private:
   double longest_ = 0;  // where a step was shortened though it need not have failed: what it was before
   int refused_ = 0;     // steps, until one as long as the first of them is taken
   double first_refused_ = 0;
-  bool open_;                                                    // a contact is
-  double parted_at_ = std::numeric_limits<double>::quiet_NaN();  // s of the last contact that parted
-  double met_at_ = std::numeric_limits<double>::quiet_NaN();     // s of the last meeting elsewhere
-  JointPassage passed_;                                          // the last one, at s_ = passed_.x
-  std::optional<Limit> limit_;                                   // the first known
+  bool open_;                                                        // a contact is
+  double parted_at_ = std::numeric_limits<double>::quiet_NaN();      // s of the last contact that parted
+  double taken_over_at_ = std::numeric_limits<double>::quiet_NaN();  // s of the last place that took over
+  double met_at_ = std::numeric_limits<double>::quiet_NaN();         // s of the last meeting elsewhere
+  JointPassage passed_;                                              // the last one, at s_ = passed_.x
+  std::optional<Limit> limit_;                                       // the first known
   double steps_left_;
 };
 

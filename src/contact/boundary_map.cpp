@@ -14,7 +14,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kTurn = 2 * kPi;
 constexpr double kAtStart = 1e-7;    // [rad]: an event so little below the start of the range belongs to it
 constexpr double kNoMotion = 1e-11;  // of the follower's unit for one of the driver: it stands still
 constexpr double kRest = 1e-4;       // of the driver's unit: a shorter rest is none

@@ -8,7 +8,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kTurn = 2 * kPi;
 constexpr int kFewest = 9;  // points within a branch, however short it is
 
 }  // namespace

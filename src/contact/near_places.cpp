@@ -40,11 +40,16 @@ struct Chord {
 
   [[nodiscard]] double length() const { return (to - from).norm(); }
   [[nodiscard]] Vector2d middle() const { return (from + to) / 2; }
-  // The place next to a point, along the chord.
-  [[nodiscard]] BoundaryPlace place_at(const Vector2d& p) const {
+  // What is next to a point, along the chord.
+  [[nodiscard]] double share_at(const Vector2d& p) const {
     const double squared = (to - from).squaredNorm();
-    const double share = squared > 0 ? std::clamp((p - from).dot(to - from) / squared, 0.0, 1.0) : 0.5;
-    return {begin.span, std::lerp(begin.t, end.t, share)};
+    return squared > 0 ? std::clamp((p - from).dot(to - from) / squared, 0.0, 1.0) : 0.5;
+  }
+  [[nodiscard]] BoundaryPlace place_at(const Vector2d& p) const {
+    return {begin.span, std::lerp(begin.t, end.t, share_at(p))};
+  }
+  [[nodiscard]] double distance_to(const Vector2d& p) const {
+    return (from + share_at(p) * (to - from) - p).norm();
   }
 };
 
@@ -217,20 +222,34 @@ std::optional<NearPlace> end_near(const EndOver& over, const BoundaryPlace& end,
   return NearPlace{place.at.exchanged(), place.place2, place.place1, 2};
 }
 
-// The ends of an open boundary that are near the other one.
-void add_ends(const EndOver& over, double reach, std::vector<NearPlace>& places) {
-  const Boundary& own = *over.own;
-  const Boundary& other = *over.other;
-  const auto add = [&](const BoundaryPlace& end) {
-    const Vector2d p_B = over.X_WC->inverse_times(*over.X_WO * own.at(end).p_B);
-    if ((p_B - other.middle_B()).norm() > other.size() + reach) {
-      return;
+// The place of the pieces that is next to a point, along their chords; none where all are farther than
+// `reach`.
+std::optional<BoundaryPlace> nearest_place(const Pieces& all, const Vector2d& p, double reach) {
+  std::optional<BoundaryPlace> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Block& block : all.blocks) {
+    if ((block.center - p).norm() - block.radius > std::min(reach, least)) {
+      continue;
     }
-    const auto& samples = other.samples();
-    const auto nearest = std::min_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
-      return (a.point.p_B - p_B).squaredNorm() < (b.point.p_B - p_B).squaredNorm();
-    });
-    const auto place = end_near(over, end, nearest->place);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const double distance = all.pieces[i].distance_to(p);
+      if (distance < least) {
+        least = distance;
+        nearest = all.pieces[i].place_at(p);
+      }
+    }
+  }
+  return nearest;
+}
+
+// The ends of an open boundary that are near the other one. \param others  pieces of that, in the frame of
+// body 1
+void add_ends(const EndOver& over, const Pose<double>& X_1O, const Pieces& others, double reach,
+              std::vector<NearPlace>& places) {
+  const Boundary& own = *over.own;
+  const auto add = [&](const BoundaryPlace& end) {
+    const auto nearest = nearest_place(others, X_1O * own.at(end).p_B, reach);
+    const auto place = nearest ? end_near(over, end, *nearest) : std::nullopt;
     if (place && std::abs(place->at.gap()) <= reach) {
       places.push_back(*place);
     }
@@ -268,8 +287,8 @@ std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>
       places.push_back(*found);
     }
   });
-  add_ends({&boundary1, &X_W1, &boundary2, &X_W2, 1}, reach, places);
-  add_ends({&boundary2, &X_W2, &boundary1, &X_W1, 2}, reach, places);
+  add_ends({&boundary1, &X_W1, &boundary2, &X_W2, 1}, identity, two, reach, places);
+  add_ends({&boundary2, &X_W2, &boundary1, &X_W1, 2}, X_12, one, reach, places);
   return places;
 }
 

@@ -15,10 +15,10 @@ namespace {
 // Where cells are halved: off the middle, which symmetry may make special.
 constexpr double kSplit = 0.4713;
 constexpr int kDeepest = 40;
-constexpr std::size_t kMostSteps = 200000;  // of all curves: more are noise
+constexpr std::size_t kMostSheetSteps = 200000;  // of all curves: more are noise
 constexpr double kStraight = 0.85;          // cosine between a curve and its chord
 constexpr double kNoLength = 1e-7;          // of a cell: a chord without a direction
-constexpr double kMostTurn = 0.3;           // of a body along a step [rad]
+constexpr double kMostSheetTurn = 0.3;           // of a body along a step [rad]
 
 enum class Rim { kLow1, kHigh1, kLow2, kHigh2 };
 
@@ -113,8 +113,8 @@ private:
     const SheetPoint from = sheet_.point(one(a.t1), two(a.t2));
     const SheetPoint to = sheet_.point(one(b.t1), two(b.t2));
     const BoundaryPair& pair = sheet_.pair();
-    return (!pair.motion1.turns || std::abs(nearest_turn(to.u - from.u, 0)) < kMostTurn) &&
-           (!pair.motion2.turns || std::abs(nearest_turn(to.q - from.q, 0)) < kMostTurn);
+    return (!pair.motion1.turns || std::abs(nearest_turn(to.u - from.u, 0)) < kMostSheetTurn) &&
+           (!pair.motion2.turns || std::abs(nearest_turn(to.q - from.q, 0)) < kMostSheetTurn);
   }
 
   // The nearest zero of F itself to one of the lifted F.
@@ -135,7 +135,7 @@ private:
   }
 
   void connect(const Rect& cell, std::vector<Zero> zeros, double split1, double split2, int depth) {
-    if (links_.size() > kMostSteps) {
+    if (links_.size() > kMostSheetSteps) {
       found_.complete = false;
     } else if (zeros.size() == 2 && (depth == kDeepest || is_straight(zeros[0], zeros[1]))) {
       const Zero& a = zeros[0];

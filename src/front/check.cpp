@@ -42,7 +42,8 @@ bool run_through(Analysis& analysis, CheckReport& report) {
 // Where bodies never overlap elsewhere nobody needs to look out for it again.
 void spare_watches(const std::vector<Event>& events, Run& start) {
   const bool quiet = std::none_of(events.begin(), events.end(), [](const Event& event) {
-    return event.type == EventType::kSecondContact || event.type == EventType::kOverlap;
+    return event.type == EventType::kSecondContact || event.type == EventType::kOverlap ||
+           event.type == EventType::kRelease;
   });
   for (OverlapWatch& watch : start.at.watches) {
     watch.needed = watch.needed && (!quiet || watch.overlaps);

@@ -1,5 +1,6 @@
 // The geometry and the speeds of one contact along the path.
 #include "check_parts.hpp"
+#include "higherpair/analysis/touching_places.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -248,7 +249,13 @@ ContactCheck contact_check(const Run& start, std::size_t index, bool split) {
   ContactCheck check;
   check.quantities = {CheckedContact::sought(),
                       [contact](const Run& run, double, std::span<double> out) { contact->fill(run, out); }};
-  check.read = [contact](const PathRanges& ranges, CheckFigures& figures) { contact->read(ranges, figures); };
+  check.read = [contact, index, places = touching_places(start, index)](const PathRanges& ranges,
+                                                                        CheckFigures& figures) {
+    contact->read(ranges, figures);
+    if (const auto ratio = mean_of_places(places, index, figures.events())) {
+      figures.add("contact_ratio", dimension::kNumber, *ratio, std::nullopt);
+    }
+  };
   check.read_curves = [contact](const PathRanges& ranges, CheckFigures& figures) {
     contact->read_curves(ranges, figures);
   };

@@ -46,6 +46,9 @@ public:
   }
   void use(const GivenLimit* limit) { used_.insert(limit); }
 
+  /// What happens on the path.
+  [[nodiscard]] const std::vector<Event>& events() const { return report_.events; }
+
   /// A note for every limit that nothing in the mechanism has.
   void note_unused();
 
@@ -86,6 +89,12 @@ struct ContactCheck {
 };
 /// \param split  whether pressure angles of the return have a limit of their own
 [[nodiscard]] ContactCheck contact_check(const Run& start, std::size_t index, bool split);
+
+/// The mean number of places at which the two bodies of a contact touch, from one beginning to touch to the
+/// last: of gears their contact ratio. None where that happens once at most, or the driver turns back. \param
+/// at_start  how many they are where the path begins
+[[nodiscard]] std::optional<double> mean_of_places(std::size_t at_start, std::size_t contact,
+                                                   const std::vector<Event>& events);
 
 struct JointCheck {
   PathQuantities accelerations, jerks;

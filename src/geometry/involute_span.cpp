@@ -50,7 +50,8 @@ double base_radius(const InvoluteTooth& tooth) {
 
 double half_angle_at_base(const InvoluteTooth& tooth) {
   const double tangent = std::tan(tooth.pressure_angle);
-  return (kPi / 2 + 2 * tooth.profile_shift * tangent) / tooth.teeth + tangent - tooth.pressure_angle;
+  const double thickness = kPi / 2 + 2 * tooth.profile_shift * tangent - tooth.backlash / tooth.module;
+  return thickness / tooth.teeth + tangent - tooth.pressure_angle;
 }
 
 // The rack's straight edge ends one module below its pitch line; the point that its end cuts is at

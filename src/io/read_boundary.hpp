@@ -10,6 +10,17 @@
 
 namespace higherpair::io_detail {
 
+/// What was read, unless there was a mistake since.
+class Mistakes {
+public:
+  explicit Mistakes(const Reading& reading) : reading_(reading), before_(reading.mistakes.size()) {}
+  [[nodiscard]] bool none() const { return reading_.mistakes.size() == before_; }
+
+private:
+  const Reading& reading_;
+  std::size_t before_;
+};
+
 /// Pieces of a boundary as they were read, each beginning where the one before ends.
 struct Outline {
   std::vector<ContourPiece> pieces;
@@ -41,6 +52,7 @@ struct Outline {
 [[nodiscard]] std::optional<NamedCurve> read_chain(TableReader& table);
 [[nodiscard]] std::optional<NamedCurve> read_spline(TableReader& table);
 [[nodiscard]] std::optional<NamedCurve> read_involute(TableReader& table);
+[[nodiscard]] std::optional<NamedCurve> read_gear(TableReader& table);
 [[nodiscard]] std::optional<NamedCurve> read_dxf_curve(TableReader& table);
 /// The curve at a distance from another one of the same body.
 [[nodiscard]] std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& source);

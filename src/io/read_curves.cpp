@@ -111,12 +111,13 @@ struct BoundaryType {
   std::optional<NamedCurve> (*read)(TableReader& table);
 };
 
-constexpr std::array<BoundaryType, 6> kBoundaryTypes = {{
+constexpr std::array<BoundaryType, 7> kBoundaryTypes = {{
     {"arc", read_arc},
     {"segment", read_segment},
     {"chain", read_chain},
     {"spline", read_spline},
     {"involute", read_involute},
+    {"gear", read_gear},
     {"dxf", read_dxf_curve},
 }};
 

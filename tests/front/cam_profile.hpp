@@ -64,13 +64,4 @@ inline std::string text_of(const Motion& motion) {
   return text;
 }
 
-/// Of a model that can be started.
-inline Motion motion_of(const Model& model, const RunSettings& settings = {}) {
-  auto motion = model.run(settings);
-  if (!motion) {
-    throw std::runtime_error(to_string(motion.error()));
-  }
-  return *std::move(motion);
-}
-
 }  // namespace higherpair::testing

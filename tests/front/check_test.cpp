@@ -1,6 +1,6 @@
 #include "higherpair/front/check.hpp"
 
-#include "front/cam_profile.hpp"
+#include "front/sliding_cam.hpp"
 #include "higherpair/cam/hertz.hpp"
 
 #include <cmath>
@@ -18,6 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::model_of;
+using testing::profile_of;
 using testing::shipped_model;
 
 constexpr double kDeg = kPi / 180;
@@ -60,33 +61,16 @@ double value(const CheckReport& report, const std::string& item, const std::stri
 
 // A cam in millimetres and its translating follower; dwell, rise by 1, dwell, return over 90 degrees each.
 std::string four_quarters(const std::string& follower, double height, const std::string& more = "") {
-  return fmt::format(R"([bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.flank = {{ type = "cam", law = "lift", contact = "touch" }}
-[bodies.follower]
-pose = {{ x = 0, y = {:.17g} }}
-points.P = [0, 0]
-curves.tip = {}
+  return profile_of({R"(curves.flank = { type = "cam", law = "lift", contact = "touch" })",
+                     fmt::format("pose = {{ x = 0, y = {:.17g} }}\ncurves.tip = {}", height, follower),
+                     "direction = [0, 1]", R"(between = ["cam.flank", "follower.tip"])",
+                     fmt::format(R"(end = 360
+velocity = "1 rad/s"
 [laws.lift]
 segments = [ {{ over = 90, law = "dwell" }}, {{ over = 90, law = "cycloidal", rise = 1 }},
              {{ over = 90, law = "dwell" }}, {{ over = 90, law = "cycloidal", rise = -1 }} ]
-[joints.pivot]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
-[contacts.touch]
-between = ["cam.flank", "follower.tip"]
-[driver]
-joint = "pivot"
-end = 360
-velocity = "1 rad/s"
 {})",
-                     height, follower, more);
+                                 more)});
 }
 
 const char* const kFace = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
@@ -142,29 +126,12 @@ TEST(Check, HoldsTheReturnToALimitOfItsOwn) {
 
 // Harmonic 50 mm over half turns, least radius 25: the cam is a circle of radius 50.
 TEST(Check, OfASimpleHarmonicCamFindsACircle) {
-  const std::string text = R"([bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.flank = { type = "cam", law = "lift", contact = "touch" }
-[bodies.follower]
-pose = { x = 0, y = 25 }
-points.P = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[laws.lift]
-segments = [ { over = 180, law = "harmonic", rise = 50 }, { over = 180, law = "harmonic", rise = -50 } ]
-[joints.pivot]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
-[contacts.touch]
-between = ["cam.flank", "follower.face"]
-[driver]
-joint = "pivot"
-)";
+  const std::string text =
+      profile_of({R"(curves.flank = { type = "cam", law = "lift", contact = "touch" })",
+                  R"(pose = { x = 0, y = 25 }
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] })",
+                  "direction = [0, 1]", R"(between = ["cam.flank", "follower.face"])", R"([laws.lift]
+segments = [ { over = 180, law = "harmonic", rise = 50 }, { over = 180, law = "harmonic", rise = -50 } ])"});
   const CheckReport report = checked(text);
   EXPECT_NEAR(value(report, "contacts.touch", "convex_radius", "cam.flank"), 50, 1e-10);
   EXPECT_NEAR(value(report, "contacts.touch", "face_width"), 50, 1e-10);  // from -25 to 25
@@ -173,34 +140,18 @@ joint = "pivot"
 // e = 10 under a flat face, 0.5 kg, 2 N/mm that presses by 5 mm at the lowest place: N is least at the top,
 // 2 (5 + 20) N - 0.5 kg 10 mm ω².
 std::string eccentric_profile(double speed, const std::string& limits = "") {
-  return fmt::format(R"([bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.disc = {{ type = "circle", center = [10, 0], radius = 30 }}
-[bodies.follower]
-pose = {{ x = 0, y = 30 }}
-points.P = [0, 0]
-curves.face = {{ type = "line", point = [0, 0], normal = [0, -1] }}
+  return profile_of({R"(curves.disc = { type = "circle", center = [10, 0], radius = 30 })",
+                     R"(pose = { x = 0, y = 30 }
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
 mass = 0.5
-center_of_mass = [0, 0]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
-[contacts.touch]
-between = ["cam.disc", "follower.face"]
+center_of_mass = [0, 0])",
+                     "direction = [0, 1]", R"(between = ["cam.disc", "follower.face"])",
+                     fmt::format(R"(end = 360
+velocity = "{} rad/s"
 [springs]
 s = {{ joint = "guide", stiffness = 2, free_length = 15 }}
-[driver]
-joint = "O"
-end = 360
-velocity = "{} rad/s"
 {})",
-                     speed, limits);
+                                 speed, limits)});
 }
 
 TEST(Check, FindsTheSpeedAtWhichAnEccentricLosesItsFollower) {

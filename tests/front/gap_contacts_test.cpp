@@ -1,4 +1,4 @@
-#include "cam_profile.hpp"
+#include "sliding_cam.hpp"
 
 #include <cmath>
 #include <string>
@@ -13,21 +13,14 @@
 namespace higherpair {
 namespace {
 
-using testing::motion_of;
-
+using testing::events_of;
 using ::testing::HasSubstr;
 using testing::model_of;
+using testing::motion_of;
+using testing::profile_of;
 using testing::shipped_model;
 
 constexpr double kDegree = M_PI / 180;
-
-std::vector<Event> events_of(const Motion& motion, EventType type) {
-  std::vector<Event> found;
-  for (const Event& event : motion.events()) {
-    if (event.type == type) found.push_back(event);
-  }
-  return found;
-}
 
 // Of the wheel of a Geneva drive with n slots, the crank at φ from the line of pivots, at unit speed. The
 // wheel turns against the crank.
@@ -191,34 +184,12 @@ TEST(GenevaWheel, HasJerkOnlyWhileItIsDriven) {
 
 // A disc of radius 20, 10 off its pivot, that strikes a tappet which rests 5 above its lowest place: it moves
 // by y = 20 + 10 sin θ where that is above 25, that is between 30° and 150°.
-constexpr const char* kTappet = R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.disc = { type = "circle", center = [10, 0], radius = 20 }
-[bodies.tappet]
-pose = { x = 0, y = 25 }
-points.P = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "tappet.P"]
-direction = [0, 1]
-from = 25
-[contacts.touch]
-between = ["cam", "tappet"]
-keep = "gap"
-[driver]
-joint = "O"
-start = 0
-end = 720
-samples = 73
-velocity = "1 rad/s"
-)";
+const std::string kTappet =
+    profile_of({R"(curves.disc = { type = "circle", center = [10, 0], radius = 20 })",
+                R"(pose = { x = 0, y = 25 }
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] })",
+                "direction = [0, 1]\nfrom = 25", "between = [\"cam\", \"follower\"]\nkeep = \"gap\"",
+                "start = 0\nend = 720\nsamples = 73\nvelocity = \"1 rad/s\""});
 
 TEST(LashedTappet, IsLiftedOffItsSeatAndComesBackToIt) {
   const Motion motion = motion_of(model_of(kTappet));
@@ -378,37 +349,17 @@ TEST(FaceWithEnds, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
   EXPECT_NEAR(ends[1].driver, 240, 1e-9);
   EXPECT_NEAR(ends[2].driver, 300, 1e-9);
   EXPECT_NEAR(ends[3].driver, 420, 1e-9);
-  EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of tappet"));
+  EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower"));
 }
 
 // Two discs on one body, far apart: the follower goes over from one to the other.
 TEST(WholeBodies, TouchWithWhicheverCurveIsThere) {
-  const char* text = R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.base = { type = "circle", center = [0, 0], radius = 30 }
-curves.nose = { type = "circle", center = [25, 0], radius = 10 }
-[bodies.follower]
-pose = { x = 0, y = 30 }
-points.P = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
-[contacts.touch]
-between = ["cam", "follower"]
-[driver]
-joint = "O"
-start = 0
-end = 360
-samples = 361
-)";
+  const std::string text = profile_of({R"(curves.base = { type = "circle", center = [0, 0], radius = 30 }
+curves.nose = { type = "circle", center = [25, 0], radius = 10 })",
+                                       R"(pose = { x = 0, y = 30 }
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] })",
+                                       "direction = [0, 1]", R"(between = ["cam", "follower"])",
+                                       "start = 0\nend = 360\nsamples = 361"});
   const Motion motion = motion_of(model_of(text));
   EXPECT_TRUE(motion.good());
   const auto y = motion.column("guide.position");

@@ -1,6 +1,7 @@
 // Motions whose driver follows a law.
 #include "cam_profile.hpp"
 #include "higherpair/front/model.hpp"
+#include "sliding_cam.hpp"
 
 #include <cmath>
 #include <string>

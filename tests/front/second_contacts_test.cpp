@@ -1,4 +1,4 @@
-#include "cam_profile.hpp"
+#include "sliding_cam.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,56 +14,21 @@
 namespace higherpair::testing {
 namespace {
 
-Motion run_of(const Model& model, int samples) {
-  RunSettings settings;
-  settings.samples = samples;
-  return model.run(settings).value();
-}
-
-std::vector<Event> events_of(const Motion& motion, EventType type) {
-  std::vector<Event> events;
-  for (const Event& event : motion.events()) {
-    if (event.type == type) {
-      events.push_back(event);
-    }
-  }
-  return events;
-}
-
 // Three discs of radius 4 at (10, -9), (10.09, 0) and (10, 9) lift a flat face that faces to the left: it
 // stands at 4 + the largest x of their centres. The middle one leads while |θ| < atan 0.01 only.
-constexpr const char* kThreeDiscs = R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.d1 = { type = "circle", center = [10, -9], radius = 4 }
+const std::string kThreeDiscs = profile_of({R"(curves.d1 = { type = "circle", center = [10, -9], radius = 4 }
 curves.d2 = { type = "circle", center = [10.09, 0], radius = 4 }
-curves.d3 = { type = "circle", center = [10, 9], radius = 4 }
-[bodies.follower]
-pose = { x = 14 }
-points.P = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [-1, 0] }
-[joints.pivot]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [1, 0]
-[contacts.touch]
-between = ["cam.d*", "follower.face"]
-[driver]
-joint = "pivot"
-start = -97.3
-end = 262.7
-)";
+curves.d3 = { type = "circle", center = [10, 9], radius = 4 })",
+                                            R"(pose = { x = 14 }
+curves.face = { type = "line", point = [0, 0], normal = [-1, 0] })",
+                                            "direction = [1, 0]", R"(between = ["cam.d*", "follower.face"])",
+                                            "start = -97.3\nend = 262.7"});
 
 TEST(SecondContacts, AreFoundAlsoWhereTheyAreLeftAgainWithinAStep) {
   const Model model = model_of(kThreeDiscs);
   const double turn = std::atan(0.01) * 180 / kPi;
   for (const int samples : {3, 7, 61, 601}) {
-    const Motion motion = run_of(model, samples);
+    const Motion motion = motion_of(model, samples);
     EXPECT_TRUE(motion.good()) << samples;
     const auto events = events_of(motion, EventType::kSecondContact);
     ASSERT_EQ(events.size(), 3U) << samples;
@@ -84,7 +49,7 @@ TEST(SecondContacts, AreFoundAlsoWhereTheyAreLeftAgainWithinAStep) {
 TEST(SecondContacts, ThatMayNotBeGoneOverToAreOverlaps) {
   const Model model = model_of(kThreeDiscs, {"contacts.touch.jump=false"});
   for (const int samples : {7, 61}) {
-    const Motion motion = run_of(model, samples);
+    const Motion motion = motion_of(model, samples);
     EXPECT_FALSE(motion.good());
     const auto overlaps = events_of(motion, EventType::kOverlap);
     ASSERT_FALSE(overlaps.empty());
@@ -94,36 +59,17 @@ TEST(SecondContacts, ThatMayNotBeGoneOverToAreOverlaps) {
 
 // An eccentric disc lifts a tappet whose edge is rounded from x = 9.99 on. The contact stands at x = 10 cos
 // θ: it is on the rounding while cos θ > 0.999 only, and turns back there.
-constexpr const char* kRoundedTappet = R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.disc = { type = "circle", center = [10, 0], radius = 30 }
-[bodies.tappet]
-pose = { y = 20 }
-points.P = [0, 0]
-curves.face = { type = "chain", closed = false, spans = [{ type = "segment", from = [-20, 0], to = [9.99, 0] }, { type = "arc", center = [9.99, 5], radius = 5, from = -90, to = -30 }] }
-[joints.pivot]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "tappet.P"]
-direction = [0, 1]
-[contacts.touch]
-between = ["cam.disc", "tappet.face"]
-[driver]
-joint = "pivot"
-start = -97.3
-end = 262.7
-)";
+const std::string kRoundedTappet = profile_of(
+    {R"(curves.disc = { type = "circle", center = [10, 0], radius = 30 })",
+     R"(pose = { y = 20 }
+curves.face = { type = "chain", closed = false, spans = [{ type = "segment", from = [-20, 0], to = [9.99, 0] }, { type = "arc", center = [9.99, 5], radius = 5, from = -90, to = -30 }] })",
+     "direction = [0, 1]", R"(between = ["cam.disc", "follower.face"])", "start = -97.3\nend = 262.7"});
 
 TEST(SpanJoints, AreFoundAlsoWhereTheContactTurnsBackWithinAStep) {
   const Model model = model_of(kRoundedTappet);
   const double turn = std::acos(0.999) * 180 / kPi;
   for (const int samples : {3, 7, 61, 601}) {
-    const Motion motion = run_of(model, samples);
+    const Motion motion = motion_of(model, samples);
     EXPECT_TRUE(motion.good()) << samples;
     const auto jumps = events_of(motion, EventType::kCurvatureJump);
     ASSERT_EQ(jumps.size(), 2U) << samples;
@@ -157,7 +103,7 @@ void expect_lift_of_tangent_cam(const Motion& motion) {
 
 TEST(FlatFlanks, ThatComeToLieOnAFlatFaceAreGoneOver) {
   for (const int samples : {2, 5, 37, 361}) {
-    expect_lift_of_tangent_cam(run_of(tangent_cam_with_flat_face(), samples));
+    expect_lift_of_tangent_cam(motion_of(tangent_cam_with_flat_face(), samples));
   }
 }
 

@@ -9,9 +9,11 @@
 namespace higherpair {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class ProfileBoundaries : public testing::ProfileWithFiles {};
 
@@ -456,8 +458,30 @@ TEST_F(ProfileBoundaries, InvolutesAreHeldToTheirBaseCircle) {
               ElementsAre(HasSubstr("must be above 0 and below 60 deg")));
   EXPECT_THAT(involute("module = 2, teeth = 20, base_radius = 3"), ElementsAre(HasSubstr("leave it out")));
   EXPECT_THAT(involute("module = 2, teeth = 20, start = 3"), ElementsAre(HasSubstr("follows from `tooth`")));
-  EXPECT_THAT(involute("module = 2, teeth = 12"), ElementsAre(HasSubstr("(undercut)")));
+  EXPECT_THAT(involute("module = 2, teeth = 12"),
+              ElementsAre(AllOf(HasSubstr("(undercut, below 17.0973 teeth"),
+                                HasSubstr("a `profile_shift` of 0.2982 at least, or give the part"))));
+  EXPECT_THAT(involute("module = 2, teeth = 12, profile_shift = 0.2982"), IsEmpty());
+  EXPECT_THAT(involute("module = 2, teeth = 20, backlash = -0.1"), ElementsAre(HasSubstr("must be >= 0")));
+  EXPECT_THAT(involute("base_radius = 3, roll = [5, 40], backlash = 0.1"),
+              ElementsAre(HasSubstr("c.backlash = 0.1: goes with `module`")));
   EXPECT_THAT(involute("module = 2, teeth = 12, roll = [5, 30]"), IsEmpty());
+}
+
+TEST_F(ProfileBoundaries, GearsAreHeldToWhatARackLeavesOfThem) {
+  const auto gear = [&](const std::string& rest) { return messages_of("{ type = \"gear\", " + rest + " }"); };
+  EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 20"), IsEmpty());
+  EXPECT_THAT(gear("module = 2, teeth = 20"), ElementsAre(HasSubstr("c.center is missing")));
+  EXPECT_THAT(gear("center = [0, 0], teeth = 20"), ElementsAre(HasSubstr("c.module is missing")));
+  EXPECT_THAT(gear("center = [0, 0], module = 2"), ElementsAre(HasSubstr("c.teeth is missing")));
+  EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 20, roll = [5, 30]"),
+              ElementsAre(HasSubstr("c.roll: unknown key")));
+  EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 12"),
+              ElementsAre(AllOf(HasSubstr("a `profile_shift` of 0.2982 at least"), Not(HasSubstr("roll")))));
+  EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 9, profile_shift = 0.95"),
+              ElementsAre(HasSubstr("the teeth are pointed")));
+  EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 30, backlash = 3"),
+              ElementsAre(HasSubstr("the teeth are pointed")));
 }
 
 TEST_F(ProfileBoundaries, OffsetsThatThereAreNotAreRefused) {

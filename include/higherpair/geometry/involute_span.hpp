@@ -29,11 +29,12 @@ struct InvoluteTooth {
   double teeth = 20;
   double pressure_angle = 20 * kPi / 180;
   double profile_shift = 0;  ///< in modules
+  double backlash = 0;  ///< by how much it is thinner along the pitch circle, half of it on each flank [m]
 };
 
 [[nodiscard]] double base_radius(const InvoluteTooth& tooth);
 /// From the centre line of the tooth to where its flanks leave the base circle [rad]; the thickness at the
-/// pitch circle is m (π/2 + 2 x tan α).
+/// pitch circle is m (π/2 + 2 x tan α) - backlash.
 [[nodiscard]] double half_angle_at_base(const InvoluteTooth& tooth);
 /// Roll where the straight part of the rack's edge begins to cut; < 0: undercut.
 [[nodiscard]] double roll_at_root(const InvoluteTooth& tooth);

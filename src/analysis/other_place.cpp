@@ -1,0 +1,68 @@
+#include "other_place.hpp"
+
+#include "group_kinds.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kNoJump = 1e-9;  // a mechanism whose dimensions are rounded
+
+}  // namespace
+
+double jump_size(const Run& run, const TouchingBody& touching, const RateJump& jump) {
+  return std::abs(jump.after - jump.before) / (touching.follower.freedom.turns ? 1 : run.plan().size);
+}
+
+std::string rate_jump_text(const Run& run, const TouchingBody& touching, const RateJump& jump) {
+  if (jump_size(run, touching, jump) <= kNoJump) {
+    return ", without a jump of velocity";
+  }
+  return fmt::format("; for a unit rate of the driver the rate of {} jumps from {:.6g} to {:.6g} (SI units)",
+                     run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name,
+                     jump.before, jump.after);
+}
+
+std::optional<std::size_t> touching_group(const Run& run, int contact) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+    if (touching != nullptr && touching->contact == contact &&
+        run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary) {
+      return g;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, double s,
+                                 const NearPlace& place) {
+  const auto& touching = std::get<TouchingBody>(run.plan().groups[g].kind);
+  const auto i = static_cast<std::size_t>(touching.contact);
+  State over = run.at.state;
+  ContactMotion& motion = over.contacts[i];
+  const double phi = motion.phi;
+  motion.place = {place.place1, place.place2};
+  if (!place_contact(run.mechanism(), run.mechanism().contacts[i], over.bodies, motion)) {
+    return std::nullopt;
+  }
+  motion.phi = nearest_turn(motion.phi, phi);
+  const int mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
+  if (mode != over.groups[g].mode) {
+    return std::nullopt;
+  }
+  const double before = follower_rate(run.at.state, touching);
+  std::swap(run.at.state, over);
+  if (!solve_at(run, path, s, 0)) {
+    std::swap(run.at.state, over);
+    return std::nullopt;
+  }
+  std::swap(run.at.state, run.work.trial);
+  return RateJump{before, follower_rate(run.at.state, touching)};
+}
+
+}  // namespace higherpair

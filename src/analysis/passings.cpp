@@ -1,0 +1,83 @@
+#include "passings.hpp"
+
+#include "group_kinds.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/roots.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace higherpair {
+
+std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, const State& state,
+                                    const BoundaryPlace& near) {
+  const Boundary& own = boundary_of(run.mechanism(), passing.own);
+  const Boundary& other = boundary_of(run.mechanism(), passing.other);
+  const Pose<double>& X_WO = body_in(state, passing.own.body).X_WB;
+  const Pose<double>& X_WC = body_in(state, passing.other.body).X_WB;
+  const SpanPoint end = own.at(passing.end);
+  const Vector2d n_W = X_WO.R_WB * end.n_B;
+  const auto place = place_with_normal(other, near, X_WC.R_WB.inverse() * Vector2d(-n_W));
+  if (!place) {
+    return std::nullopt;
+  }
+  const Vector2d apart = X_WC * other.at(*place).p_B - X_WO * end.p_B;
+  return PassingAt{passing.outwards * apart.dot(perp(n_W)), apart.dot(n_W), *place};
+}
+
+namespace {
+
+constexpr int kPassingHalvings = 40;  // of a step, to where a place that faces an end can be found
+
+// A part of a step in which the function changes its sign, and its values at both ends.
+struct Bracket {
+  double from = 0, to = 0;
+  double at_from = 0, at_to = 0;
+};
+
+// The part next to the end at which there is a value: where the other curve has left the facing place behind
+// there is none.
+template <class F>
+std::optional<Bracket> bracket_of(const F& value, double h) {
+  double from = 0, to = h;
+  std::optional<double> at_from = value(from), at_to = value(to);
+  for (int i = 0; i < kPassingHalvings && at_from.has_value() != at_to.has_value(); ++i) {
+    const double middle = (from + to) / 2;
+    const auto at_middle = value(middle);
+    std::optional<double>& known = at_from ? at_from : at_to;
+    const bool replaces_from = at_from.has_value() == (at_middle && (*at_middle > 0) == (*known > 0));
+    (replaces_from ? from : to) = middle;
+    (replaces_from ? at_from : at_to) = at_middle;
+  }
+  if (!at_from || !at_to || (*at_from > 0) == (*at_to > 0)) {
+    return std::nullopt;
+  }
+  return Bracket{from, to, *at_from, *at_to};
+}
+
+}  // namespace
+
+std::optional<double> passing_within(Run& run, const Path& path, double s, double h, const Passing& passing,
+                                     const BoundaryPlace& near) {
+  State kept = run.work.trial;
+  const auto beyond = [&](double x) -> std::optional<double> {
+    const auto there = x == 0                      ? passing_at(run, passing, run.at.state, near)
+                       : x == h                    ? passing_at(run, passing, kept, near)
+                       : solve_at(run, path, s, x) ? passing_at(run, passing, run.work.trial, near)
+                                                   : std::nullopt;
+    return there ? std::optional(there->beyond) : std::nullopt;
+  };
+  std::optional<double> x;
+  if (const auto bracket = bracket_of(beyond, h)) {
+    x = root_between(
+        [&](double way) {
+          return beyond(bracket->from + way).value_or(std::numeric_limits<double>::quiet_NaN());
+        },
+        bracket->at_from, bracket->to - bracket->from, bracket->at_to);
+    x = x ? std::optional(bracket->from + *x) : std::nullopt;
+  }
+  std::swap(run.work.trial, kept);
+  return x;
+}
+
+}  // namespace higherpair

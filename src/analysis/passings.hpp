@@ -1,0 +1,36 @@
+#pragma once
+
+#include "path.hpp"
+
+#include <optional>
+#include <vector>
+
+// Ends of spans that the other curve of a contact passes, as a pin passes the end of a slot.
+
+namespace higherpair {
+
+/// An end of a span of one curve of a contact, and the other curve, which may pass it.
+struct Passing {
+  CurveRef own, other;
+  BoundaryPlace end;
+  double outwards = 1;  ///< +1: the span ends with growing t
+};
+
+/// Where the other curve faces that end: at its place with the opposed normal.
+struct PassingAt {
+  double beyond = 0;  ///< of the end: how far that place is off it, along its tangent [m]
+  double beside = 0;  ///< the same along the normal [m]
+  BoundaryPlace other;
+};
+
+/// \param near  a place of the other curve from which the facing one is looked for
+/// None where it does not lead to one.
+[[nodiscard]] std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, const State& state,
+                                                  const BoundaryPlace& near);
+
+/// Where between run.at.state, which is at s, and run.work.trial, h beyond it, the other curve goes over the
+/// end, in either sense: how far beyond s. run.work.trial is left as it is.
+[[nodiscard]] std::optional<double> passing_within(Run& run, const Path& path, double s, double h,
+                                                   const Passing& passing, const BoundaryPlace& near);
+
+}  // namespace higherpair

@@ -1,0 +1,181 @@
+#include "shared_places.hpp"
+
+#include "group_kinds.hpp"
+#include "higherpair/analysis/touching_places.hpp"
+#include "meetings.hpp"
+#include "other_place.hpp"
+#include "passings.hpp"
+#include "span_joints.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+constexpr double kJustLeft = 1e-9;  // of a unit of the drivers: a place that ended where the step begins
+
+// The two bodies of a contact in a state.
+struct Bodies {
+  const Boundary& boundary1;
+  const Boundary& boundary2;
+  const Pose<double>& X_W1;
+  const Pose<double>& X_W2;
+  std::optional<CommonNormal> own;
+
+  [[nodiscard]] double size() const { return boundary1.size() + boundary2.size(); }
+};
+
+Bodies bodies_in(const Run& run, std::size_t i, const State& state) {
+  const Contact& contact = run.mechanism().contacts[i];
+  const ContactMotion& motion = state.contacts[i];
+  return {boundary_of(run.mechanism(), contact.first), boundary_of(run.mechanism(), contact.second),
+          body_in(state, contact.first.body).X_WB, body_in(state, contact.second.body).X_WB,
+          motion.touches ? std::optional(motion.at) : std::nullopt};
+}
+
+// Whether two smooth parts touch there, besides the contact itself.
+bool is_shared(const Bodies& bodies, const NearPlace& place, double depth) {
+  return place.end == 0 && place.at.rho1 != 0 && place.at.rho2 != 0 && std::abs(place.at.gap()) <= depth &&
+         !(bodies.own && is_place_of(*bodies.own, place, bodies.size()));
+}
+
+std::vector<NearPlace> shared_places(const Bodies& bodies, double depth) {
+  auto places = near_places(bodies.boundary1, bodies.X_W1, bodies.boundary2, bodies.X_W2, 2 * depth);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                              [&](const NearPlace& place) { return !is_shared(bodies, place, depth); }),
+               places.end());
+  return places;
+}
+
+// The same place in another state, if the bodies touch there too.
+bool is_shared_too(const Bodies& bodies, const NearPlace& place, double depth) {
+  const auto moved = moved_place(bodies.boundary1, bodies.X_W1, bodies.boundary2, bodies.X_W2, place);
+  return moved && std::abs(moved->at.gap()) <= depth;
+}
+
+// The ends of the two spans on which a place is, where they do not go on smoothly.
+std::vector<Passing> ends_around(const Run& run, const Contact& contact, const NearPlace& place) {
+  std::vector<Passing> ends;
+  const auto add = [&](const CurveRef& own, const CurveRef& other, int span) {
+    const Boundary& boundary = boundary_of(run.mechanism(), own);
+    const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
+    if (boundary.joint_after(span) != SpanJoint::kSmooth) {
+      ends.push_back({own, other, {span, range.high}, 1});
+    }
+    if (boundary.joint_after(boundary.next_span(span, false)) != SpanJoint::kSmooth) {
+      ends.push_back({own, other, {span, range.low}, -1});
+    }
+  };
+  add(contact.first, contact.second, place.place1.span);
+  add(contact.second, contact.first, place.place2.span);
+  return ends;
+}
+
+// A place that begins or ends within a step.
+struct Change {
+  double x = 0;  // beyond run.at.state
+  bool begins = false;
+};
+
+// Where the contact comes over the last end into the two spans of a place of run.work.trial, or over the
+// first one out of those of a place of run.at.state.
+std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, double s, double h,
+                                const NearPlace& place, bool begins) {
+  const Contact& contact = run.mechanism().contacts[i];
+  std::optional<Change> change;
+  for (const Passing& passing : ends_around(run, contact, place)) {
+    const bool own_is_first =
+        passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
+    const auto x = passing_within(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
+    if (x && (!change || (std::abs(*x) > std::abs(change->x)) == begins)) {
+      change = Change{*x, begins};
+    }
+  }
+  return change;
+}
+
+void report(Run& run, EventType type, const Path& path, double s, std::size_t contact, std::string cause) {
+  RunEvent event = event_at(type, path, s, cause);
+  event.contact = static_cast<int>(contact);
+  run.events.push_back(std::move(event));
+}
+
+}  // namespace
+
+void note_shared_places(Run& run, const Path& path, std::size_t contact, double s, double h) {
+  const double depth = kOverlap * run.plan().size;
+  const Bodies before = bodies_in(run, contact, run.at.state);
+  const State after_state = run.work.trial;
+  const Bodies after = bodies_in(run, contact, after_state);
+  std::vector<Change> changes;
+  std::size_t places = 1;  // before the first change
+  for (const NearPlace& place : shared_places(before, depth)) {
+    const auto change =
+        is_shared_too(after, place, depth) ? std::nullopt : change_of(run, path, contact, s, h, place, false);
+    if (change && std::abs(change->x) <= kJustLeft * unit_of(run, path)) {
+      continue;
+    }
+    ++places;
+    if (change) {
+      changes.push_back(*change);
+    }
+  }
+  for (const NearPlace& place : shared_places(after, depth)) {
+    if (!is_shared_too(before, place, depth)) {
+      if (const auto change = change_of(run, path, contact, s, h, place, true)) {
+        changes.push_back(*change);
+      }
+    }
+  }
+  std::sort(changes.begin(), changes.end(),
+            [](const Change& a, const Change& b) { return std::abs(a.x) < std::abs(b.x); });
+  for (const Change& change : changes) {
+    places += change.begins ? 1 : -1;
+    report(run, change.begins ? EventType::kEngage : EventType::kRelease, path, s + change.x, contact,
+           change.begins ? fmt::format("the two bodies begin to touch at a further place, now at {}", places)
+                         : fmt::format("the two bodies part at one of several places, {} left", places));
+  }
+}
+
+std::size_t touching_places(const Run& run, std::size_t contact) {
+  if (!run.at.state.contacts[contact].touches) {
+    return 0;
+  }
+  return run.mechanism().contacts[contact].by_boundary
+             ? 1 + shared_places(bodies_in(run, contact, run.at.state), kOverlap * run.plan().size).size()
+             : 1;
+}
+
+bool take_over(Run& run, const Path& path, double s, std::size_t g) {
+  const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+  if (touching == nullptr || run.at.state.groups[g].held) {
+    return false;
+  }
+  const auto i = static_cast<std::size_t>(touching->contact);
+  const Contact& contact = run.mechanism().contacts[i];
+  if (!contact.by_boundary || !contact.jump || contact.both_sides || !end_reached(run, g)) {
+    return false;
+  }
+  const auto places = shared_places(bodies_in(run, i, run.at.state), kOverlapOfBoundaries * run.plan().size);
+  for (const NearPlace& place : places) {
+    if (const auto change = go_on_at(run, path, g, s, place)) {
+      report(run, EventType::kRelease, path, s, i,
+             fmt::format(
+                 "the contact leaves the end of a curve and goes on at another place where the two bodies "
+                 "touch, {} left{}",
+                 places.size(), rate_jump_text(run, *touching, *change)));
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "path.hpp"
+
+// Bodies of one contact of boundaries that touch at several places without getting into each other: two pairs
+// of teeth at once, the next one before the one before it has ended. The motion stays with one place, and all
+// of them agree with it; where it ends at the end of a curve another one takes over.
+
+namespace higherpair {
+
+/// Adds an event wherever the bodies of a contact begin to touch at a further place between run.at.state,
+/// which is at s, and run.work.trial, h beyond it (kEngage), or cease to (kRelease). run.work.trial is left
+/// as it is.
+void note_shared_places(Run& run, const Path& path, std::size_t contact, double s, double h);
+
+/// Where the contact of group g has come to the end of a curve in run.at.state, at s: goes on with another
+/// place at which the two bodies touch. False, and nothing done, if there is none. Adds an event.
+[[nodiscard]] bool take_over(Run& run, const Path& path, double s, std::size_t g);
+
+}  // namespace higherpair

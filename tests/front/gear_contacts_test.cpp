@@ -1,0 +1,244 @@
+// Teeth of gears as contacts: which pairs touch, and where the next ones begin and part.
+#include "higherpair/front/branches.hpp"
+#include "higherpair/geometry/gear_pair.hpp"
+#include "sliding_cam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::events_of;
+using ::testing::HasSubstr;
+using testing::model_of;
+using testing::motion_of;
+using testing::shipped_model;
+
+constexpr double kDegree = kPi / 180;
+
+// A pair whose pinion is at ground's origin, in millimetres. At 0 a tooth of the pinion and a space of the
+// wheel lie along the line of centres; the pinion drives counter-clockwise, by the left flanks of its teeth.
+struct Pair {
+  InvoluteTooth pinion, wheel;
+  double distance = 0;
+
+  [[nodiscard]] GearPair gears() const { return {pinion, wheel, distance}; }
+  [[nodiscard]] double pitch() const { return 360 / pinion.teeth; }
+
+  // The driver's position at which a left flank of the tooth along x touches at the pitch point: the flank's
+  // place on the working pitch circle comes onto the line of centres.
+  [[nodiscard]] double at_pitch_point() const {
+    const double alpha = working_pressure_angle(gears());
+    return -(half_angle_at_base(pinion) - involute_function(alpha)) / kDegree;
+  }
+  // Where that pair of flanks begins and parts.
+  [[nodiscard]] double begins() const {
+    return at_pitch_point() - path_of_contact(gears()).approach / base_radius(pinion) / kDegree;
+  }
+  [[nodiscard]] double parts() const {
+    return at_pitch_point() + path_of_contact(gears()).recess / base_radius(pinion) / kDegree;
+  }
+};
+
+std::string keys_of(const InvoluteTooth& tooth) {
+  return fmt::format(
+      "center = [0, 0], module = {}, teeth = {}, pressure_angle = {}, profile_shift = {}, backlash = {}",
+      tooth.module, tooth.teeth, tooth.pressure_angle / kDegree, tooth.profile_shift, tooth.backlash);
+}
+
+std::string whole_gear(const InvoluteTooth& tooth) {
+  return fmt::format("curves.teeth = {{ type = \"gear\", {} }}\n", keys_of(tooth));
+}
+
+// The left flanks alone, each a curve with two ends.
+std::string left_flanks(const InvoluteTooth& tooth) {
+  std::string text;
+  for (int i = 0; i < static_cast<int>(tooth.teeth); ++i) {
+    text += fmt::format("curves.flank{} = {{ type = \"involute\", {}, tooth = {} }}\n", i, keys_of(tooth),
+                        360.0 * i / tooth.teeth);
+  }
+  return text;
+}
+
+std::string profile_of(const Pair& pair, std::string (*curves)(const InvoluteTooth&), double start,
+                       double end, const std::string& contact = "") {
+  const double space = 180 / pair.wheel.teeth;  // from the middle of a tooth to that of the space beside it
+  return fmt::format(R"([bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [{}, 0]
+[bodies.pinion]
+points.O = [0, 0]
+{}
+[bodies.wheel]
+pose = {{ x = {}, angle = {} }}
+points.O = [0, 0]
+{}
+[joints]
+pinion_pivot = {{ type = "revolute", between = ["ground.O1", "pinion.O"] }}
+wheel_pivot  = {{ type = "revolute", between = ["ground.O2", "wheel.O"] }}
+[contacts.mesh]
+between = ["pinion", "wheel"]
+approach = "+"
+{}
+[driver]
+joint = "pinion_pivot"
+start = {}
+end = {}
+samples = 61
+)",
+                     pair.distance, curves(pair.pinion), pair.distance,
+                     180 + space - start * pair.pinion.teeth / pair.wheel.teeth, curves(pair.wheel), contact,
+                     start, end);
+}
+
+std::vector<double> drivers_of(const std::vector<Event>& events) {
+  std::vector<double> drivers;
+  for (const Event& event : events) {
+    drivers.push_back(event.driver);
+  }
+  return drivers;
+}
+
+// The ratio is that of the teeth in every row, and pairs begin and part a pitch after each other, where the
+// path of contact of the textbook does. \param within  of an angle [deg]
+void expect_pairs(const Motion& motion, const Pair& pair, double within) {
+  ASSERT_TRUE(motion.good());
+  const double ratio = -pair.pinion.teeth / pair.wheel.teeth;
+  const ColumnValues driver = motion.column("driver");
+  const ColumnValues angle = motion.column("wheel.angle");
+  const ColumnValues omega = motion.column("wheel.omega");
+  const ColumnValues sliding = motion.column("mesh.sliding");
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    EXPECT_NEAR(omega[i] / motion.column("driver.velocity")[i], ratio, 1e-12) << driver[i];
+    EXPECT_NEAR(angle[i] - angle[0], ratio * (driver[i] - driver[0]), 1e-11) << driver[i];
+    EXPECT_FALSE(std::isnan(sliding[i]));
+  }
+  const auto check = [&](const std::vector<double>& found, double first) {
+    ASSERT_GE(found.size(), 3U);
+    for (const double at : found) {
+      const double pitches = (at - first) / pair.pitch();
+      EXPECT_NEAR(pitches, std::round(pitches), within / pair.pitch()) << at;
+    }
+    for (std::size_t i = 1; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i] - found[i - 1], pair.pitch(), 2 * within);
+    }
+  };
+  check(drivers_of(events_of(motion, EventType::kEngage)), pair.begins());
+  check(drivers_of(events_of(motion, EventType::kRelease)), pair.parts());
+}
+
+TEST(GearContacts, TheNextPairBeginsBeforeTheOneBeforeItParts) {
+  const Pair pair{{2, 20}, {2, 40}, 60};
+  EXPECT_NEAR((pair.parts() - pair.begins()) / pair.pitch(), 1.635185964, 1e-9);
+  const Motion flanks = motion_of(model_of(profile_of(pair, left_flanks, 0, 90)));
+  expect_pairs(flanks, pair, 1e-10);
+  // Without play the other flanks would touch as well.
+  const Pair loose{{2, 20, 20 * kDegree, 0, 0.04}, {2, 40, 20 * kDegree, 0, 0.03}, 60};
+  const Motion gears = motion_of(model_of(profile_of(loose, whole_gear, 0, 60)));
+  expect_pairs(gears, loose, 1e-10);
+  for (const Event& event : gears.events()) {
+    EXPECT_TRUE(event.type == EventType::kEngage || event.type == EventType::kRelease) << name_of(event.type);
+    EXPECT_EQ(event.item, "mesh");
+  }
+  EXPECT_THAT(events_of(flanks, EventType::kEngage).at(0).cause, HasSubstr("now at 2"));
+  EXPECT_THAT(events_of(flanks, EventType::kRelease).at(1).cause,
+              HasSubstr("goes on at another place where the two bodies touch, 1 left, without a jump"));
+}
+
+// Other teeth, shifted, thinned, farther apart than close: unequal numbers all through.
+TEST(GearContacts, OfShiftedTeethWithPlayHaveThePathOfTheTextbookToo) {
+  Pair pair{{3.1, 14, 20 * kDegree, 0.4, 0.07}, {3.1, 23, 20 * kDegree, -0.11, 0.02}};
+  pair.distance = close_pair(pair.pinion, pair.wheel).distance + 0.13;
+  expect_pairs(motion_of(model_of(profile_of(pair, left_flanks, 0, 130))), pair, 1e-9);
+  expect_pairs(motion_of(model_of(profile_of(pair, whole_gear, 0, 90))), pair, 1e-9);
+}
+
+TEST(GearContacts, TouchAtThreePlacesAtOnceWhereTheContactRatioIsAboveTwo) {
+  const Pair pair{{1.5, 71, 14.5 * kDegree}, {1.5, 90, 14.5 * kDegree}, 120.75};
+  const double ratio = path_of_contact(pair.gears()).ratio;
+  ASSERT_GT(ratio, 2.2);
+  const Motion motion = motion_of(model_of(profile_of(pair, left_flanks, 0, 40)));
+  expect_pairs(motion, pair, 1e-9);
+  EXPECT_THAT(events_of(motion, EventType::kEngage).at(3).cause, HasSubstr("now at 3"));
+}
+
+TEST(GearContacts, HaveTheSameEventsWhateverTheRows) {
+  const Pair pair{{2, 20}, {2, 40}, 60};
+  const std::string text = profile_of(pair, left_flanks, 0, 90);
+  const Motion fine = motion_of(model_of(text), 701);
+  const Motion coarse = motion_of(model_of(text), 2);
+  ASSERT_EQ(fine.events().size(), coarse.events().size());
+  for (std::size_t i = 0; i < fine.events().size(); ++i) {
+    EXPECT_EQ(fine.events()[i].type, coarse.events()[i].type);
+    EXPECT_NEAR(fine.events()[i].driver, coarse.events()[i].driver, 1e-10);
+    EXPECT_EQ(fine.events()[i].cause, coarse.events()[i].cause);
+  }
+}
+
+// The play along the pitch circles, as an angle of the wheel: between the contacts of both kinds of flanks.
+TEST(GearContacts, LeaveTheirBacklashBehindTheFlanksThatWork) {
+  for (const double apart : {0.0, 0.21}) {
+    const Pair pair{{2, 20, 20 * kDegree, 0, 0.05}, {2, 40, 20 * kDegree, 0, 0.03}, 60 + apart};
+    const auto branches = branches_of(model_of(profile_of(pair, whole_gear, 1.3, 20)));
+    ASSERT_TRUE(branches);
+    std::vector<double> free;
+    for (const ContactEntry& entry : branches->contacts.at(0).entries) {
+      if (entry.free && (free.empty() || entry.position - free.back() > 1e-9)) {
+        free.push_back(entry.position);
+      }
+    }
+    const double along = backlash(pair.gears());  // of the working pitch circles
+    EXPECT_NEAR(along, apart == 0 ? 0.08 : 0.08 + 2 * apart * std::tan(20 * kDegree),
+                apart == 0 ? 1e-12 : 5e-3);
+    const double play = along / (pair.distance * 40 / 60) / kDegree;
+    // Of neighbours one distance is the play and the next one what is left of a pitch.
+    ASSERT_GE(free.size(), 3U);
+    const double first = free[1] - free[0];
+    const double second = free[2] - free[1];
+    EXPECT_NEAR(std::min(first, second), play, 1e-9);
+    EXPECT_NEAR(first + second, 9, 1e-9);
+  }
+}
+
+// Where the path of contact is shorter than a pitch the tip of a tooth goes on pushing as an edge, slower
+// than its flank would, until the next pair meets in a jump.
+TEST(GearContacts, ThatAreTooFarApartGoOnOverTheirTips) {
+  const Pair pair{{2, 20}, {2, 40}, 61.9};
+  ASSERT_LT(path_of_contact(pair.gears()).ratio, 1);
+  const Motion motion = motion_of(model_of(profile_of(pair, whole_gear, 0, 60)));
+  EXPECT_TRUE(motion.good());
+  EXPECT_FALSE(events_of(motion, EventType::kCorner).empty());
+  const auto jumps = events_of(motion, EventType::kSecondContact);
+  ASSERT_GE(jumps.size(), 3U);
+  EXPECT_NEAR(jumps[2].driver - jumps[1].driver, 18, 1e-9);
+  EXPECT_TRUE(events_of(motion, EventType::kEngage).empty());
+}
+
+std::string error_of(const Pair& pair) {
+  const auto model = Model::from_text(profile_of(pair, whole_gear, 0, 1), "test.toml");
+  return model ? "" : to_string(model.error());
+}
+
+TEST(GearContacts, NeedTeethThatARackLeavesWhole) {
+  EXPECT_THAT(
+      error_of({{2, 13}, {2, 40}, 53}),
+      HasSubstr("curves.teeth: a rack cuts into the base circle of so few teeth (undercut, below 17.0973 "
+                "teeth without profile shift): a `profile_shift` of 0.2397 at least"));
+  EXPECT_EQ(error_of({{2, 13, 20 * kDegree, 0.2397}, {2, 40}, 53.4}), "");
+  EXPECT_THAT(error_of({{2, 9, 20 * kDegree, 0.95}, {2, 40}, 50}), HasSubstr("the teeth are pointed"));
+}
+
+TEST(GearContacts, HaveAShippedProfile) {
+  const Pair pair{{2, 20, 20 * kDegree, 0, 0.05}, {2, 40, 20 * kDegree, 0, 0.05}, 60};
+  expect_pairs(motion_of(shipped_model("gear_teeth")), pair, 1e-10);
+}
+
+}  // namespace
+}  // namespace higherpair
