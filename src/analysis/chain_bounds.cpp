@@ -8,7 +8,7 @@ namespace higherpair {
 namespace {
 
 // A sine smaller than this is near a limit; steps of a run take a crossing into account from 1e-3 on.
-constexpr double kLeastSine = 0.02;
+constexpr double kSafeSine = 0.02;
 // A body that turns further from one position to the next might be whole turns off.
 constexpr double kSafeTurn = 2;
 
@@ -18,11 +18,11 @@ double squared(double x) {
 
 // Radii of curvature: b²/a at the ends of the long axis, a²/b at those of the short one.
 double sharpest(const Oval& oval) {
-  return oval.along > 0 ? square(oval.across) / oval.along : 0;
+  return oval.along > 0 ? squared(oval.across) / oval.along : 0;
 }
 
 double flattest(const Oval& oval) {
-  return oval.across > 0 ? square(oval.along) / oval.across : 0;
+  return oval.across > 0 ? squared(oval.along) / oval.across : 0;
 }
 
 struct PointBound {
@@ -38,8 +38,8 @@ PointBound bound_at(const MotionBound& body, const Vector2d& p_B) {
 // The sine of which this is a bound of the |cosine|; none where it may be too small.
 std::optional<double> least_sine(double cosine) {
   const double square_of_sine = 1 - squared(cosine);
-  return cosine >= 0 && square_of_sine >= squared(kLeastSine) ? std::optional(std::sqrt(square_of_sine))
-                                                              : std::nullopt;
+  return cosine >= 0 && square_of_sine >= squared(kSafeSine) ? std::optional(std::sqrt(square_of_sine))
+                                                             : std::nullopt;
 }
 
 class ChainBounds {
@@ -106,7 +106,7 @@ public:
     const double acceleration = A.acceleration + B.acceleration;
     const double far = std::sqrt(watch.far2) + speed * step_;
     const double least2 = -watch.margin - chord_ * 2 * (squared(speed) + far * acceleration);
-    if (!(least2 >= squared(kLeastSine * size_))) {
+    if (!(least2 >= squared(kSafeSine * size_))) {
       return false;
     }
     const double s = std::sqrt(least2);
@@ -135,7 +135,7 @@ public:
     const PointBound center = bound_at(known, contact.on_known.center_B);
     const double reach = contact.on_known.along;
     const double v1 = center.speed + known.omega * reach;
-    const double a1 = center.acceleration + (known.alpha + square(known.omega)) * reach;
+    const double a1 = center.acceleration + (known.alpha + squared(known.omega)) * reach;
     const double arm =
         freedom.turns ? (contact.on_body.center_B - freedom.p_BO).norm() + contact.on_body.along : 0.0;
     const double rate = (v1 + joint.speed) / per_q;
@@ -145,7 +145,7 @@ public:
     const double least = sharpest(contact.on_known) + sharpest(contact.on_body);
     const double z = std::min(flattest(contact.on_known), flattest(contact.on_body));
     const double along = z * turning + sliding;
-    const double second = (a1 + joint.acceleration + square(omega) * arm + turning * along +
+    const double second = (a1 + joint.acceleration + squared(omega) * arm + turning * along +
                            sliding * (known.omega + turning + sliding / least)) /
                           per_q;
     at(contact.touch.body) = freedom.turns

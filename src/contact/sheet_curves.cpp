@@ -16,8 +16,8 @@ namespace {
 constexpr double kSplit = 0.4713;
 constexpr int kDeepest = 40;
 constexpr std::size_t kMostSheetSteps = 200000;  // of all curves: more are noise
-constexpr double kStraight = 0.85;          // cosine between a curve and its chord
-constexpr double kNoLength = 1e-7;          // of a cell: a chord without a direction
+constexpr double kStraight = 0.85;               // cosine between a curve and its chord
+constexpr double kNoLength = 1e-7;               // of a cell: a chord without a direction
 constexpr double kMostSheetTurn = 0.3;           // of a body along a step [rad]
 
 enum class Rim { kLow1, kHigh1, kLow2, kHigh2 };

@@ -1,4 +1,5 @@
 #include "contact/random_pair.hpp"
+#include "geometry/geometry_testing.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/contact_map.hpp"
 
@@ -11,26 +12,12 @@
 namespace higherpair {
 namespace {
 
-using testing::random_pair;
+using testing::follower_difference;
+using testing::mapped_pair;
 using testing::RandomPair;
 
-constexpr double kDegree = kPi / 180;
 constexpr double kReach = 200;  // of lines and open conics, beyond all that is compared
 constexpr double kLimit = 50;   // contacts farther from their curve's vertex are left out
-
-// In every fourth one the driver slides.
-RandomPair mapped_pair(unsigned number) {
-  RandomPair random = random_pair(number);
-  if (number % 4 == 3) {
-    OneFreedom& driver = random.pair.motion1;
-    driver.turns = false;
-    driver.direction_W = unit_vector(random.u);
-    driver.theta = 2 * random.u;
-    driver.R_WB = Rotation<double>::from_angle(driver.theta);
-    random.text += ", sliding driver";
-  }
-  return random;
-}
 
 MapRange range_of(const ContactPair& pair, double u) {
   MapRange range;
@@ -56,10 +43,6 @@ bool is_far(const ContactPair& pair, const TangentPosition& at) {
   return (at.p_W - one).norm() > kLimit || (at.p_W - two).norm() > kLimit;
 }
 
-double difference(const ContactPair& pair, double a, double b) {
-  return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / (1 + std::abs(b)));
-}
-
 bool is_open(const Curve& curve) {
   return is_conic(curve) && curve.q <= 0;
 }
@@ -76,7 +59,8 @@ void expect_all_contacts(const ContactPair& pair, const ContactMap& map, double 
     ++listed;
     const auto same = std::count_if(mapped.begin(), mapped.end(), [&](const MapContact& at) {
       return map.branches[static_cast<std::size_t>(at.branch)].opposed == contact.opposed &&
-             difference(pair, at.point.q, contact.q) <= 1e-10 && (at.point.n_W - contact.n_W).norm() <= 1e-7;
+             follower_difference(pair, at.point.q, contact.q) <= 1e-10 &&
+             (at.point.n_W - contact.n_W).norm() <= 1e-7;
     });
     EXPECT_EQ(same, 1) << "u = " << u << ", q = " << contact.q;
   }
@@ -122,7 +106,7 @@ TEST(BoundaryMap, OfConicsHasTheirFoldsAndConformingContacts) {
       EXPECT_EQ(at.type, wanted.type);
       EXPECT_EQ(at.opposed, wanted.opposed);
       EXPECT_NEAR(at.u, wanted.u, 1e-12 * (1 + std::abs(wanted.u)));
-      EXPECT_LE(difference(random.pair, at.q, wanted.q), 1e-7);
+      EXPECT_LE(follower_difference(random.pair, at.q, wanted.q), 1e-7);
       EXPECT_EQ(map.events[i].branches.size(), expected.events[i].branches.size());
       ++compared;
     }
@@ -131,7 +115,8 @@ TEST(BoundaryMap, OfConicsHasTheirFoldsAndConformingContacts) {
 }
 
 SpanPtr arc(const Vector2d& center, double radius, double from, double to, Side side = Side::kInside) {
-  return conic_span(make_circle(center, radius, side).value(), from * kDegree, to * kDegree);
+  return conic_span(make_circle(center, radius, side).value(), from * testing::kDegree,
+                    to * testing::kDegree);
 }
 
 Boundary closed(const std::vector<SpanPtr>& spans) {
@@ -151,7 +136,7 @@ Boundary face_downwards() {
 
 // Base circle 20, two flanks of radius 38, nose of radius 8: the triangle of their centres has sides 18,
 // 24, 30.
-const double kNose = std::atan2(18, 24) / kDegree;
+const double kNose = std::atan2(18, 24) / testing::kDegree;
 
 Boundary four_arcs() {
   return closed({arc({24, 0}, 8, -kNose, kNose), arc({0, -18}, 38, kNose, 90), arc({0, 0}, 20, 90, 270),
@@ -161,7 +146,7 @@ Boundary four_arcs() {
 // The support of the arc that has the normal at `angle` degrees, in (-90, 270].
 double four_arcs_support(double angle) {
   const double x = std::abs(angle > 180 ? angle - 360 : angle);
-  const double c = std::cos(x * kDegree), s = std::sin(x * kDegree);
+  const double c = std::cos(x * testing::kDegree), s = std::sin(x * testing::kDegree);
   return x <= kNose ? 24 * c + 8 : x <= 90 ? 38 - 18 * s : 20;
 }
 
@@ -179,7 +164,7 @@ TEST(BoundaryMap, OfAFourArcCamUnderAFlatFaceIsTheSupportOfItsArcs) {
   EXPECT_EQ(own->turns, 1);
   ASSERT_EQ(own->points.size(), 721U);
   for (const MapPoint& point : own->points) {
-    EXPECT_NEAR(point.q, four_arcs_support(90 - point.u / kDegree), 1e-13 * 38);
+    EXPECT_NEAR(point.q, four_arcs_support(90 - point.u / testing::kDegree), 1e-13 * 38);
     EXPECT_TRUE(point.free);
   }
   // Highest with the nose on top; it begins to rise again where the base circle ends.
@@ -205,7 +190,7 @@ TEST(BoundaryMap, OfAFourArcCamUnderARollerIsThatOfCirclesWithinTheirAngles) {
       // The roller's centre is at the distance ρ + r from the centre of the arc that it touches.
       const Vector2d center = Rotation<double>::from_angle(-point.u) * Vector2d(0, point.q);
       const Vector2d n = Rotation<double>::from_angle(-point.u) * point.n_W;
-      const double angle = std::abs(angle_of(n)) / kDegree;
+      const double angle = std::abs(angle_of(n)) / testing::kDegree;
       const double side = n.y() > 0 ? -1 : 1;
       const Vector2d from = angle <= kNose ? Vector2d(24, 0)
                             : angle <= 90  ? Vector2d(0, 18 * side)
@@ -233,8 +218,8 @@ TEST(BoundaryMap, EndsWhereACurveEnds) {
   ASSERT_NE(own, map.branches.end());
   EXPECT_EQ(own->begin.type, MapEndType::kEnd);
   EXPECT_EQ(own->end.type, MapEndType::kEnd);
-  EXPECT_NEAR(own->begin.u, -20 * kDegree, 1e-14);
-  EXPECT_NEAR(own->end.u, 40 * kDegree, 1e-14);
+  EXPECT_NEAR(own->begin.u, -20 * testing::kDegree, 1e-14);
+  EXPECT_NEAR(own->end.u, 40 * testing::kDegree, 1e-14);
   for (const MapPoint& point : own->points) {
     EXPECT_NEAR(point.q, 20 + 3 * std::sin(point.u) - 4 * std::cos(point.u), 1e-13);
   }
@@ -244,7 +229,7 @@ TEST(BoundaryMap, EndsWhereACurveEnds) {
 // both.
 TEST(BoundaryMap, IsConformingWhereTheSumOfCurvaturesJumpsOverZero) {
   const double half = 60;  // the arcs meet at 60° from the line of centres: cos = 7.5/15
-  const Vector2d left(-7.5, 0), right(7.5, 0), hollow(0, 15 * std::sin(half * kDegree));
+  const Vector2d left(-7.5, 0), right(7.5, 0), hollow(0, 15 * std::sin(half * testing::kDegree));
   const Boundary body = Boundary::make({arc(right, 10, 0, 180 - half),
                                         arc(hollow, 5, 60, 120, Side::kOutside), arc(left, 10, half, 180)},
                                        false, 1e-9)
@@ -268,7 +253,7 @@ TEST(BoundaryMap, IsConformingWhereTheSumOfCurvaturesJumpsOverZero) {
     if (r < 5) {
       continue;
     }
-    const Vector2d centre = right + 18 * unit_vector((180 - half) * kDegree);
+    const Vector2d centre = right + 18 * unit_vector((180 - half) * testing::kDegree);
     EXPECT_NEAR(conforming[0].at.u, -std::abs(centre.x()), 1e-12);
     EXPECT_NEAR(conforming[1].at.u, std::abs(centre.x()), 1e-12);
     EXPECT_NEAR(conforming[0].at.q, centre.y(), 1e-12);
@@ -306,7 +291,7 @@ TEST(BoundaryMap, GoesOnOverCornersAndFaces) {
 
 TEST(BoundaryMap, DoesNotDependOnTheUnitOfLength) {
   for (unsigned number : {6U, 7U, 13U, 20U, 24U}) {
-    const RandomPair random = random_pair(number);
+    const RandomPair random = testing::random_pair(number);
     const MapRange range = range_of(random.pair, random.u);
     const Boundaries boundaries(random.pair);
     const ContactMap map = map_contacts(boundaries.both, range);

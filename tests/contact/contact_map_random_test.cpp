@@ -11,25 +11,13 @@
 namespace higherpair {
 namespace {
 
+using testing::follower_difference;
+using testing::mapped_pair;
 using testing::random_pair;
 using testing::RandomPair;
 
 constexpr double kStart = -3;
 constexpr double kEnd = 3;
-
-// In every fourth one the driver slides.
-RandomPair mapped_pair(unsigned number) {
-  RandomPair random = random_pair(number);
-  if (number % 4 == 3) {
-    OneFreedom& driver = random.pair.motion1;
-    driver.turns = false;
-    driver.direction_W = unit_vector(random.u);
-    driver.theta = 2 * random.u;
-    driver.R_WB = Rotation<double>::from_angle(driver.theta);
-    random.text += ", sliding driver";
-  }
-  return random;
-}
 
 MapRange range_of(const RandomPair& random) {
   MapRange range;
@@ -39,10 +27,6 @@ MapRange range_of(const RandomPair& random) {
   return range;
 }
 
-double difference(const ContactPair& pair, double a, double b) {
-  return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / (1 + std::abs(b)));
-}
-
 void expect_all_contacts(const ContactMap& map, double u) {
   const CurveContacts list = find_curve_contacts(map.pair, u);
   const std::vector<MapContact> mapped = contacts_at(map, u);
@@ -50,7 +34,7 @@ void expect_all_contacts(const ContactMap& map, double u) {
   for (const CurveContact& contact : list.contacts) {
     const auto same = std::count_if(mapped.begin(), mapped.end(), [&](const MapContact& at) {
       return map.branches[static_cast<std::size_t>(at.branch)].opposed == contact.opposed &&
-             at.point.free == contact.free && difference(map.pair, at.point.q, contact.q) <= 1e-9 &&
+             at.point.free == contact.free && follower_difference(map.pair, at.point.q, contact.q) <= 1e-9 &&
              (at.point.n_W - contact.n_W).norm() <= 1e-7;
     });
     EXPECT_EQ(same, 1) << "u = " << u << ", q = " << contact.q;
@@ -94,7 +78,7 @@ TEST(RandomMap, FoldsAreTheLimitPositionsThatATrackRunsInto) {
       if (result.limit && std::abs(result.limit->u - branch.end.u) < 1e-6) {
         ++compared;
         EXPECT_NEAR(result.limit->u, branch.end.u, 1e-12 * (1 + std::abs(branch.end.u)));
-        EXPECT_LE(difference(map.pair, result.limit->q, branch.end.q), 1e-11);
+        EXPECT_LE(follower_difference(map.pair, result.limit->q, branch.end.q), 1e-11);
       }
     }
   }
@@ -133,7 +117,7 @@ TEST(RandomMap, OfAMirroredPairIsItsMirrorImage) {
           std::count_if(mirror.events.begin(), mirror.events.end(), [&](const MapEvent& other) {
             const double q = random.pair.motion2.turns ? -event.at.q : event.at.q;
             return std::abs(nearest_turn(event.at.u + other.at.u, 0)) <= 1e-12 &&
-                   difference(map.pair, other.at.q, q) <= 1e-11;
+                   follower_difference(map.pair, other.at.q, q) <= 1e-11;
           });
       EXPECT_EQ(image, 1);
     }

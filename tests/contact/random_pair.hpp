@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/contact_pair.hpp"
 
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -101,6 +102,25 @@ inline RandomPair grid_pair(unsigned number) {
   }
   result.u = whole(0, 3) * kPi / 2;
   return result;
+}
+
+/// As random_pair; in every fourth one the driver slides.
+inline RandomPair mapped_pair(unsigned number) {
+  RandomPair random = random_pair(number);
+  if (number % 4 == 3) {
+    OneFreedom& driver = random.pair.motion1;
+    driver.turns = false;
+    driver.direction_W = unit_vector(random.u);
+    driver.theta = 2 * random.u;
+    driver.R_WB = Rotation<double>::from_angle(driver.theta);
+    random.text += ", sliding driver";
+  }
+  return random;
+}
+
+/// Of two positions of the follower: whole turns aside, or relative to 1 + |b|.
+inline double follower_difference(const ContactPair& pair, double a, double b) {
+  return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / (1 + std::abs(b)));
 }
 
 /// The same pair with all lengths multiplied.

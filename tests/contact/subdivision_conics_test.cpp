@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kReach = 1000;
+constexpr double kFarReach = 1000;
 
 double difference(double q1, double q2, bool turns) {
   return turns ? std::remainder(q1 - q2, 2 * kPi) : q1 - q2;
@@ -35,8 +35,8 @@ bool is_within(const CurveContact& algebraic, const PossibleContact& possible, b
 bool is_out_of_reach(const testing::RandomPair& random, const CurveContact& c) {
   const Pose<double> X1 = pose_at(random.pair.motion1, random.u);
   const Pose<double> X2 = pose_at(random.pair.motion2, c.q);
-  return (X1 * random.pair.curve1.vertex_B - c.p_W).norm() > kReach ||
-         (X2 * random.pair.curve2.vertex_B - c.p_W).norm() > kReach;
+  return (X1 * random.pair.curve1.vertex_B - c.p_W).norm() > kFarReach ||
+         (X2 * random.pair.curve2.vertex_B - c.p_W).norm() > kFarReach;
 }
 
 // Each contact of one list is in the other; returns the worst difference of q of those near the mechanism.
@@ -70,7 +70,7 @@ TEST_P(RandomConics, HaveTheContactsOfTheAlgebraicList) {
   for (int i = 0; i < 36; ++i) {
     const auto random = testing::random_pair(static_cast<unsigned>(36 * GetParam() + i));
     SCOPED_TRACE(random.text);
-    const SubdivisionContacts found = find_contacts_by_subdivision(random.pair, random.u, kReach);
+    const SubdivisionContacts found = find_contacts_by_subdivision(random.pair, random.u, kFarReach);
     EXPECT_EQ(found.status, SubdivisionStatus::kComplete);
     const double worst = expect_same_contacts(random, found, find_curve_contacts(random.pair, random.u));
     EXPECT_LE(worst, 1e-12);
@@ -84,7 +84,7 @@ TEST_P(RandomConics, MissNoContactOfADegeneratePair) {
     const auto random = testing::grid_pair(static_cast<unsigned>(36 * GetParam() + i));
     SCOPED_TRACE(random.text);
     const CurveContacts algebraic = find_curve_contacts(random.pair, random.u);
-    const SubdivisionContacts found = find_contacts_by_subdivision(random.pair, random.u, kReach);
+    const SubdivisionContacts found = find_contacts_by_subdivision(random.pair, random.u, kFarReach);
     if (algebraic.status != ContactsStatus::kComplete) {
       EXPECT_TRUE(found.contacts.empty());
       EXPECT_EQ(found.possible.empty(), algebraic.status == ContactsStatus::kTouchesNowhere);

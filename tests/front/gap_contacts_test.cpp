@@ -20,8 +20,6 @@ using testing::motion_of;
 using testing::profile_of;
 using testing::shipped_model;
 
-constexpr double kDegree = M_PI / 180;
-
 // Of the wheel of a Geneva drive with n slots, the crank at φ from the line of pivots, at unit speed. The
 // wheel turns against the crank.
 struct Wheel {
@@ -81,10 +79,10 @@ TEST(GenevaWheel, TurnsByOneSlotInEveryTurnOfItsCrankAndRestsInBetween) {
     const double half = 90 - 180.0 / n;  // of the crank's turn with the pin in a slot
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double phi = std::remainder(driver[k] - 180, 360);
-      const Wheel wanted = std::abs(phi) < half ? geneva(n, phi * kDegree) : Wheel{};
+      const Wheel wanted = std::abs(phi) < half ? geneva(n, phi * testing::kDegree) : Wheel{};
       if (std::abs(std::abs(phi) - half) > 1e-9) {
-        ASSERT_NEAR(omega[k] * kDegree, wanted.omega, 1e-12) << n << " at " << driver[k];
-        ASSERT_NEAR(alpha[k] * kDegree, wanted.alpha, 1e-10) << n << " at " << driver[k];
+        ASSERT_NEAR(omega[k] * testing::kDegree, wanted.omega, 1e-12) << n << " at " << driver[k];
+        ASSERT_NEAR(alpha[k] * testing::kDegree, wanted.alpha, 1e-10) << n << " at " << driver[k];
       }
     }
     EXPECT_NEAR(angle[720] - angle[0], -2 * 360.0 / n, 1e-9);
@@ -113,10 +111,10 @@ TEST(GenevaWheel, HasThePeaksOfTheTextbook) {
     const Motion motion =
         motion_of(model_of(geneva_profile(peak.n, "start = 0\nend = 360\nvelocity = \"1 rad/s\"")), settings);
     const auto alpha = motion.column("wheel_pivot.acceleration");
-    EXPECT_NEAR(std::abs(alpha[1] * kDegree), peak.alpha, 1e-6);
+    EXPECT_NEAR(std::abs(alpha[1] * testing::kDegree), peak.alpha, 1e-6);
     EXPECT_LT(std::abs(alpha[0]), std::abs(alpha[1]));
     EXPECT_LT(std::abs(alpha[2]), std::abs(alpha[1]));
-    EXPECT_NEAR(motion.column("wheel_pivot.velocity")[3] * kDegree, -m / (1 - m), 1e-12);
+    EXPECT_NEAR(motion.column("wheel_pivot.velocity")[3] * testing::kDegree, -m / (1 - m), 1e-12);
   }
 }
 
@@ -163,7 +161,9 @@ TEST(GenevaWheel, NeedsNoForceWhileItIsHeldAndBalancesItsInertiaWhileItIsDriven)
   const double inertia = 400e-6;  // kg m²
   for (std::size_t k = 0; k < motion.size(); ++k) {
     // Virtual power: T ω_crank = I α ω; here in N mm.
-    EXPECT_NEAR(torque[k], 1000 * inertia * (alpha[k] * kDegree) * (omega[k] * kDegree), 1e-9) << k;
+    EXPECT_NEAR(torque[k], 1000 * inertia * (alpha[k] * testing::kDegree) * (omega[k] * testing::kDegree),
+                1e-9)
+        << k;
     if (omega[k] == 0) {
       EXPECT_EQ(force[k], 0) << k;
     }
@@ -179,7 +179,7 @@ TEST(GenevaWheel, HasJerkOnlyWhileItIsDriven) {
   const double m = std::sin(M_PI / 4);
   EXPECT_NEAR(jerk[0], 0, 1e-12);
   EXPECT_NEAR(jerk[1], 0, 1e-12);
-  EXPECT_NEAR(jerk[2] * kDegree, m * (1 - m * m) / std::pow(1 - m, 4), 1e-9);
+  EXPECT_NEAR(jerk[2] * testing::kDegree, m * (1 - m * m) / std::pow(1 - m, 4), 1e-9);
 }
 
 // A disc of radius 20, 10 off its pivot, that strikes a tappet which rests 5 above its lowest place: it moves
@@ -198,7 +198,7 @@ TEST(LashedTappet, IsLiftedOffItsSeatAndComesBackToIt) {
   const auto v = motion.column("guide.velocity");
   const auto pressure = motion.column("touch.x");
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    const double theta = 10.0 * static_cast<double>(k) * kDegree;
+    const double theta = 10.0 * static_cast<double>(k) * testing::kDegree;
     const double reach = 20 + 10 * std::sin(theta);
     EXPECT_NEAR(y[k], std::max(25.0, reach), 1e-9) << k;
     if (std::abs(reach - 25) > 1e-6) {
@@ -262,7 +262,7 @@ TEST(GuideWithEnds, EndsTheMotionWhereTheSliderLeavesItAndTakesItUpWhereItIsBack
   EXPECT_FALSE(motion.good());
   const auto x = motion.column("guide.position");
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    const double theta = 10.0 * static_cast<double>(k) * kDegree;
+    const double theta = 10.0 * static_cast<double>(k) * testing::kDegree;
     const double wanted = 20 * std::cos(theta) + std::sqrt(3600 - 400 * std::sin(theta) * std::sin(theta));
     const bool within = wanted >= 50;
     ASSERT_EQ(motion.statuses()[k], within ? RowStatus::kOk : RowStatus::kNotAssemblable) << k;
@@ -273,7 +273,7 @@ TEST(GuideWithEnds, EndsTheMotionWhereTheSliderLeavesItAndTakesItUpWhereItIsBack
   const auto ends = events_of(motion, EventType::kEnd);
   ASSERT_EQ(ends.size(), 2U);
   // 50 = 20 c + √(3600 - 400 s²): c = (2500 + 400 - 3600)/2000.
-  const double at = std::acos(-0.35) / kDegree;
+  const double at = std::acos(-0.35) / testing::kDegree;
   EXPECT_NEAR(ends[0].driver, at, 1e-9);
   EXPECT_NEAR(ends[1].driver, 360 - at, 1e-9);
   EXPECT_EQ(ends[0].item, "guide");
@@ -335,7 +335,7 @@ TEST(FaceWithEnds, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
   EXPECT_FALSE(motion.good());
   const auto y = motion.column("guide.position");
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    const double theta = (90 + 5.0 * static_cast<double>(k)) * kDegree;
+    const double theta = (90 + 5.0 * static_cast<double>(k)) * testing::kDegree;
     if (std::abs(std::abs(std::cos(theta)) - 0.5) > 1e-9) {
       ASSERT_EQ(motion.statuses()[k] == RowStatus::kOk, std::abs(std::cos(theta)) < 0.5) << k;
     }
@@ -364,13 +364,13 @@ curves.face = { type = "line", point = [0, 0], normal = [0, -1] })",
   EXPECT_TRUE(motion.good());
   const auto y = motion.column("guide.position");
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    const double theta = static_cast<double>(k) * kDegree;
+    const double theta = static_cast<double>(k) * testing::kDegree;
     EXPECT_NEAR(y[k], std::max(30.0, 10 + 25 * std::sin(theta)), 1e-9) << k;
   }
   const auto over = events_of(motion, EventType::kSecondContact);
   ASSERT_EQ(over.size(), 2U);
-  EXPECT_NEAR(over[0].driver, std::asin(0.8) / kDegree, 1e-6);
-  EXPECT_NEAR(over[1].driver, 180 - std::asin(0.8) / kDegree, 1e-6);
+  EXPECT_NEAR(over[0].driver, std::asin(0.8) / testing::kDegree, 1e-6);
+  EXPECT_NEAR(over[1].driver, 180 - std::asin(0.8) / testing::kDegree, 1e-6);
 }
 
 }  // namespace

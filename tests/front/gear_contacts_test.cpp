@@ -21,8 +21,6 @@ using testing::model_of;
 using testing::motion_of;
 using testing::shipped_model;
 
-constexpr double kDegree = kPi / 180;
-
 // A pair whose pinion is at ground's origin, in millimetres. At 0 a tooth of the pinion and a space of the
 // wheel lie along the line of centres; the pinion drives counter-clockwise, by the left flanks of its teeth.
 struct Pair {
@@ -36,21 +34,22 @@ struct Pair {
   // place on the working pitch circle comes onto the line of centres.
   [[nodiscard]] double at_pitch_point() const {
     const double alpha = working_pressure_angle(gears());
-    return -(half_angle_at_base(pinion) - involute_function(alpha)) / kDegree;
+    return -(half_angle_at_base(pinion) - involute_function(alpha)) / testing::kDegree;
   }
   // Where that pair of flanks begins and parts.
   [[nodiscard]] double begins() const {
-    return at_pitch_point() - path_of_contact(gears()).approach / base_radius(pinion) / kDegree;
+    return at_pitch_point() - path_of_contact(gears()).approach / base_radius(pinion) / testing::kDegree;
   }
   [[nodiscard]] double parts() const {
-    return at_pitch_point() + path_of_contact(gears()).recess / base_radius(pinion) / kDegree;
+    return at_pitch_point() + path_of_contact(gears()).recess / base_radius(pinion) / testing::kDegree;
   }
 };
 
 std::string keys_of(const InvoluteTooth& tooth) {
   return fmt::format(
       "center = [0, 0], module = {}, teeth = {}, pressure_angle = {}, profile_shift = {}, backlash = {}",
-      tooth.module, tooth.teeth, tooth.pressure_angle / kDegree, tooth.profile_shift, tooth.backlash);
+      tooth.module, tooth.teeth, tooth.pressure_angle / testing::kDegree, tooth.profile_shift,
+      tooth.backlash);
 }
 
 std::string whole_gear(const InvoluteTooth& tooth) {
@@ -140,7 +139,7 @@ TEST(GearContacts, TheNextPairBeginsBeforeTheOneBeforeItParts) {
   const Motion flanks = motion_of(model_of(profile_of(pair, left_flanks, 0, 90)));
   expect_pairs(flanks, pair, 1e-10);
   // Without play the other flanks would touch as well.
-  const Pair loose{{2, 20, 20 * kDegree, 0, 0.04}, {2, 40, 20 * kDegree, 0, 0.03}, 60};
+  const Pair loose{{2, 20, 20 * testing::kDegree, 0, 0.04}, {2, 40, 20 * testing::kDegree, 0, 0.03}, 60};
   const Motion gears = motion_of(model_of(profile_of(loose, whole_gear, 0, 60)));
   expect_pairs(gears, loose, 1e-10);
   for (const Event& event : gears.events()) {
@@ -154,14 +153,14 @@ TEST(GearContacts, TheNextPairBeginsBeforeTheOneBeforeItParts) {
 
 // Other teeth, shifted, thinned, farther apart than close: unequal numbers all through.
 TEST(GearContacts, OfShiftedTeethWithPlayHaveThePathOfTheTextbookToo) {
-  Pair pair{{3.1, 14, 20 * kDegree, 0.4, 0.07}, {3.1, 23, 20 * kDegree, -0.11, 0.02}};
+  Pair pair{{3.1, 14, 20 * testing::kDegree, 0.4, 0.07}, {3.1, 23, 20 * testing::kDegree, -0.11, 0.02}};
   pair.distance = close_pair(pair.pinion, pair.wheel).distance + 0.13;
   expect_pairs(motion_of(model_of(profile_of(pair, left_flanks, 0, 130))), pair, 1e-9);
   expect_pairs(motion_of(model_of(profile_of(pair, whole_gear, 0, 90))), pair, 1e-9);
 }
 
 TEST(GearContacts, TouchAtThreePlacesAtOnceWhereTheContactRatioIsAboveTwo) {
-  const Pair pair{{1.5, 71, 14.5 * kDegree}, {1.5, 90, 14.5 * kDegree}, 120.75};
+  const Pair pair{{1.5, 71, 14.5 * testing::kDegree}, {1.5, 90, 14.5 * testing::kDegree}, 120.75};
   const double ratio = path_of_contact(pair.gears()).ratio;
   ASSERT_GT(ratio, 2.2);
   const Motion motion = motion_of(model_of(profile_of(pair, left_flanks, 0, 40)));
@@ -185,7 +184,8 @@ TEST(GearContacts, HaveTheSameEventsWhateverTheRows) {
 // The play along the pitch circles, as an angle of the wheel: between the contacts of both kinds of flanks.
 TEST(GearContacts, LeaveTheirBacklashBehindTheFlanksThatWork) {
   for (const double apart : {0.0, 0.21}) {
-    const Pair pair{{2, 20, 20 * kDegree, 0, 0.05}, {2, 40, 20 * kDegree, 0, 0.03}, 60 + apart};
+    const Pair pair{
+        {2, 20, 20 * testing::kDegree, 0, 0.05}, {2, 40, 20 * testing::kDegree, 0, 0.03}, 60 + apart};
     const auto branches = branches_of(model_of(profile_of(pair, whole_gear, 1.3, 20)));
     ASSERT_TRUE(branches);
     std::vector<double> free;
@@ -195,9 +195,9 @@ TEST(GearContacts, LeaveTheirBacklashBehindTheFlanksThatWork) {
       }
     }
     const double along = backlash(pair.gears());  // of the working pitch circles
-    EXPECT_NEAR(along, apart == 0 ? 0.08 : 0.08 + 2 * apart * std::tan(20 * kDegree),
+    EXPECT_NEAR(along, apart == 0 ? 0.08 : 0.08 + 2 * apart * std::tan(20 * testing::kDegree),
                 apart == 0 ? 1e-12 : 5e-3);
-    const double play = along / (pair.distance * 40 / 60) / kDegree;
+    const double play = along / (pair.distance * 40 / 60) / testing::kDegree;
     // Of neighbours one distance is the play and the next one what is left of a pitch.
     ASSERT_GE(free.size(), 3U);
     const double first = free[1] - free[0];
@@ -231,12 +231,13 @@ TEST(GearContacts, NeedTeethThatARackLeavesWhole) {
       error_of({{2, 13}, {2, 40}, 53}),
       HasSubstr("curves.teeth: a rack cuts into the base circle of so few teeth (undercut, below 17.0973 "
                 "teeth without profile shift): a `profile_shift` of 0.2397 at least"));
-  EXPECT_EQ(error_of({{2, 13, 20 * kDegree, 0.2397}, {2, 40}, 53.4}), "");
-  EXPECT_THAT(error_of({{2, 9, 20 * kDegree, 0.95}, {2, 40}, 50}), HasSubstr("the teeth are pointed"));
+  EXPECT_EQ(error_of({{2, 13, 20 * testing::kDegree, 0.2397}, {2, 40}, 53.4}), "");
+  EXPECT_THAT(error_of({{2, 9, 20 * testing::kDegree, 0.95}, {2, 40}, 50}),
+              HasSubstr("the teeth are pointed"));
 }
 
 TEST(GearContacts, HaveAShippedProfile) {
-  const Pair pair{{2, 20, 20 * kDegree, 0, 0.05}, {2, 40, 20 * kDegree, 0, 0.05}, 60};
+  const Pair pair{{2, 20, 20 * testing::kDegree, 0, 0.05}, {2, 40, 20 * testing::kDegree, 0, 0.05}, 60};
   expect_pairs(motion_of(shipped_model("gear_teeth")), pair, 1e-10);
 }
 

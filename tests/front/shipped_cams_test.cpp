@@ -1,4 +1,5 @@
 #include "cam_profile.hpp"
+#include "geometry/geometry_testing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@ namespace higherpair {
 namespace {
 
 using testing::shipped_model;
-
-constexpr double kCamDegree = M_PI / 180;
 
 Motion cam_motion(const Model& model, bool forces = false) {
   RunSettings settings;
@@ -63,9 +62,9 @@ TEST(CamshaftFromALiftTable, LiftsAsTheLawThatTheTableWasRoundedFrom) {
   for (std::size_t k = 0; k < motion.size(); ++k) {
     const double x = 1 - std::abs(static_cast<double>(k) - 180) / 75;
     const double s = x <= 0 ? 0 : 9 * std::pow(x, 4) * (35 - 84 * x + 70 * x * x - 20 * x * x * x);
-    const double a =
-        x <= 0 ? 0
-               : 9 * x * x * (420 - 1680 * x + 2100 * x * x - 840 * x * x * x) / std::pow(75 * kCamDegree, 2);
+    const double a = x <= 0 ? 0
+                            : 9 * x * x * (420 - 1680 * x + 2100 * x * x - 840 * x * x * x) /
+                                  std::pow(75 * testing::kDegree, 2);
     worst_lift = std::max(worst_lift, std::abs(lift[k] - 32 - s));
     worst_acceleration = std::max(worst_acceleration, std::abs(acceleration[k] / (omega * omega) - a));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "front/cam_profile.hpp"
+#include "geometry/geometry_testing.hpp"
 
 #include <stdexcept>
 #include <string>

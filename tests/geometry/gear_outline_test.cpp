@@ -9,11 +9,11 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAlpha = 20 * kPi / 180;
+constexpr double kPressureAngle = 20 * kPi / 180;
 
 GearShape shape() {
   GearShape gear;
-  gear.tooth = {0.0021, 23, kAlpha, 0.17, 0.00011};
+  gear.tooth = {0.0021, 23, kPressureAngle, 0.17, 0.00011};
   gear.center_B = Vector2d(0.013, -0.007);
   gear.angle = 0.31;
   return gear;
@@ -42,7 +42,7 @@ TEST(GearOutline, IsOneClosedBoundaryBetweenRootAndTipCircle) {
 TEST(GearOutline, HasTeethOfTheThicknessOfTheTextbook) {
   const GearShape gear = shape();
   const double pitch = 0.0021 * 23 / 2;
-  const double roll = std::tan(kAlpha);  // where the involute crosses the pitch circle
+  const double roll = std::tan(kPressureAngle);  // where the involute crosses the pitch circle
   const auto spans = gear_outline(gear);
   for (const int tooth : {0, 7, 22}) {
     const auto at = [&](int span, double t) {
@@ -53,7 +53,7 @@ TEST(GearOutline, HasTeethOfTheThicknessOfTheTextbook) {
     const double right = at(1, roll);
     const double left = at(3, -roll);
     const double thickness = pitch * std::remainder(left - right, 2 * kPi);
-    EXPECT_NEAR(thickness, 0.0021 * (kPi / 2 + 2 * 0.17 * std::tan(kAlpha)) - 0.00011, 1e-15);
+    EXPECT_NEAR(thickness, 0.0021 * (kPi / 2 + 2 * 0.17 * std::tan(kPressureAngle)) - 0.00011, 1e-15);
     const double middle = right + std::remainder(left - right, 2 * kPi) / 2;
     EXPECT_NEAR(std::remainder(middle - 0.31 - tooth * 2 * kPi / 23, 2 * kPi), 0, 1e-13);
   }
