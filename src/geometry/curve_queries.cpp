@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 namespace higherpair {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr unsigned kMostHalvingsOfArc = 12;
+constexpr double kArcPrecision = 1e-13;  // of an arc
 
 const SupportPiece& piece_of(const PlacedCurve<double>& curve) {
   return curve.support->pieces()[curve.piece];
@@ -196,8 +198,9 @@ double arc_to_normal(const Curve& curve, double phi_B) {
     const int parts = 1 + static_cast<int>(std::abs(phi_B) / (kPi / 8));
     double arc = 0;
     for (int i = 0; i < parts; ++i) {
-      arc += boost::math::quadrature::gauss<double, 20>::integrate(rho, phi_B * i / parts,
-                                                                   phi_B * (i + 1) / parts);
+      // Halved where it is nearly flat, ρ being large there.
+      arc += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+          rho, phi_B * i / parts, phi_B * (i + 1) / parts, kMostHalvingsOfArc, kArcPrecision);
     }
     return arc;
   }

@@ -32,6 +32,8 @@ public:
     return std::max(8, 1 + static_cast<int>(involute_.roll.width() / 0.1));
   }
 
+  [[nodiscard]] const Involute& involute() const { return involute_; }
+
 private:
   Involute involute_;
   double sense_;
@@ -42,6 +44,11 @@ private:
 SpanPtr involute_span(const Involute& involute) {
   assert(involute.base_radius > 0 && involute.roll.low > 0 && involute.roll.width() > 0);
   return std::make_shared<InvoluteSpan>(involute);
+}
+
+const Involute* involute_of(const Span& span) {
+  const auto* own = dynamic_cast<const InvoluteSpan*>(&span);
+  return own == nullptr ? nullptr : &own->involute();
 }
 
 double base_radius(const InvoluteTooth& tooth) {

@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tooth_notes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,9 @@ bool is_solid_outline(const Curve& curve) {
 }  // namespace
 
 std::string contact_note(const Mechanism& mechanism, const Contact& contact, const Units& units) {
+  if (const std::string teeth = tooth_note(mechanism, contact, units); !teeth.empty()) {
+    return teeth;
+  }
   const PosedCurve first = posed_curve(mechanism, contact.first);
   const PosedCurve second = posed_curve(mechanism, contact.second);
   if (is_line(*first.curve) || is_line(*second.curve)) {

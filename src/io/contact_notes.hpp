@@ -8,7 +8,7 @@
 namespace higherpair::io_detail {
 
 /// What is probably a slip in the curves of a contact, by where the poses have them: a curve behind the flat
-/// face that it touches, a disc within the outline of a solid one. Empty if nothing is.
+/// face that it touches, a disc within the outline of a solid one, teeth that interfere. Empty if nothing is.
 [[nodiscard]] std::string contact_note(const Mechanism& mechanism, const Contact& contact,
                                        const Units& units);
 

@@ -164,6 +164,36 @@ TEST(CurvesByTheirSupport, RollAsTheEqualEllipsesThatTheyAre) {
   }
 }
 
+// Two-lobe ovals about their centres, 2a apart: r1(φ1) + r2(φ2) = 2a where r2 shows its waist to r1's lobe,
+// and dφ2/dφ1 = -r1/r2 integrates to tan φ2 = -(1 + e)/(1 - e) tan φ1, from a quarter turn on.
+TEST(TwoLobedOvals, RollOnEachOtherAboutTheirCentres) {
+  for (const double e : {0.2, 0.3}) {
+    const double a = 0.05;
+    const testing::LobedOval oval(2, a * (1 - e * e), e);
+    const ContactPair pair = {make_curve(oval), pivot(0, 0), make_curve(oval), pivot(2 * a, 0)};
+    RollingTrack track;
+    ASSERT_TRUE(start_rolling(track, pair, 0, kPi / 2, Vector2d::UnitX()).converged);
+    EXPECT_NEAR(track.at.q, kPi / 2, 1e-12);
+    double least = 10, most = 0;
+    for (int k = 1; k <= 36; ++k) {
+      const double u = k * kPi / 36;
+      ASSERT_TRUE(roll_to(track, u).converged) << k;
+      const double turned = std::atan2((1 + e) * std::sin(u), (1 - e) * std::cos(u));
+      EXPECT_NEAR(track.at.q, kPi / 2 - turned, e < 0.25 ? 1e-12 : 1e-9) << k;
+      EXPECT_NEAR(track.at.p_W().y(), 0, 1e-9 * a);
+      EXPECT_NEAR(track.at.sliding, 0, 1e-9 * a);
+      const double r = a * (1 - e * e) / (1 - e * std::cos(2 * u));
+      EXPECT_NEAR(track.at.dq, -r / (2 * a - r), 1e-8);
+      least = std::min(least, -track.at.dq);
+      most = std::max(most, -track.at.dq);
+    }
+    if (e == 0.3) {
+      EXPECT_NEAR(least, 0.538462, 5e-7);
+      EXPECT_NEAR(most, 1.857143, 5e-7);
+    }
+  }
+}
+
 // h = a + b cos 3φ under a flat face: the lift is the support itself.
 TEST(ALobedCamUnderAFlatFace, LiftsItByItsSupport) {
   const double a = 0.031, b = 0.002;

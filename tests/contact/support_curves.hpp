@@ -81,6 +81,51 @@ private:
   std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
 };
 
+/// An oval gear's pitch curve of n lobes about the origin, r = p/(1 - e cos nθ), convex if e < 1/(n² - 1).
+/// With u = 1/r the normal stands at φ = θ + atan(u′/u), and ρ = (u² + u′²)^{3/2}/(u³ (u + u″)).
+class LobedOval final : public SupportCurve {
+public:
+  LobedOval(int n, double p, double e) : n_(n), p_(p), e_(e) {}
+
+  [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
+  [[nodiscard]] SupportValue at(std::size_t, double phi) const override {
+    double theta = phi;
+    Inverse u = inverse(theta);
+    for (int i = 0; i < 60; ++i) {
+      const double step = (phi - theta - std::atan2(u.d1, u.u)) / (u.u * (u.u + u.d2)) * u.squared();
+      theta += std::clamp(step, -0.2, 0.2);
+      u = inverse(theta);
+      if (std::abs(step) < 1e-15) break;
+    }
+    const double square = u.squared();
+    const double bend = u.u + u.d2;
+    const double rho = square * std::sqrt(square) / (u.u * u.u * u.u * bend);
+    // By the derivative of its logarithm, per θ, over that of φ.
+    const double per_theta = 3 * u.d1 * bend / square - 3 * u.d1 / u.u - (u.d1 + u.d3) / bend;
+    return {std::cos(theta - phi) / u.u, std::sin(theta - phi) / u.u, rho,
+            rho * per_theta * square / (u.u * bend), 1e-14 * p_ * (1 + std::abs(phi))};
+  }
+  // Between those at the ends of the lobes and at their waists, with room.
+  [[nodiscard]] Bounds radius(std::size_t, const Bounds&) const override {
+    const double m = n_ * n_ - 1;
+    return {0.5 * p_ / (1 + m * e_), 2 * p_ / (1 - m * e_)};
+  }
+
+private:
+  struct Inverse {
+    double u = 0, d1 = 0, d2 = 0, d3 = 0;
+    [[nodiscard]] double squared() const { return u * u + d1 * d1; }
+  };
+  [[nodiscard]] Inverse inverse(double theta) const {
+    const double c = e_ * std::cos(n_ * theta) / p_;
+    const double s = e_ * std::sin(n_ * theta) / p_;
+    return {1 / p_ - c, n_ * s, n_ * n_ * c, -n_ * n_ * n_ * s};
+  }
+
+  double n_, p_, e_;
+  std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
+};
+
 /// An involute of the circle of radius r about the origin, h = r φ: its normals touch the circle (h′ = r).
 class InvoluteBySupport final : public SupportCurve {
 public:

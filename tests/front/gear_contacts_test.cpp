@@ -15,11 +15,14 @@
 namespace higherpair {
 namespace {
 
+using ::testing::ElementsAre;
 using testing::events_of;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::model_of;
 using testing::motion_of;
 using testing::shipped_model;
+using ::testing::SizeIs;
 
 // A pair whose pinion is at ground's origin, in millimetres. At 0 a tooth of the pinion and a space of the
 // wheel lie along the line of centres; the pinion drives counter-clockwise, by the left flanks of its teeth.
@@ -234,6 +237,57 @@ TEST(GearContacts, NeedTeethThatARackLeavesWhole) {
   EXPECT_EQ(error_of({{2, 13, 20 * testing::kDegree, 0.2397}, {2, 40}, 53.4}), "");
   EXPECT_THAT(error_of({{2, 9, 20 * testing::kDegree, 0.95}, {2, 40}, 50}),
               HasSubstr("the teeth are pointed"));
+}
+
+// 13 teeth against 40: the reference has 0.306157 modules past the base circle.
+TEST(GearContacts, HaveANoteWhereTipsInterfereWithRoots) {
+  const auto flank = [](int teeth, const std::string& roll) {
+    return fmt::format("curves.flank = {{ type = \"involute\", center = [0, 0], module = 2, teeth = {}{} }}",
+                       teeth, roll);
+  };
+  const auto notes_of = [&](const std::string& pinion, const std::string& wheel) {
+    const std::string text = fmt::format(R"([bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [53, 0]
+[bodies.pinion]
+points.O = [0, 0]
+{}
+[bodies.wheel]
+pose = {{ x = 53, angle = 185 }}
+points.O = [0, 0]
+{}
+[joints]
+pinion_pivot = {{ type = "revolute", between = ["ground.O1", "pinion.O"] }}
+wheel_pivot  = {{ type = "revolute", between = ["ground.O2", "wheel.O"] }}
+[contacts.mesh]
+between = ["pinion.flank", "wheel.flank"]
+[driver]
+joint = "pinion_pivot"
+start = 0
+end = 5
+)",
+                                         pinion, wheel);
+    std::vector<std::string> messages;
+    const Model model = model_of(text);
+    for (const Diagnostic& note : model.notes()) {
+      messages.push_back(note.message);
+    }
+    return messages;
+  };
+  const std::string pinion = flank(13, ", roll = [1, 44]");
+  EXPECT_THAT(
+      notes_of(pinion, flank(40, "")),
+      ElementsAre(
+          "contacts.mesh: interference: the tips of wheel.flank come to where the roll of "
+          "pinion.flank is -2.8719 deg, 0.6123 mm past its base circle, but its involute begins at 1: "
+          "the contact would leave it at its root; let the `roll` of wheel.flank end at 27.306, or "
+          "give pinion.flank more teeth or `profile_shift`"));
+  EXPECT_NEAR(2 * path_of_contact({{1, 13}, {1, 40}, 26.5}).past_base[0], 0.6123, 5e-5);
+  EXPECT_THAT(notes_of(pinion, flank(40, ", roll = [5, 27.306]")), IsEmpty());
+  EXPECT_THAT(notes_of(pinion, flank(40, ", roll = [5, 27.307]")), SizeIs(1));
+  // Not past the base circle, but below where the flank begins.
+  EXPECT_THAT(notes_of(flank(13, ", roll = [4, 44]"), flank(40, ", roll = [5, 26.8]")),
+              ElementsAre(HasSubstr("is 2.5584 deg, but its involute begins at 4")));
 }
 
 TEST(GearContacts, HaveAShippedProfile) {

@@ -23,6 +23,9 @@ struct Involute {
 /// \pre base_radius > 0, 0 < roll.low < roll.high
 [[nodiscard]] SpanPtr involute_span(const Involute& involute);
 
+/// The involute that a span is; null of other spans.
+[[nodiscard]] const Involute* involute_of(const Span& span);
+
 /// A spur gear's tooth with involute flanks that a rack of this module has cut.
 struct InvoluteTooth {
   double module = 1;  ///< [m]
