@@ -69,6 +69,7 @@ bool go_over_flat(Run& run, const Path& path, double s, const JointPassage& pass
     return false;
   }
   motion.phi = nearest_turn(motion.phi, phi);
+  set_place_of(run, passage, *behind, over);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);
   RunEvent event = event_at(EventType::kSecondContact, path, s, "");

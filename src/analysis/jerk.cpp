@@ -1,5 +1,6 @@
 #include "higherpair/analysis/jerk.hpp"
 
+#include "ground_jerks.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
 
@@ -60,6 +61,20 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
   return jerks;
 }
 
+// Of a pin, or of a slide on ground.
+std::optional<double> simple_joint_jerk(const Run& run, const Joint& joint, const Jerks& bodies) {
+  const auto& first = bodies[static_cast<std::size_t>(joint.first.body)];
+  const auto& second = bodies[static_cast<std::size_t>(joint.second.body)];
+  if (!first || !second) {
+    return std::nullopt;
+  }
+  if (joint.type == JointType::kRevolute) {
+    return second->angular - first->angular;
+  }
+  const BodyMotion& body = run.row.bodies[static_cast<std::size_t>(joint.second.body)];
+  return point_jerk(body, *second, point_of(run.mechanism(), joint.second)).dot(joint.direction_A);
+}
+
 }  // namespace
 
 JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher) {
@@ -80,10 +95,17 @@ Jerks true_jerks_of(const Run& run, std::span<const HigherRates> higher) {
   if (run.row.status == RowStatus::kNotAssemblable) {
     return Jerks(run.row.bodies.size());
   }
+  if (auto direct = jerks_on_ground(run, higher)) {
+    return *std::move(direct);
+  }
   return jerks_with(run, dimensions_of(run.mechanism()), higher, true);
 }
 
 std::optional<double> joint_jerk(const Run& run, int joint, const Jerks& bodies) {
+  const Joint& named = run.mechanism().joints[static_cast<std::size_t>(joint)];
+  if (named.type == JointType::kRevolute || (named.type == JointType::kPrismatic && named.first.body == 0)) {
+    return simple_joint_jerk(run, named, bodies);
+  }
   const Dimensions<double> dimensions = dimensions_of(run.mechanism());
   const auto& at = dimensions.joints[static_cast<std::size_t>(joint)];
   std::array<BodyAt<JerkSeries>, 3> series;

@@ -214,13 +214,17 @@ private:
       accept(run_);
     }
     s_ += passage.x;
-    if (!lies_flat_behind(run_, passage)) {
-      go_over_joint(run_, path_, s_, passage);
-    } else if (!go_over_flat(run_, path_, s_, passage)) {
-      return lose({group_of_contact(passage.contact), s_});
-    }
     passed_ = passage;
     passed_.x = s_;
+    if (!lies_flat_behind(run_, passage)) {
+      go_over_joint(run_, path_, s_, passage);
+      return Outcome::kGoesOn;
+    }
+    if (!go_over_flat(run_, path_, s_, passage)) {
+      return lose({group_of_contact(passage.contact), s_});
+    }
+    passed_.before = passage.after;  // it rests on the joint at the other end
+    go_on_anew();
     return Outcome::kGoesOn;
   }
 
@@ -257,6 +261,7 @@ private:
     s_ += meeting->x;
     go_over_to(run_, path_, s_, *meeting, !again);
     met_at_ = s_;
+    go_on_anew();
     return true;
   }
 
@@ -374,8 +379,36 @@ private:
                : std::copysign(smallest(), path_.length);
   }
 
+  // What looks like a limit may be a joint of spans: where two flat parts come to lie on each other a contact
+  // has no curvature to go on with, but goes on beyond them.
+  std::optional<Outcome> pass_instead(const Limit& limit) {
+    if (limit.s == last_looked_ || !moves_on_boundaries(limit.group)) {
+      return std::nullopt;
+    }
+    last_looked_ = limit.s;
+    const double ahead = std::max(2 * std::abs(limit.s - s_), std::abs(limit.s - s_) + kAtLimit * scale_);
+    step_ = std::copysign(std::min(ahead, std::abs(rest())), path_.length);
+    last_ = step_ == rest();
+    (void)try_step(run_, path_, s_, step_);
+    const auto passage = joint_within(run_, path_, s_, step_);
+    return passage ? pass(*passage) : std::nullopt;
+  }
+
+  [[nodiscard]] bool moves_on_boundaries(std::size_t g) const {
+    const std::vector<int>& contacts = run_.plan().groups[g].contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
+      return run_.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary;
+    });
+  }
+
   Outcome lose(const Limit& limit) {
-    if (hand_over(limit.group) || part(limit.group)) {
+    if (hand_over(limit.group)) {
+      return Outcome::kGoesOn;
+    }
+    if (const auto outcome = pass_instead(limit)) {
+      return *outcome;
+    }
+    if (part(limit.group)) {
       return Outcome::kGoesOn;
     }
     run_.at.lost.event = limit_event(run_, limit.group, path_, limit.s);
@@ -404,6 +437,7 @@ private:
   double parted_at_ = std::numeric_limits<double>::quiet_NaN();      // s of the last contact that parted
   double taken_over_at_ = std::numeric_limits<double>::quiet_NaN();  // s of the last place that took over
   double met_at_ = std::numeric_limits<double>::quiet_NaN();         // s of the last meeting elsewhere
+  double last_looked_ = std::numeric_limits<double>::quiet_NaN();    // s of the last limit looked beyond
   JointPassage passed_;                                              // the last one, at s_ = passed_.x
   std::optional<Limit> limit_;                                       // the first known
   double steps_left_;

@@ -1,6 +1,7 @@
 #include "span_joints.hpp"
 
 #include "group_solver.hpp"
+#include "higherpair/geometry/newton_root.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -15,6 +16,8 @@
 namespace higherpair {
 namespace {
 
+constexpr double kFartherAlong =
+    2;  // than its speeds at both ends of a step make likely: what a contact runs at most
 constexpr double kAtBoundaryEnd = 1e-6;  // of the length of a boundary: a contact that its end has stopped
 
 const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
@@ -73,7 +76,26 @@ struct Turn {
   double x = 0;
 };
 
-std::vector<Turn> turned_back(const Run& run) {
+// Whether a contact that runs first one way and then the other may have been on another span in between.
+bool may_have_left(const Run& run, const Changed& at, double h) {
+  const Boundary& boundary = boundary_at(run, at.contact, at.side);
+  const BoundaryPlace& from = run.at.state.contacts[at.contact].place[at.side];
+  const BoundaryPlace& to = run.work.trial.contacts[at.contact].place[at.side];
+  if (from.span != to.span) {
+    return true;
+  }
+  if (boundary.spans().size() == 1) {
+    return false;
+  }
+  const double before = running_speed(run, at, run.at.state);
+  const double after = running_speed(run, at, run.work.trial);
+  const double end = end_of(boundary, from.span, before * h > 0).t;
+  const double room =
+      std::min(std::abs(arc_between(boundary, from, end)), std::abs(arc_between(boundary, to, end)));
+  return !(kFartherAlong * std::max(std::abs(before), std::abs(after)) * std::abs(h) < room);
+}
+
+std::vector<Turn> turned_back(const Run& run, double h) {
   std::vector<Turn> turned;
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     if (!run.mechanism().contacts[i].by_boundary || !run.at.state.contacts[i].touches ||
@@ -82,7 +104,8 @@ std::vector<Turn> turned_back(const Run& run) {
     }
     for (std::size_t side = 0; side < 2; ++side) {
       const Changed at{i, side};
-      if (running_speed(run, at, run.at.state) * running_speed(run, at, run.work.trial) < 0) {
+      if (running_speed(run, at, run.at.state) * running_speed(run, at, run.work.trial) < 0 &&
+          may_have_left(run, at, h)) {
         turned.push_back({at});
       }
     }
@@ -150,14 +173,6 @@ double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
   return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
 }
 
-// Holds a contact at a place, whatever rounding has made of it.
-void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
-  ContactMotion& motion = state.contacts[passage.contact];
-  motion.place[passage.side] = place;
-  const double rho = radius_at(boundary_at(run, passage.contact, passage.side), place);
-  (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
-}
-
 std::string name_of(const Run& run, const JointPassage& passage) {
   return run.mechanism()
       .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[passage.contact], passage.side).body)]
@@ -188,6 +203,13 @@ double acceleration_of(const Run& run, int joint) {
 
 }  // namespace
 
+void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
+  ContactMotion& motion = state.contacts[passage.contact];
+  motion.place[passage.side] = place;
+  const double rho = radius_at(boundary_at(run, passage.contact, passage.side), place);
+  (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
+}
+
 void mark_places(Run& run) {
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     if (run.mechanism().contacts[i].by_boundary) {
@@ -211,10 +233,15 @@ std::optional<JointPassage> first_passage(Run& run, const Path& path, const std:
     const auto place_in = [&](const State& state) {
       return state.contacts[passage.contact].place[passage.side];
     };
+    const auto seen = [&](const State& state) {
+      return ValueAndSlope{beyond_joint(boundary, place_in(state), passage, forward),
+                           (forward ? 1 : -1) * running_speed(run, *changed, state)};
+    };
+    double solved = kNoValue;
     const auto beyond = [&](double x) {
       mark_places(run);
-      return solve_at(run, path, s, x) ? beyond_joint(boundary, place_in(run.work.trial), passage, forward)
-                                       : kNoValue;
+      solved = x;
+      return solve_at(run, path, s, x) ? seen(run.work.trial) : ValueAndSlope{kNoValue, kNoValue};
     };
     const double length = first ? first->x : h;
     // Where it turns back on its span it leaves that behind there, though it may have begun at the joint.
@@ -222,24 +249,28 @@ std::optional<JointPassage> first_passage(Run& run, const Path& path, const std:
       return candidate.at.contact == changed->contact && candidate.at.side == changed->side &&
              std::abs(candidate.x) < std::abs(length);
     });
-    const double after = beyond_joint(boundary, place_in(run.work.trial), passage, forward);
+    const double after = seen(run.work.trial).value;
     const double from = turn == turned.end() ? 0 : turn->x;
-    const double before =
-        from != 0 ? beyond(from) : beyond_joint(boundary, place_in(run.at.state), passage, forward);
-    const auto left =
-        before >= 0 ? std::optional(0.0)
-                    : root_between([&](double x) { return beyond(from + x); }, before, length - from, after);
+    const ValueAndSlope before = from != 0 ? beyond(from) : seen(run.at.state);
+    const auto left = before.value >= 0 ? std::optional(0.0)
+                                        : newton_root_between([&](double x) { return beyond(from + x); },
+                                                              before, length - from, after);
     const auto x = left ? std::optional(from + *left) : std::nullopt;
     if (!x || (first && std::abs(*x) >= std::abs(first->x))) {
       return first;
     }
     passage.x = *x;
     first = passage;
-    mark_places(run);
-    if (!solve_at(run, path, s, *x)) {
-      return first;
+    if (solved != *x) {
+      mark_places(run);
+      if (!solve_at(run, path, s, *x)) {
+        return first;
+      }
     }
     run.work.trial.contacts[passage.contact].place[passage.side] = place_in(run.at.state);
+  }
+  if (first) {
+    first->solved = true;
   }
   return first;
 }
@@ -247,7 +278,7 @@ std::optional<JointPassage> first_passage(Run& run, const Path& path, const std:
 }  // namespace
 
 std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
-  std::vector<Turn> turned = turned_back(run);
+  std::vector<Turn> turned = turned_back(run, h);
   if (turned.empty() && !changed_place(run)) {
     return std::nullopt;
   }
@@ -261,9 +292,11 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
 }
 
 bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
-  mark_places(run);
-  if (!solve_at(run, path, s, passage.x)) {
-    return false;
+  if (!passage.solved) {
+    mark_places(run);
+    if (!solve_at(run, path, s, passage.x)) {
+      return false;
+    }
   }
   set_place_of(run, passage, passage.before, run.work.trial);
   set_rates(run, run.work.motions, run.work.trial);

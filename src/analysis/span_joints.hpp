@@ -17,6 +17,7 @@ struct JointPassage {
   std::size_t side = 0;         ///< 0: the contact's first body, 1: its second
   BoundaryPlace before, after;  ///< the two places that meet there
   double x = 0;                 ///< beyond run.at.state on the path
+  bool solved = false;          ///< run.work.trial is there
 };
 
 /// Sets the contacts of run.work.trial onto the places of run.at.state, so that a step shows which have left
@@ -27,6 +28,9 @@ void mark_places(Run& run);
 /// positions a step of h tried; none if all contacts stay on their spans. run.work.trial is left somewhere
 /// between.
 [[nodiscard]] std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h);
+
+/// Holds the contact of a passage at a place of its boundary, whatever rounding has made of it.
+void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state);
 
 /// Places run.work.trial at the joint, still on the span before it, with its rates; false if it cannot be
 /// placed.

@@ -50,21 +50,6 @@ double limited(double x, double most) {
   return std::clamp(x, -most, most);
 }
 
-// One pass along both boundaries; `turn` is E, `slip` is Σ. Which of them an end has stopped: 0, 1 or 2.
-int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1, const Boundary& boundary2,
-               const End& end2, BoundaryPlace& place2, double turn, double slip, double longest) {
-  const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
-  const double ds1 = link.z * turn + link.w2 * slip;
-  const double ds2 = link.z * turn - link.w1 * slip;
-  const auto next1 =
-      boundary1.advance(place1, limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurn));
-  const auto next2 = boundary2.advance(place2, limited(-ds2, longest),
-                                       limited(-(link.w2 * turn - link.w * slip), kMostTurn));
-  place1 = next1.place;
-  place2 = next2.place;
-  return next1.stopped ? 1 : next2.stopped ? 2 : 0;
-}
-
 // Stops an iteration: where the error is rounding, or has become small and falls no longer.
 class Closure {
 public:
@@ -88,26 +73,81 @@ BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offse
   return {{offset.n_W, end1.p_W, end2.p_W, radius_of(end1), radius_of(end2)}, q, place1, place2, 0};
 }
 
+// An end of a span, on the span that goes on from there.
+struct SpanEnd {
+  BoundaryPlace place;
+  double way = 0;  // to it [m]
+};
+
+// None at an end of the curve or a concave corner.
+std::optional<SpanEnd> end_of_span(const Boundary& boundary, const BoundaryPlace& from, bool forward) {
+  const Bounds range = boundary.spans()[static_cast<std::size_t>(from.span)]->range();
+  const int next = boundary.next_span(from.span, forward);
+  const SpanJoint joint = boundary.joint_after(forward ? from.span : next);
+  if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
+    return std::nullopt;
+  }
+  const Bounds beyond = boundary.spans()[static_cast<std::size_t>(next)]->range();
+  const double way = std::abs((forward ? range.high : range.low) - from.t) * boundary.at(from).speed;
+  return SpanEnd{{next, forward ? beyond.low : beyond.high}, way};
+}
+
+bool is_flat(const Boundary& boundary, const BoundaryPlace& place) {
+  return !boundary.is_corner(place) && boundary.at(place).kappa == 0;
+}
+
 // The nearer end of a flat span, on the span that goes on from there, where this is no flat one; none if both
 // ends are those of the curve.
 std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const BoundaryPlace& place) {
-  const Bounds range = boundary.spans()[static_cast<std::size_t>(place.span)]->range();
-  std::optional<BoundaryPlace> best;
-  double least = kInf;
-  for (const bool high : {false, true}) {
-    const int next = boundary.next_span(place.span, high);
-    const SpanJoint joint = boundary.joint_after(high ? place.span : next);
-    const Bounds beyond = boundary.spans()[static_cast<std::size_t>(next)]->range();
-    const BoundaryPlace end{next, high ? beyond.low : beyond.high};
-    const double distance = std::abs((high ? range.high : range.low) - place.t);
-    const bool goes_on = joint != SpanJoint::kEnd && joint != SpanJoint::kNotch &&
-                         (boundary.is_corner(end) || boundary.at(end).kappa != 0);
-    if (goes_on && distance < least) {
+  std::optional<SpanEnd> best;
+  for (const bool forward : {false, true}) {
+    const auto end = end_of_span(boundary, place, forward);
+    if (end && !is_flat(boundary, end->place) && (!best || end->way < best->way)) {
       best = end;
-      least = distance;
     }
   }
-  return best;
+  return best ? std::optional(best->place) : std::nullopt;
+}
+
+// Two flat parts that are not parallel touch beyond an end of one of them: it goes there, to the nearer end
+// that way, the place on the other one opposite. A step of any other length might lead over a short rounding
+// to the next flat part, and from there back again. False where the curves end.
+bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundary& boundary2,
+                 BoundaryPlace& place2, double turn, double slip) {
+  const bool forward = turn > 0;  // along t
+  const double sense = forward ? 1 : -1;
+  const auto end1 = end_of_span(boundary1, place1, forward);
+  const auto end2 = end_of_span(boundary2, place2, !forward);
+  if (end1 && !(end2 && end2->way < end1->way)) {
+    place1 = end1->place;
+    place2 = boundary2.advance(place2, slip - sense * end1->way, 0).place;
+    return true;
+  }
+  if (end2) {
+    place2 = end2->place;
+    place1 = boundary1.advance(place1, slip + sense * end2->way, 0).place;
+    return true;
+  }
+  return false;
+}
+
+// One pass along both boundaries; `turn` is E, `slip` is Σ. Which of them an end has stopped: 0, 1 or 2.
+int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1, const Boundary& boundary2,
+               const End& end2, BoundaryPlace& place2, double turn, double slip, double longest) {
+  const bool flat = !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
+  if (flat && leave_flats(boundary1, place1, boundary2, place2, turn, slip)) {
+    return 0;
+  }
+  const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
+  const double ds1 = link.z * turn + link.w2 * slip;
+  const double ds2 = link.z * turn - link.w1 * slip;
+  const auto next1 =
+      boundary1.advance(place1, limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurn));
+  const auto next2 = boundary2.advance(place2, limited(-ds2, longest),
+                                       limited(-(link.w2 * turn - link.w * slip), kMostTurn));
+  place1 = next1.place;
+  place2 = next2.place;
+  return next1.stopped ? 1 : next2.stopped ? 2 : 0;
 }
 
 // Where two flat curves lie on each other they touch all along: the contact is held at the end of one of

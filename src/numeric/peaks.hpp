@@ -3,6 +3,7 @@
 #include "numeric/chebyshev.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -23,20 +24,24 @@ struct Peak {
 
 /// What a search may cost, and what it does not look at.
 struct PeakLimits {
-  double shortest = 0;  ///< interval: where a jump lies is known to that
-  double noise = 0;     ///< of values: smaller differences are rounding
-  int calls = 3000;     ///< of the function, between two neighbouring samples
+  double shortest = 0;                                      ///< interval: where a jump lies is known to that
+  double noise = 0;                                         ///< of values: smaller differences are rounding
+  double known = -std::numeric_limits<double>::infinity();  ///< a value elsewhere; less is of no use
+  int calls = 3000;  ///< of the function, between two neighbouring samples
 };
 
 /// The largest value of f strictly between two places, its one-sided limits at jumps and ends included. Where
 /// f is a NaN it is not defined. Intervals are halved until the series of each has converged, or its last
-/// terms are small and no longer fall: they are rounding then. First come those next to the larger values.
+/// terms are small and no longer fall: they are rounding then. First come those next to the larger values; a
+/// half over which the series stays below what is known already, by many times its last terms, is left out.
 /// \param last  terms of the interval that this one is a half of
 template <class F>
 void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
            double last = std::numeric_limits<double>::infinity()) {
   constexpr double kFalls = 1.4;
   constexpr double kRough = 1e5;  // times the noise: more is no rounding
+  constexpr double kWrong =
+      20;  // times the last terms: farther from the function no series is, even at a jump
   ChebyshevSeries values;
   const auto place = [&](double t) { return (from + to) / 2 + t * (to - from) / 2; };
   bool whole = true;
@@ -54,6 +59,7 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
   }
   limits.calls -= static_cast<int>(kNodes);
   double tail = std::numeric_limits<double>::infinity();
+  std::array<double, 2> highest{tail, tail};  // that the function may come to in each half
   if (whole) {
     const ChebyshevSeries series = interpolate(values);
     tail = std::abs(series[kNodes - 1]) + std::abs(series[kNodes - 2]) + std::abs(series[kNodes - 3]);
@@ -66,6 +72,10 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
       }
       return;
     }
+    for (const std::size_t side : {0U, 1U}) {
+      const ChebyshevSeries own = half(series, side == 0 ? -1 : 1);
+      highest[side] = spread(own) - own[0] + kWrong * tail;
+    }
   }
   if (!(to - from > limits.shortest) || std::max(left, right) == -std::numeric_limits<double>::infinity() ||
       limits.calls <= 0) {
@@ -73,6 +83,9 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
   }
   const double middle = (from + to) / 2;
   for (const bool first : {left >= right, left < right}) {
+    if (highest[first ? 0 : 1] < std::max(best.value, limits.known) - limits.noise) {
+      continue;
+    }
     first ? raise(f, from, middle, limits, best, tail) : raise(f, middle, to, limits, best, tail);
   }
 }
@@ -118,6 +131,7 @@ public:
       Peak peak = candidate.peak;
       if (candidate.open > limits.noise && left > 0) {
         PeakLimits own = limits;
+        own.known = best;
         raise(f, candidate.from, candidate.to, own, peak);
         left -= limits.calls - own.calls;
       }

@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -239,6 +240,79 @@ TEST(BoundaryCams, AWholeConicAsABoundaryMovesAsTheConicDoes) {
     EXPECT_LT((a.v_WB - b.v_WB).norm(), 1e-14);
     EXPECT_LT((a.a_WB - b.a_WB).norm(), 1e-12);
     EXPECT_NEAR(by_boundary->row.contacts[0].at.rho1, by_conic->row.contacts[0].at.rho1, 1e-13);
+  }
+}
+
+// A convex polygon whose corners are rounded.
+struct RoundedPolygon {
+  std::vector<Vector2d> centres;  // of the roundings, anticlockwise
+  double radius = 0;
+
+  [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % centres.size(); }
+  // Direction of the outward normal of the side behind the i-th corner.
+  [[nodiscard]] double normal(std::size_t i) const {
+    return angle_of(-perp(Vector2d(centres[next(i)] - centres[i])));
+  }
+
+  [[nodiscard]] Boundary boundary() const {
+    std::vector<SpanPtr> spans;
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      const double from = normal((i + centres.size() - 1) % centres.size());
+      const double to = normal(i);
+      const Vector2d out = radius * unit_vector(to);
+      spans.push_back(conic_span(*make_circle(centres[i], radius), from, to > from ? to : to + 2 * kPi));
+      spans.push_back(face_span(centres[i] + out, centres[next(i)] + out));
+    }
+    return *Boundary::make(std::move(spans), true, 1e-12);
+  }
+
+  // How far it reaches along x when it has turned by u.
+  [[nodiscard]] double reach(double u) const {
+    double farthest = 0;
+    for (const Vector2d& centre : centres) {
+      farthest = std::max(farthest, (Rotation<double>::from_angle(u) * centre).x() + radius);
+    }
+    return farthest;
+  }
+};
+
+// Each side comes to lie flat on the tappet, and the contact goes on at its other end.
+TEST(BoundaryCams, ASideThatLiesFlatOnATappetIsGoneOverWhateverTheRows) {
+  RoundedPolygon polygon;
+  polygon.radius = 3.1 * kMm;
+  for (const double at : {0.3, 1.4, 2.9, 3.8, 5.5}) {
+    polygon.centres.emplace_back(20 * kMm * unit_vector(at) + Vector2d(2, -1) * kMm);
+  }
+  std::vector<double> sides;
+  for (std::size_t i = 0; i < polygon.centres.size(); ++i) {
+    sides.push_back(polygon.normal(i));
+  }
+  const Curve face = *make_line(Vector2d::Zero(), Vector2d(-1, 0));
+  const CamMechanism made = radial(polygon.boundary(), face, 40 * kMm);
+  for (const int rows : {2, 3, 5, 7, 61, 601}) {
+    for (const double sense : {1.0, -1.0}) {
+      auto run = start_run(made.mechanism, {0.1});
+      ASSERT_TRUE(run) << run.error().reason;
+      std::size_t flats = 0;
+      for (int k = 1; k <= rows; ++k) {
+        const double u = 0.1 + sense * k * 2 * kPi / rows;
+        move_to(*run, {{u, 1, 0}});
+        ASSERT_EQ(run->row.status, RowStatus::kOk) << rows << " rows, at " << u;
+        EXPECT_NEAR(run->row.bodies[2].X_WB.p_WB.x(), polygon.reach(u), 1e-14) << rows << " rows, at " << u;
+        for (const RunEvent& event : run->events) {
+          EXPECT_NE(event.type, EventType::kLimitPosition) << rows << " rows, at " << event.driver;
+          if (event.type != EventType::kSecondContact) {
+            continue;
+          }
+          ++flats;
+          EXPECT_TRUE(std::any_of(
+              sides.begin(), sides.end(),
+              [&](double normal) { return std::abs(nearest_turn(event.driver + normal, 0)) < 1e-12; }))
+              << rows << " rows, at " << event.driver;
+        }
+      }
+      EXPECT_EQ(flats, sides.size()) << rows << " rows";
+    }
   }
 }
 

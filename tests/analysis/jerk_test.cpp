@@ -180,6 +180,37 @@ TEST(JerksOfARun, OfARollingPairAreThoseOfThePair) {
   EXPECT_LE(std::abs(jerks.linkage.back()->angular - 27 * *pair.linkage_d3q), 1e-10);
 }
 
+// In closed form where all bodies hang on ground, by power series of all conditions in general.
+TEST(JerksOfARun, OfCamsInClosedFormAreThoseOfPowerSeries) {
+  std::vector<Profile> all = profiles();
+  for (const char* name : {"spline_cam", "law_cam_flat", "law_cam_roller", "four_arc_cam", "tangent_cam",
+                           "geneva_four_slots", "groove_cam", "disc_in_ring", "valve_train"}) {
+    all.push_back(shipped(name));
+  }
+  const std::vector<HigherRates> higher{{0.7, 0, 0, 0}};
+  for (const Profile& profile : all) {
+    higherpair::Run run = start_run(profile.mechanism, {0}).value();
+    for (const double u : {0.4, 1.1, 2.3}) {
+      move_to(run, {{u, 1.3, 0.5}});
+      if (run.row.status != RowStatus::kOk) {
+        continue;
+      }
+      const auto bodies = true_jerks_of(run, higher);
+      const auto expected = jerks_of(run, higher).bodies;
+      for (std::size_t i = 1; i < bodies.size(); ++i) {
+        const std::string where = profile.mechanism.title + ' ' + profile.mechanism.bodies[i].name;
+        ASSERT_EQ(bodies[i].has_value(), expected[i].has_value()) << where;
+        if (bodies[i]) {
+          EXPECT_LE((bodies[i]->j_WB - expected[i]->j_WB).norm(), 1e-9 * (1 + expected[i]->j_WB.norm()))
+              << where;
+          EXPECT_NEAR(bodies[i]->angular, expected[i]->angular, 1e-9 * (1 + std::abs(expected[i]->angular)))
+              << where << " at " << u;
+        }
+      }
+    }
+  }
+}
+
 TEST(JerksOfARun, AreMissingWhereTheRowIs) {
   higherpair::Run run = start_run(shipped("lock_up").mechanism, {0}).value();
   move_to(run, {{kPi, 1, 0}});

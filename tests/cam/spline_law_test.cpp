@@ -152,6 +152,47 @@ TEST(SplineLaw, SmoothingTakesTheRoundingOfATableOutOfAcceleration) {
   }
 }
 
+// A table of many points is smoothed with a heavy weight, which squares a condition number: the law, and its
+// jerk above all, is that of the points and the tolerance only if the digits are kept.
+TEST(SplineLaw, SmoothingIsTheSameInOtherUnits) {
+  LawDescription degrees;
+  LawDescription radians;
+  for (int i = 0; i < 3600; ++i) {
+    const double x = i / 10.0;
+    const double t = std::max(0.0, 1 - std::abs(x - 180) / 60);
+    const double s = std::round(1e7 * t * t * t * (10 - 15 * t + 6 * t * t)) / 1e6;
+    degrees.points.emplace_back(x, s);
+    radians.points.emplace_back(x * kPi / 180, s / 1000);
+  }
+  degrees.smoothing = 1e-6;
+  radians.smoothing = 1e-9;
+  degrees.period = 360;
+  radians.period = 2 * kPi;
+  for (LawDescription* description : {&degrees, &radians}) {
+    description->ends = SplineEnds::kPeriodic;
+    description->repeats = true;
+  }
+  const MotionLaw one = law_of(degrees);
+  const MotionLaw other = law_of(radians);
+  const double per_degree = kPi / 180;
+  std::array<double, 4> largest{};
+  for (int k = 0; k < 4; ++k) {
+    largest[static_cast<std::size_t>(k)] = std::abs(one.extremes(k).peak());
+  }
+  double farthest = 0;
+  for (int i = 0; i < 3600; ++i) {
+    const double x = i / 10.0;
+    EXPECT_LE(std::abs(one(x) - degrees.points[static_cast<std::size_t>(i)].y()), 1e-6 * (1 + 1e-6));
+    farthest = std::max(farthest, std::abs(one(x) - degrees.points[static_cast<std::size_t>(i)].y()));
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_NEAR(one.derivative(k, x), 1000 * std::pow(per_degree, k) * other.derivative(k, x * per_degree),
+                  1e-6 * largest[static_cast<std::size_t>(k)])
+          << k << " at " << x;
+    }
+  }
+  EXPECT_GE(farthest, 1e-6 * (1 - 1e-3));
+}
+
 TEST(SplineLaw, EnoughSmoothingMakesAPolynomial) {
   LawDescription description = table([](double x) { return 1 + x * x; }, 0, 3, 30);
   for (std::size_t i = 0; i < description.points.size(); ++i) {

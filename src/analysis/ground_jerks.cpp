@@ -1,0 +1,109 @@
+#include "ground_jerks.hpp"
+
+#include "higherpair/contact/jerk.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace higherpair {
+namespace {
+
+using Jerks = std::vector<std::optional<BodyJerk>>;
+
+// A body whose joint to ground has this third derivative of its coordinate.
+BodyJerk jerk_on(const OneFreedom& freedom, const BodyMotion& body, double coordinate) {
+  if (!freedom.turns) {
+    return {coordinate * freedom.direction_W, 0};
+  }
+  const BodyJerk turning{Vector2d::Zero(), coordinate};
+  return {-point_jerk(body, turning, freedom.p_BO), coordinate};  // the pivot stays
+}
+
+// Adds the bodies of one group to those that are known.
+class GroundJerks {
+public:
+  GroundJerks(const Run& run, std::span<const HigherRates> higher) : run_(run), higher_(higher) {
+    jerks_.resize(run.row.bodies.size());
+    jerks_.front() = BodyJerk{};
+  }
+
+  bool add(const Group& group) {
+    if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
+      const auto driver = static_cast<std::size_t>(driven->driver);
+      const double rate = higher_.empty() ? 0.0 : higher_[driver][0];
+      return set(driven->carried, driven->carried.sign * rate);
+    }
+    if (const auto* pair = std::get_if<TrackedPair>(&group.kind)) {
+      return add_touching(pair->contact, pair->follower);
+    }
+    if (const auto* touching = std::get_if<TouchingBody>(&group.kind)) {
+      const bool touches = run_.row.contacts[static_cast<std::size_t>(touching->contact)].touches;
+      return touches ? add_touching(touching->contact, touching->follower) : set(touching->follower, 0);
+    }
+    return false;
+  }
+
+  [[nodiscard]] Jerks take() { return std::move(jerks_); }
+
+private:
+  [[nodiscard]] const BodyMotion& motion(int body) const {
+    return run_.row.bodies[static_cast<std::size_t>(body)];
+  }
+
+  bool set(const CarriedBody& carried, double coordinate) {
+    if (carried.carrier != 0 || !std::isfinite(coordinate)) {
+      return false;
+    }
+    jerks_[static_cast<std::size_t>(carried.body)] =
+        jerk_on(carried.freedom, motion(carried.body), coordinate);
+    return true;
+  }
+
+  // n·(j2 - j1) is what the contact asks for; the follower's coordinate is the only unknown in it.
+  bool add_touching(int index, const CarriedBody& follower) {
+    const Mechanism& mechanism = run_.mechanism();
+    const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+    const bool second = contact.second.body == follower.body;
+    const int other = second ? contact.first.body : contact.second.body;
+    const auto& known = jerks_[static_cast<std::size_t>(other)];
+    if (contact.rolling || follower.carrier != 0 || !known) {
+      return false;
+    }
+    const CommonNormal& at = run_.row.contacts[static_cast<std::size_t>(index)].at;
+    const BodyMotion& body = motion(follower.body);
+    const Vector2d p_W = at.p_W();
+    const auto along = [&](const BodyMotion& of, const BodyJerk& jerk) {
+      return point_jerk(of, jerk, of.X_WB.inverse_times(p_W)).dot(at.n_W);
+    };
+    const double wanted =
+        contact_jerk(curve_of(mechanism, contact.first), curve_of(mechanism, contact.second), at,
+                     motion(contact.first.body), motion(contact.second.body))
+            .normal_jerk();
+    const double apart = along(motion(other), *known) - along(body, jerk_on(follower.freedom, body, 0));
+    const double per_q = velocity_per_q(follower.freedom, p_W).dot(at.n_W);
+    return set(follower, (apart + (second ? wanted : -wanted)) / per_q);
+  }
+
+  const Run& run_;
+  std::span<const HigherRates> higher_;
+  Jerks jerks_;
+};
+
+}  // namespace
+
+std::optional<Jerks> jerks_on_ground(const Run& run, std::span<const HigherRates> higher) {
+  if (!run.row.all_rates) {
+    return std::nullopt;
+  }
+  GroundJerks jerks(run, higher);
+  for (const Group& group : run.plan().groups) {
+    if (!jerks.add(group)) {
+      return std::nullopt;
+    }
+  }
+  return jerks.take();
+}
+
+}  // namespace higherpair

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "higherpair/analysis/jerk.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// true_jerks_of() in closed form where every body hangs on ground, by a driven joint or by a free one and a
+/// contact that slips: jerks_of a cam and its followers, without the power series of a general mechanism.
+/// None where the plan has other groups, or a body has no rates.
+[[nodiscard]] std::optional<std::vector<std::optional<BodyJerk>>> jerks_on_ground(
+    const Run& run, std::span<const HigherRates> higher);
+
+}  // namespace higherpair

@@ -1,0 +1,104 @@
+#include "higherpair/geometry/newton_root.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+
+namespace {
+
+// The search between two ends: `near`, on the side of 0, where value and slope are known, and `far`, beyond
+// the root.
+class Search {
+public:
+  Search(const ValueAndSlope& at_0, double h) : h_(h), at_near_(at_0), far_(h), last_(std::abs(h)) {}
+
+  [[nodiscard]] bool is_within(double x) const { return (x - near_) * h_ > 0 && (far_ - x) * h_ > 0; }
+
+  [[nodiscard]] double next() const {
+    if (is_within(from_far_)) {
+      return from_far_;
+    }
+    const double step = -at_near_.value / at_near_.slope;
+    // Where f jumps to the other side it is approached from this one: short of the root by twice what the
+    // bend of f makes of the step.
+    const double x = near_ + (jumps_ ? step * (1 - std::min(0.1, 2 * bend_ * std::abs(step))) : step);
+    return is_within(x) ? x : near_ + (far_ - near_) / 2;
+  }
+
+  // Whether the value found at x ends the search there.
+  bool take(double x, const ValueAndSlope& at) {
+    const bool known = std::isfinite(at.value);
+    const double step = -at.value / at.slope;
+    const double size = std::abs(step);
+    if (known && (x + step == x || (size <= kNear * std::abs(h_) && size >= last_ / 2))) {
+      return true;
+    }
+    from_far_ = std::numeric_limits<double>::quiet_NaN();
+    if (known && std::signbit(at.value) == std::signbit(at_near_.value)) {
+      bend_ = std::abs((at.slope - at_near_.slope) / ((x - near_) * 2 * at.slope));
+      near_ = x;
+      at_near_ = at;
+      last_ = size;
+      return false;
+    }
+    far_ = x;
+    if (known && is_within(x + step)) {
+      from_far_ = x + step;
+      last_ = size;
+    } else {
+      jumps_ = true;
+    }
+    return false;
+  }
+
+  // The near end, where f falls to 0 there.
+  [[nodiscard]] std::optional<double> end() const {
+    const bool is_root = std::abs(at_near_.value / at_near_.slope) <= kNear * std::abs(h_);
+    return is_root ? std::optional(near_) : std::nullopt;
+  }
+
+private:
+  static constexpr double kNear = 1e-9;  // of h: steps below this fall quadratically, or are rounding
+
+  double h_;
+  double near_ = 0;
+  ValueAndSlope at_near_;
+  double far_;
+  double from_far_ = std::numeric_limits<double>::quiet_NaN();  // where the slope there leads
+  bool jumps_ = false;                                          // that leads nowhere
+  double bend_ = std::numeric_limits<double>::infinity();       // |f''/2f'| at the near end
+  double last_;                                                 // step
+};
+
+}  // namespace
+
+std::optional<double> newton_root_between(const std::function<ValueAndSlope(double)>& f,
+                                          const ValueAndSlope& at_0, double h, double at_h) {
+  constexpr int kMostCalls = 100;
+  if (at_0.value == 0) {
+    return 0.0;
+  }
+  if (at_h == 0) {
+    return h;
+  }
+  if (!(std::signbit(at_0.value) != std::signbit(at_h)) || !std::isfinite(at_0.value) ||
+      !std::isfinite(at_h)) {
+    return std::nullopt;
+  }
+  Search search(at_0, h);
+  for (int i = 0; i < kMostCalls; ++i) {
+    const double x = search.next();
+    if (!search.is_within(x)) {
+      break;
+    }
+    const ValueAndSlope at = f(x);
+    if (at.value == 0 || search.take(x, at)) {
+      return x;
+    }
+  }
+  return search.end();
+}
+
+}  // namespace higherpair

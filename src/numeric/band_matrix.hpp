@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace higherpair {
+
+/// A square matrix that is 0 farther than `width` from its diagonal; where it is cyclic, indices go round,
+/// and its corners belong to the band.
+class BandMatrix {
+public:
+  /// Zero. \pre size > 3 width where it is cyclic
+  BandMatrix(Eigen::Index size, Eigen::Index width, bool cyclic);
+
+  [[nodiscard]] Eigen::Index size() const { return rows_.cols(); }
+  [[nodiscard]] Eigen::Index width() const { return (rows_.rows() - 1) / 2; }
+  [[nodiscard]] bool cyclic() const { return cyclic_; }
+
+  /// \pre the place is within the band
+  void add(Eigen::Index row, Eigen::Index column, double value);
+  /// Of a place within the band of row `row`, -width <= offset <= width: its column is row + offset.
+  [[nodiscard]] double at(Eigen::Index row, Eigen::Index offset) const {
+    return rows_(width() + offset, row);
+  }
+
+  /// this + factor · other, which has the same shape.
+  [[nodiscard]] BandMatrix plus(double factor, const BandMatrix& other) const;
+  [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& x) const;
+
+private:
+  bool cyclic_;
+  Eigen::MatrixXd rows_;  // a column is the band of a row
+};
+
+/// How rows are chosen: the largest pivot, or without exchanging any where A is symmetric and positive
+/// definite.
+enum class Pivoting { kPartial, kNone };
+
+/// Solves A x = b by elimination within the band; a cyclic matrix by its last `width` rows and columns as a
+/// border. Cost grows with size · width².
+class BandSolver {
+public:
+  explicit BandSolver(const BandMatrix& A, Pivoting pivoting = Pivoting::kPartial);
+
+  /// False where a pivot is 0 or not a number: there is no solution then.
+  [[nodiscard]] bool is_regular() const { return regular_; }
+  /// Any number of right-hand sides, as columns. \pre is_regular()
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+
+private:
+  void eliminate();
+  void turn_upper();
+  void solve_inner(Eigen::MatrixXd& x) const;
+
+  Eigen::Index inner_;  // rows without the border
+  Eigen::Index width_;
+  bool exchanges_;
+  Eigen::Index reach_;  // of U beyond the diagonal
+  bool regular_ = true;
+  Eigen::MatrixXd band_;     // a column has U of a row from its diagonal on
+  Eigen::MatrixXd upper_;    // a column has U of a column, upwards from the diagonal and without it
+  Eigen::VectorXd inverse_;  // of the diagonal
+  Eigen::MatrixXd lower_;    // a column has the factors of a step
+  std::vector<Eigen::Index> pivots_;
+  Eigen::MatrixXd right_, below_;  // the border's columns, solved for, and its rows
+  Eigen::PartialPivLU<Eigen::MatrixXd> corner_;
+};
+
+}  // namespace higherpair
