@@ -279,16 +279,16 @@ struct RoundedPolygon {
 // Each side comes to lie flat on the tappet, and the contact goes on at its other end.
 TEST(BoundaryCams, ASideThatLiesFlatOnATappetIsGoneOverWhateverTheRows) {
   RoundedPolygon polygon;
-  polygon.radius = 3.1 * kMm;
+  polygon.radius = 3.1 * kMillimetre;
   for (const double at : {0.3, 1.4, 2.9, 3.8, 5.5}) {
-    polygon.centres.emplace_back(20 * kMm * unit_vector(at) + Vector2d(2, -1) * kMm);
+    polygon.centres.emplace_back(20 * kMillimetre * unit_vector(at) + Vector2d(2, -1) * kMillimetre);
   }
   std::vector<double> sides;
   for (std::size_t i = 0; i < polygon.centres.size(); ++i) {
     sides.push_back(polygon.normal(i));
   }
   const Curve face = *make_line(Vector2d::Zero(), Vector2d(-1, 0));
-  const CamMechanism made = radial(polygon.boundary(), face, 40 * kMm);
+  const CamMechanism made = radial(polygon.boundary(), face, 40 * kMillimetre);
   for (const int rows : {2, 3, 5, 7, 61, 601}) {
     for (const double sense : {1.0, -1.0}) {
       auto run = start_run(made.mechanism, {0.1});

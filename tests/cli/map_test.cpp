@@ -173,7 +173,7 @@ TEST(Map, OfAGenevaWheelEndsWhereThePinLeavesItsSlots) {
 }
 
 TEST(Map, OfACamWhoseRollerTurnsAboutItsOwnCentreSaysWhyThereIsNone) {
-  const Answer answer = map_of(
+  const MapAnswer answer = map_of(
       shipped_profile("spline_cam.toml") +
       " --set bodies.follower.curves.roller.center='[0,0]' --set bodies.follower.curves.roller.radius=45");
   EXPECT_EQ(answer.code, 3);
