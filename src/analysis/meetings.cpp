@@ -68,11 +68,11 @@ public:
         depth_(kOverlap * run.plan().size) {}
 
   [[nodiscard]] ContactMeeting all(double h) {
-    const auto first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
+    found_.first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
     if (kept_) {
       std::swap(run_.work.trial, *kept_);
     }
-    return {first, shares_};
+    return std::move(found_);
   }
 
 private:
@@ -193,12 +193,21 @@ private:
               : near;
   }
 
-  [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) {
+  [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
     std::vector<Seen> found;
     for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
       if (!is_own(at, place)) {
         found.push_back(seen(at, place));
-        shares_ = shares_ || (place.end == 0 && std::abs(found.back().gap) <= depth_);
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::vector<NearPlace> touching(const std::vector<Seen>& places) const {
+    std::vector<NearPlace> found;
+    for (const Seen& place : places) {
+      if (std::abs(place.gap) <= depth_ && is_smooth_touch(place.place)) {
+        found.push_back(place.place);
       }
     }
     return found;
@@ -216,7 +225,12 @@ private:
       }
       lost = lost || !verdict.followed;
     };
-    for (const Seen& place : places_at(b, reach)) {
+    const std::vector<Seen> at_a = places_at(a, reach), at_b = places_at(b, reach);
+    if (halvings == 0) {
+      found_.sharing_before = touching(at_a);
+      found_.sharing_after = touching(at_b);
+    }
+    for (const Seen& place : at_b) {
       if (const auto before = followed(b, place, a)) {
         take(touch(a, *before, b, place));
       } else if (place.gap < -depth_) {
@@ -225,7 +239,7 @@ private:
         lost = lost || place.gap < place.rate * h;
       }
     }
-    for (const Seen& place : places_at(a, reach)) {
+    for (const Seen& place : at_a) {
       if (const auto after = followed(a, place, b)) {
         take(touch(a, place, b, *after));
       } else {
@@ -255,7 +269,7 @@ private:
   const Boundary& boundary1_;
   const Boundary& boundary2_;
   double depth_;  // less is a touch
-  bool shares_ = false;
+  ContactMeeting found_;
   std::optional<State> kept_;  // run.work.trial, once it is used for other places
 };
 
@@ -263,6 +277,10 @@ private:
 
 bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
   return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <= kSamePlace * size;
+}
+
+bool is_smooth_touch(const NearPlace& place) {
+  return place.end == 0 && place.at.rho1 != 0 && place.at.rho2 != 0;
 }
 
 ContactMeeting meeting_within(Run& run, const Path& path, std::size_t contact, double s, double h) {

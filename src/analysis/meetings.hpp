@@ -4,6 +4,7 @@
 #include "path.hpp"
 
 #include <optional>
+#include <vector>
 
 // Where the two bodies of a contact of boundaries come together at another place than that of their contact.
 // A place of least gap is followed through a step by the gap and its rate n·(v2 - v1) at both ends. Where the
@@ -23,7 +24,9 @@ struct Meeting {
 /// What the two bodies of a contact do elsewhere in a step.
 struct ContactMeeting {
   std::optional<Meeting> first;  ///< none if they are in each other nowhere
-  bool shares = false;           ///< at a place seen in it they touch, and are no deeper in each other
+  /// The other places at which smooth parts touch, and are no deeper in each other, at the step's begin and
+  /// end.
+  std::vector<NearPlace> sharing_before, sharing_after;
 };
 
 /// The first place at which the two bodies of a contact by_boundary touch, besides their contact if they have
@@ -35,5 +38,8 @@ struct ContactMeeting {
 /// Whether a place is that of a contact, to within what its search leaves.
 /// \param size  of both boundaries together [m]
 [[nodiscard]] bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size);
+
+/// Whether neither of the two is an end or a corner.
+[[nodiscard]] bool is_smooth_touch(const NearPlace& place);
 
 }  // namespace higherpair

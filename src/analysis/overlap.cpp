@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -223,12 +224,12 @@ Meetings meetings_elsewhere(Run& run, const Path& path, double s, double h) {
         !run.at.state.contacts[i].touches) {
       continue;
     }
-    const ContactMeeting found = meeting_within(run, path, i, s, h);
+    ContactMeeting found = meeting_within(run, path, i, s, h);
     if (found.first && (!all.first || std::abs(found.first->x) < std::abs(all.first->x))) {
       all.first = found.first;
     }
-    if (found.shares) {
-      all.sharing.push_back(i);
+    if (!found.sharing_before.empty() || !found.sharing_after.empty()) {
+      all.sharing.push_back({i, std::move(found.sharing_before), std::move(found.sharing_after)});
     }
   }
   return all;

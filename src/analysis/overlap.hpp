@@ -2,6 +2,7 @@
 
 #include "meetings.hpp"
 #include "path.hpp"
+#include "shared_places.hpp"
 #include "step.hpp"
 
 namespace higherpair {
@@ -22,7 +23,7 @@ void watch_overlaps(Run& run, const Path& path, double s, double h);
 /// Where touching boundaries meet elsewhere in a step.
 struct Meetings {
   std::optional<Meeting> first;
-  std::vector<std::size_t> sharing;  ///< contacts that touch at several places in it, see shared_places.hpp
+  std::vector<SharedTouch> sharing;  ///< contacts that touch at several places in it
 };
 
 /// The meetings between run.at.state, which is at s, and run.work.trial, h beyond it; of bodies that are in

@@ -242,7 +242,9 @@ private:
     const Meetings meetings = meetings_elsewhere(run_, path_, s_, h);
     const auto& meeting = meetings.first;
     if (!meeting) {
-      note_shared(meetings, h);
+      for (const SharedTouch& touch : meetings.sharing) {
+        note_shared_places(run_, path_, touch, s_, h);
+      }
       return false;
     }
     const State kept = run_.work.trial;
@@ -251,7 +253,9 @@ private:
         run_.work.trial = kept;
         return false;
       }
-      note_shared(meetings, meeting->x);
+      for (const SharedTouch& touch : meetings.sharing) {
+        note_shared_places_until(run_, path_, touch, s_, meeting->x);
+      }
       note_events(run_, path_, s_, meeting->x);
       watch_overlaps(run_, path_, s_, meeting->x);
       accept(run_);
@@ -263,12 +267,6 @@ private:
     met_at_ = s_;
     go_on_anew();
     return true;
-  }
-
-  void note_shared(const Meetings& meetings, double h) {
-    for (const std::size_t contact : meetings.sharing) {
-      note_shared_places(run_, path_, contact, s_, h);
-    }
   }
 
   // Where a contact ends another place at which the same bodies touch takes over.

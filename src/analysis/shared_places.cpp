@@ -43,7 +43,7 @@ Bodies bodies_in(const Run& run, std::size_t i, const State& state) {
 
 // Whether two smooth parts touch there, besides the contact itself.
 bool is_shared(const Bodies& bodies, const NearPlace& place, double depth) {
-  return place.end == 0 && place.at.rho1 != 0 && place.at.rho2 != 0 && std::abs(place.at.gap()) <= depth &&
+  return is_smooth_touch(place) && std::abs(place.at.gap()) <= depth &&
          !(bodies.own && is_place_of(*bodies.own, place, bodies.size()));
 }
 
@@ -110,14 +110,15 @@ void report(Run& run, EventType type, const Path& path, double s, std::size_t co
 
 }  // namespace
 
-void note_shared_places(Run& run, const Path& path, std::size_t contact, double s, double h) {
+void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, double s, double h) {
+  const std::size_t contact = touch.contact;
   const double depth = kOverlap * run.plan().size;
   const Bodies before = bodies_in(run, contact, run.at.state);
   const State after_state = run.work.trial;
   const Bodies after = bodies_in(run, contact, after_state);
   std::vector<Change> changes;
   std::size_t places = 1;  // before the first change
-  for (const NearPlace& place : shared_places(before, depth)) {
+  for (const NearPlace& place : touch.before) {
     const auto change =
         is_shared_too(after, place, depth) ? std::nullopt : change_of(run, path, contact, s, h, place, false);
     if (change && std::abs(change->x) <= kJustLeft * unit_of(run, path)) {
@@ -128,7 +129,7 @@ void note_shared_places(Run& run, const Path& path, std::size_t contact, double 
       changes.push_back(*change);
     }
   }
-  for (const NearPlace& place : shared_places(after, depth)) {
+  for (const NearPlace& place : touch.after) {
     if (!is_shared_too(before, place, depth)) {
       if (const auto change = change_of(run, path, contact, s, h, place, true)) {
         changes.push_back(*change);
@@ -143,6 +144,11 @@ void note_shared_places(Run& run, const Path& path, std::size_t contact, double 
            change.begins ? fmt::format("the two bodies begin to touch at a further place, now at {}", places)
                          : fmt::format("the two bodies part at one of several places, {} left", places));
   }
+}
+
+void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h) {
+  touch.after = shared_places(bodies_in(run, touch.contact, run.work.trial), kOverlap * run.plan().size);
+  note_shared_places(run, path, touch, s, h);
 }
 
 std::size_t touching_places(const Run& run, std::size_t contact) {

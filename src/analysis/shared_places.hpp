@@ -1,6 +1,9 @@
 #pragma once
 
+#include "higherpair/contact/near_places.hpp"
 #include "path.hpp"
+
+#include <vector>
 
 // Bodies of one contact of boundaries that touch at several places without getting into each other: two pairs
 // of teeth at once, the next one before the one before it has ended. The motion stays with one place, and all
@@ -8,10 +11,19 @@
 
 namespace higherpair {
 
+/// At which places besides their contact two bodies touch at the begin and at the end of a step.
+struct SharedTouch {
+  std::size_t contact = 0;
+  std::vector<NearPlace> before, after;
+};
+
 /// Adds an event wherever the bodies of a contact begin to touch at a further place between run.at.state,
 /// which is at s, and run.work.trial, h beyond it (kEngage), or cease to (kRelease). run.work.trial is left
 /// as it is.
-void note_shared_places(Run& run, const Path& path, std::size_t contact, double s, double h);
+void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, double s, double h);
+
+/// The same of a shorter step, up to `h`, whose end is in run.work.trial.
+void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h);
 
 /// Where the contact of group g has come to the end of a curve in run.at.state, at s: goes on with another
 /// place at which the two bodies touch. False, and nothing done, if there is none. Adds an event.

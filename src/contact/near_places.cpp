@@ -94,15 +94,22 @@ Pieces pieces_of(const Boundary& boundary, const Pose<double>& X_1B, const Vecto
   Pieces all;
   std::size_t begin = 0;
   const auto& samples = boundary.samples();
+  const Vector2d center_B = X_1B.inverse_times(center);
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const auto& a = samples[i - 1];
     const auto& b = samples[i];
-    const Vector2d from = X_1B * a.point.p_B;
-    const Vector2d to = X_1B * b.point.p_B;
-    const double length = (to - from).norm();
-    if (a.place.span != b.place.span || (from - center).norm() > reach + (1 + kSlackOfChord) * length) {
+    if (a.place.span != b.place.span) {
       continue;
     }
+    // Most are far: these are left out without roots.
+    const double length2 = (b.point.p_B - a.point.p_B).squaredNorm();
+    const double away2 = (a.point.p_B - center_B).squaredNorm();
+    if (away2 > 2 * reach * reach + 2 * (1 + kSlackOfChord) * (1 + kSlackOfChord) * length2 ||
+        std::sqrt(away2) > reach + (1 + kSlackOfChord) * std::sqrt(length2)) {
+      continue;
+    }
+    const Vector2d from = X_1B * a.point.p_B;
+    const Vector2d to = X_1B * b.point.p_B;
     const Cone normals = cone_about(a.point.n_B + b.point.n_B, 0);
     const double chord = (a.point.n_B - normals.middle).norm();
     all.pieces.push_back(
