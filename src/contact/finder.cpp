@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -60,8 +61,9 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
   return FindResult{FindStatus::kFound, result.at, branch};
 }
 
+// \param farthest  a contact farther than this from q is of no interest
 FindResult search(const ContactPair& pair, double u, double q, int direction, bool from_overlap,
-                  ListedContacts& listed) {
+                  ListedContacts& listed, double farthest = std::numeric_limits<double>::infinity()) {
   const double size = size_at(pair, u, q);
   const std::optional<double> bound = speed_bound(pair, u);
   FindResult result;
@@ -69,7 +71,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
     return listed.find(q, direction, from_overlap);
   }
   const double tolerance = kFineGap * size;
-  const double range = pair.motion2.turns ? 2 * kPi : 1e6 * size;
+  const double range = std::min(pair.motion2.turns ? 2 * kPi : 1e6 * size, farthest);
   const double start = q;
   bool overlapping = false;
   double last_gap = size;
@@ -120,7 +122,9 @@ FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std
   ListedContacts listed(pair, u);
   FindResult best;
   for (const int direction : {1, -1}) {
-    FindResult found = search(pair, u, q, direction, true, listed);
+    const double farthest =
+        best.status == FindStatus::kFound ? std::abs(best.at.q - q) : std::numeric_limits<double>::infinity();
+    FindResult found = search(pair, u, q, direction, true, listed, farthest);
     if (found.status == FindStatus::kFound && branch && found.branch != *branch) {
       // The other end of the overlap, or of the gap, has the other sign.
       const double size = size_at(pair, u, found.at.q);

@@ -125,6 +125,48 @@ Separation maximum(const GapProblem& problem, const NormalArc& domain, double to
   return {problem.sign * best, unit_vector(best_phi)};
 }
 
+// Discs, and points: along the line of centres.
+std::optional<Separation> between_discs(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
+                                        const Pose<double>& X_W2) {
+  const auto center1 = round_center(curve1);
+  const auto center2 = round_center(curve2);
+  if (!center1 || !center2 || curve1.side != Side::kInside || curve2.side != Side::kInside) {
+    return std::nullopt;
+  }
+  const Vector2d apart = X_W2 * *center2 - X_W1 * *center1;
+  const double distance = apart.norm();
+  const Vector2d n_W = distance > 0 ? Vector2d(apart / distance) : Vector2d::UnitX();
+  return Separation{distance - curve1.semi_latus - curve2.semi_latus, n_W};
+}
+
+std::optional<Vector2d> middle_of_convex(const Curve& curve) {
+  return is_point(curve)               ? std::optional(curve.vertex_B)
+         : curve.side == Side::kInside ? middle_of(curve)
+                                       : std::nullopt;
+}
+
+// Two bounded convex bodies that are apart: no two of their points are nearer to each other than they are, so
+// that √(F² + F′²), the distance of the points of any normal, is a bound of the maximum. Newton's method from
+// the line of centres until F itself reaches it.
+std::optional<Separation> between_apart(const Problem& problem, const Vector2d& center1,
+                                        const Vector2d& center2, double tolerance) {
+  constexpr int kMostSteps = 8;
+  double phi = angle_of(Vector2d(center2 - center1));
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vector2d n = unit_vector(phi);
+    const Value value = value_at(problem, n);
+    if (std::hypot(value.f, value.slope) - value.f <= tolerance) {
+      return Separation{value.f, n};
+    }
+    const double curvature = value.rho_sum + value.f;
+    if (!(value.f > 0) || !(curvature > 0)) {
+      return std::nullopt;
+    }
+    phi += value.slope / curvature;
+  }
+  return std::nullopt;
+}
+
 // The only normal is that of the face.
 Separation from_face(const PlacedCurve<double>& face, const PlacedCurve<double>& other, bool face_is_first) {
   const Vector2d n_face = face_normal(face);
@@ -169,6 +211,16 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
   }
   if (is_line(curve2)) {
     return from_face(problem.second, problem.first, false);
+  }
+  if (const auto discs = between_discs(curve1, X_W1, curve2, X_W2)) {
+    return *discs;
+  }
+  const auto middle1 = middle_of_convex(curve1);
+  const auto middle2 = middle_of_convex(curve2);
+  if (middle1 && middle2) {
+    if (const auto apart = between_apart(problem, X_W1 * *middle1, X_W2 * *middle2, tolerance)) {
+      return *apart;
+    }
   }
   const std::optional<NormalArc> normals1 = normals_of(problem.first);
   std::optional<NormalArc> normals2 = normals_of(problem.second);

@@ -12,12 +12,14 @@
 #include "laws.hpp"
 #include "linkages.hpp"
 #include "long_runs.hpp"
+#include "packs.hpp"
 #include "variants.hpp"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <string_view>
 
 #include <benchmark/benchmark.h>
@@ -300,6 +302,23 @@ double measure_variant_floor(const DriverTable& driver) {
   return best;
 }
 
+// Whole turns, many rows at a time; a vector floor is one step of the four-bar by hand in vectors.
+void register_packs(const std::vector<std::shared_ptr<PackCase>>& cases, double vector_floor) {
+  for (const auto& one : cases) {
+    add("packs/" + one->name, [=](benchmark::State& state) {
+      double best = INFINITY;
+      for (auto _ : state) {
+        const auto start = std::chrono::steady_clock::now();
+        benchmark::DoNotOptimize(one->chain.solve(one->mechanism));
+        benchmark::DoNotOptimize(one->chain.values(0).data());
+        best = std::min(best, nanoseconds_since(start) / kStepsPerTurn);
+      }
+      state.counters["ns_a_step"] = best;
+      state.counters["vector_floors"] = best / vector_floor;
+    });
+  }
+}
+
 // Block after block of a sweep; an iteration is one variant.
 void register_variants(const std::vector<VariantCase>& cases) {
   const DriverTable driver = driver_table();
@@ -375,6 +394,16 @@ int run(int argc, char** argv) {
   const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
   const std::vector<LawCase> laws = checked_laws();
   const std::vector<VariantCase> variants = checked_variants();
+  std::vector<std::shared_ptr<PackCase>> packs;
+  const auto add_packs = [&](const std::string& name, const Run& start) {
+    packs.push_back(std::make_shared<PackCase>(checked_packs(name, start)));
+  };
+  add_packs("four_bar", four_bar.run);
+  add_packs("watt_sixbar", watt.run);
+  for (std::size_t i = 0; i + 1 < cases.size(); ++i) {  // all but the flat face
+    add_packs(cases[i].name, cases[i].run);
+  }
+  VectorFourBar vector_bar = checked_vector_floor();
   const DesignCase design = checked_design();
   const BoundaryCase spline_cam = checked_spline_cam(cases[1]);
   const JointCase joint = checked_joint();
@@ -395,6 +424,8 @@ int run(int argc, char** argv) {
   register_design(design, floor);
   register_plan("four_bar", four_bar.run, floor);
   register_plan("watt_sixbar", watt.run, floor);
+  const double vector_floor = measure(vector_bar);
+  register_packs(packs, vector_floor);
   register_variants(variants);
   for (const Case& reference : cases) {
     register_tracking(reference, floor);
@@ -407,6 +438,9 @@ int run(int argc, char** argv) {
   register_long_runs();
   benchmark::AddCustomContext("floor",
                               fmt::format("{:.1f} ns a step: four-bar by hand, sincos and atan2", floor));
+  benchmark::AddCustomContext(
+      "vector floor",
+      fmt::format("{:.1f} ns a step: four-bar by hand, unit vectors, in vectors", vector_floor));
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -99,6 +99,13 @@ std::vector<VariantCase> checked_variants() {
                               {"bodies.ground.points.F.0", 275, 285}};
   constexpr const char* kWattColumns[] = {"link6.angle", "link6.omega", "link5.D.y"};
   cases.push_back(variants_of("watt_sixbar", kWatt, kWattColumns));
+  constexpr Varied kDiscs[] = {{"bodies.cam.curves.disc.radius", 19, 21},
+                               {"bodies.follower.curves.roller.center.0", -61, -59}};
+  constexpr const char* kFollowerColumns[] = {"follower.angle", "follower.omega", "follower.alpha"};
+  cases.push_back(variants_of("eccentric_disc_oscillating_roller", kDiscs, kFollowerColumns));
+  constexpr Varied kOval[] = {{"bodies.cam.curves.oval.semi_axes.0", 29, 31},
+                              {"bodies.follower.curves.roller.radius", 11, 13}};
+  cases.push_back(variants_of("ellipse_cam_roller", kOval, kFollowerColumns));
   return cases;
 }
 

@@ -17,8 +17,8 @@ struct VariantCase {
   Sweep sweep;
 };
 
-/// Four-bar, slider-crank, slotted lever and Watt six-bar; of the four-bar's variants the first are held
-/// against variant_by_hand(). Ends the program with a message where they differ.
+/// Four-bar, slider-crank, slotted lever, Watt six-bar, discs and an oval cam; of the four-bar's variants the
+/// first are held against variant_by_hand(). Ends the program with a message where they differ.
 [[nodiscard]] std::vector<VariantCase> checked_variants();
 
 /// What is asked of a variant of the four-bar: rocker's angle and angular velocity, height of the coupler's
