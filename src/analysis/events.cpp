@@ -88,20 +88,23 @@ private:
     return position;
   }
 
+  // An output at rest has a sense by rounding alone.
+  [[nodiscard]] double slowest(const OutputJoint& output, double fast) const {
+    return kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size, output.turns));
+  }
+
   // Between two places x0 and x1 of the step.
   void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
     const double fast = std::max({std::abs(before), std::abs(after), output.fastest});
     output.fastest = fast;
+    if (output.sense * before < 0 && std::abs(before) > slowest(output, fast)) {
+      output.sense = -output.sense;  // by a jump, at another contact: the event of that says so
+    }
     if (std::abs(after) <= kSlowestOutput * fast) {
       return;
     }
     const int sense = after > 0 ? 1 : -1;
-    if (sense == output.sense) {
-      return;
-    }
-    // An output at rest has a sense by rounding alone.
-    const double slow =
-        kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size, output.turns));
+    const double slow = slowest(output, fast);
     if (output.sense == 0 && std::abs(before) > slow) {
       output.sense = before > 0 ? 1 : -1;
     }

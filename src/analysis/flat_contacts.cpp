@@ -64,11 +64,21 @@ bool go_over_flat(Run& run, const Path& path, double s, const JointPassage& pass
   const double way = along.dot(perp(own.at(passage.after).n_B));
   motion.place[passage.side] = *behind;
   motion.place[1 - passage.side] = other.advance(motion.place[1 - passage.side], -way, 0).place;
-  const double phi = motion.phi;
-  if (!place_contact(run.mechanism(), contact, over.bodies, motion)) {
-    return false;
+  if (!is_flat(other, motion.place[1 - passage.side])) {
+    const double phi = motion.phi;
+    if (!place_contact(run.mechanism(), contact, over.bodies, motion)) {
+      return false;
+    }
+    motion.phi = nearest_turn(motion.phi, phi);
+  } else {
+    // The normal stays. No search: rounding would decide to which end it leads.
+    const auto point = [&](const Boundary& boundary, std::size_t side) {
+      const BodyMotion& body = over.bodies[static_cast<std::size_t>(ref_of(contact, side).body)];
+      return Vector2d(body.X_WB * boundary.at(motion.place[side]).p_B);
+    };
+    (passage.side == 0 ? motion.at.p1_W : motion.at.p2_W) = point(own, passage.side);
+    (passage.side == 0 ? motion.at.p2_W : motion.at.p1_W) = point(other, 1 - passage.side);
   }
-  motion.phi = nearest_turn(motion.phi, phi);
   set_place_of(run, passage, *behind, over);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxBoundaryPasses = 40;
 constexpr double kLongestStep = 0.25;      // of the size of a pair: of one pass
 constexpr double kMostTurn = 0.5;          // of a follower or a corner's normal in one pass [rad]
-constexpr double kNoiseOfClosure = 1e-11;  // of the extent: what an error may stall at
+constexpr double kNoiseOfClosure = 1e-13;  // of the extent: what an error may stall at
 constexpr double kSameNormal = 1e-14;      // [rad]
 constexpr double kFlat = 1e12;  // [m per rad] two flat curves: a turn takes a contact as far as it may go
 

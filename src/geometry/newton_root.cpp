@@ -16,15 +16,16 @@ public:
 
   [[nodiscard]] bool is_within(double x) const { return (x - near_) * h_ > 0 && (far_ - x) * h_ > 0; }
 
-  [[nodiscard]] double next() const {
+  [[nodiscard]] double next() {
     if (is_within(from_far_)) {
       return from_far_;
     }
     const double step = -at_near_.value / at_near_.slope;
     // Where f jumps to the other side it is approached from this one: short of the root by twice what the
-    // bend of f makes of the step.
-    const double x = near_ + (jumps_ ? step * (1 - std::min(0.1, 2 * bend_ * std::abs(step))) : step);
-    return is_within(x) ? x : near_ + (far_ - near_) / 2;
+    // bend of f makes of the step, and more than rounding.
+    const double x = near_ + (jumps_ ? step * (1 - std::clamp(2 * bend_ * std::abs(step), 1e-6, 0.1)) : step);
+    halved_ = !is_within(x);
+    return halved_ ? near_ + (far_ - near_) / 2 : x;
   }
 
   // Whether the value found at x ends the search there.
@@ -32,7 +33,7 @@ public:
     const bool known = std::isfinite(at.value);
     const double step = -at.value / at.slope;
     const double size = std::abs(step);
-    if (known && (x + step == x || (size <= kNear * std::abs(h_) && size >= last_ / 2))) {
+    if (known && (x + step == x || (!halved_ && size <= kNear * std::abs(h_) && size >= last_ / 2))) {
       return true;
     }
     from_far_ = std::numeric_limits<double>::quiet_NaN();
@@ -68,6 +69,7 @@ private:
   double far_;
   double from_far_ = std::numeric_limits<double>::quiet_NaN();  // where the slope there leads
   bool jumps_ = false;                                          // that leads nowhere
+  bool halved_ = false;                                         // the last place is no step of Newton's
   double bend_ = std::numeric_limits<double>::infinity();       // |f''/2f'| at the near end
   double last_;                                                 // step
 };

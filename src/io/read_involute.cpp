@@ -10,6 +10,7 @@ namespace higherpair::io_detail {
 namespace {
 
 constexpr Expected kRollAngle = {dimension::kAngle};
+constexpr std::int64_t kMostTeeth = 1000;  // of an outline: each has spans and samples of its own
 constexpr Expected kInvoluteSize = {dimension::kLength, Sign::kPositive};
 
 // What a rack leaves of the flanks; none, and a mistake, where that is nothing or not all.
@@ -56,12 +57,16 @@ std::optional<Bounds> read_roll(TableReader& table, const InvoluteTooth* tooth) 
   return roll;
 }
 
-InvoluteTooth read_tooth(TableReader& table) {
+InvoluteTooth read_tooth(TableReader& table, std::optional<std::int64_t> most = std::nullopt) {
   InvoluteTooth tooth;
   tooth.module = table.need_quantity("module", kInvoluteSize);
   const auto teeth = table.need("teeth", "a number of teeth");
   const auto count = teeth ? as_integer(table.reading(), *teeth) : std::nullopt;
   if (count && *count < 3) report(table.reading(), *teeth, "must be at least 3");
+  if (count && most && *count > *most) {
+    report(table.reading(), *teeth,
+           fmt::format("must be at most {}: the flanks that work are curves of type `involute`", *most));
+  }
   tooth.teeth = static_cast<double>(count.value_or(20));
   tooth.pressure_angle = table.quantity("pressure_angle", kRollAngle, tooth.pressure_angle);
   if (!(tooth.pressure_angle > 0 && tooth.pressure_angle < kPi / 3)) {
@@ -126,7 +131,7 @@ std::optional<NamedCurve> read_gear(TableReader& table) {
   const Mistakes mistakes(table.reading());
   GearShape gear;
   gear.center_B = table.need_vector("center", dimension::kLength);
-  gear.tooth = read_tooth(table);
+  gear.tooth = read_tooth(table, kMostTeeth);
   gear.angle = table.quantity("tooth", kRollAngle);
   if (!mistakes.none()) {
     return std::nullopt;

@@ -74,8 +74,21 @@ TEST(NewtonRoot, IsApproachedFromOneSideWhereFJumpsBeyondIt) {
       return one;
     }();
     ASSERT_TRUE(found.root) << beyond;
-    EXPECT_NEAR(*found.root, 0.37, 1e-15) << beyond;
+    EXPECT_NEAR(*found.root, 0.37, 2e-16) << beyond;
     EXPECT_LE(found.calls, 40) << beyond;
+  }
+}
+
+TEST(NewtonRoot, IsAsExactBesideAJumpWhereverItIs) {
+  for (int k = 1; k < 400; ++k) {
+    const double at = 0.0847 * k / 400;
+    const auto f = [&](double x) {
+      const double t = x - at;
+      return t < 0 ? ValueAndSlope{0.1 * t + 0.02 * t * t, 0.1 + 0.04 * t} : ValueAndSlope{3, 0.1};
+    };
+    const auto root = newton_root_between(f, f(0), 0.0953, 3);
+    ASSERT_TRUE(root) << at;
+    EXPECT_NEAR(*root, at, 1e-16) << at;
   }
 }
 

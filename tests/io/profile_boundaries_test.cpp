@@ -473,6 +473,8 @@ TEST_F(ProfileBoundaries, GearsAreHeldToWhatARackLeavesOfThem) {
   EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 20"), IsEmpty());
   EXPECT_THAT(gear("module = 2, teeth = 20"), ElementsAre(HasSubstr("c.center is missing")));
   EXPECT_THAT(gear("center = [0, 0], teeth = 20"), ElementsAre(HasSubstr("c.module is missing")));
+  EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 999999999"),
+              ElementsAre(HasSubstr("c.teeth = 999999999: must be at most 1000")));
   EXPECT_THAT(gear("center = [0, 0], module = 2"), ElementsAre(HasSubstr("c.teeth is missing")));
   EXPECT_THAT(gear("center = [0, 0], module = 2, teeth = 20, roll = [5, 30]"),
               ElementsAre(HasSubstr("c.roll: unknown key")));
