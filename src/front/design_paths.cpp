@@ -1,5 +1,6 @@
 #include "design_paths.hpp"
 
+#include "design_free_path.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -163,35 +164,64 @@ private:
 
 }  // namespace
 
+namespace {
+
+// Places of an untimed path, from the rows next to which they are.
+class NearestPlaces {
+public:
+  NearestPlaces(DesignRows& rows, std::span<const Vector2d> points)
+      : rows_(rows), points_(points), between_rows_(rows.missing == 0 && rows.positions.size() > 1) {}
+
+  std::vector<PathMiss> of(const DesignTask::PointPath& path) {
+    std::vector<PathMiss> misses = in_rows(nearest_rows(path, points_));
+    if (!between_rows_) {
+      return misses;
+    }
+    const auto [low, high] = std::minmax(rows_.positions.front(), rows_.positions.back());
+    const double step = (high - low) / static_cast<double>(rows_.positions.size() - 1);
+    const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
+    PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, path.closed && is_loop(points_));
+    // In the order of the driver: shorter ways to go.
+    std::vector<std::size_t> order(misses.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
+    for (const std::size_t i : order) {
+      misses[i] = search.nearest(misses[i].driver, 1.5 * step, path.through[i]);
+    }
+    return misses;
+  }
+
+  [[nodiscard]] std::vector<PathMiss> in_rows(const Rows& nearest) const {
+    std::vector<PathMiss> misses;
+    for (const std::size_t row : nearest) {
+      misses.push_back({points_[row], Vector2d::Zero(), rows_.positions[row], row});
+    }
+    return misses;
+  }
+
+private:
+  DesignRows& rows_;
+  std::span<const Vector2d> points_;
+  bool between_rows_;
+};
+
+}  // namespace
+
 std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
                                      std::span<const Vector2d> points,
                                      std::span<const std::size_t> timed_rows) {
-  std::vector<PathMiss> misses(path.through.size());
-  const bool refine = !path.timed && rows.missing == 0 && rows.positions.size() > 1;
-  const Rows nearest = path.timed ? Rows(timed_rows.begin(), timed_rows.end()) : nearest_rows(path, points);
-  for (std::size_t i = 0; i < misses.size(); ++i) {
-    misses[i].p_W = points[nearest[i]];
-    misses[i].driver = rows.positions[nearest[i]];
-    misses[i].row = nearest[i];
+  NearestPlaces places(rows, points);
+  if (path.timed) {
+    return places.in_rows(Rows(timed_rows.begin(), timed_rows.end()));
   }
-  if (!refine) {
-    return misses;
+  if (!path.is_free()) {
+    return places.of(path);
   }
-  const double first = rows.positions.front();
-  const double last = rows.positions.back();
-  const double between = std::abs(last - first) / static_cast<double>(rows.positions.size() - 1);
-  const Mechanism& mechanism = rows.direct ? *rows.mechanism : rows.run->mechanism();
-  PathSearch search(path, rows, point_of(mechanism, path.ref), std::min(first, last), std::max(first, last),
-                    path.closed && is_loop(points));
-  // In the order of the driver: shorter ways to go.
-  std::vector<std::size_t> order(misses.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
-  for (const std::size_t i : order) {
-    misses[i] = search.nearest(misses[i].driver, 1.5 * between, path.through[i]);
-  }
-  return misses;
+  return nearest_when_free(
+      path, points, path.closed && is_loop(points),
+      [&](const DesignTask::PointPath& other) { return nearest_rows(other, points); },
+      [&](const DesignTask::PointPath& other) { return places.of(other); });
 }
 
 Eigen::Index miss_count(const DesignTask::PointPath& path) {
@@ -204,9 +234,16 @@ PathPlacement placement_of(const DesignTask::PointPath& path, std::span<const Pa
   return {path, places};
 }
 
+std::vector<Vector2d> tangents_of(std::span<const PathMiss> misses) {
+  std::vector<Vector2d> tangents;
+  for (const PathMiss& miss : misses) tangents.push_back(miss.along);
+  return tangents;
+}
+
 Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses, double unit) {
   if (path.is_free()) {
-    return placement_of(path, misses).misses() / unit;
+    const PathPlacement placement = placement_of(path, misses);
+    return (path.timed ? placement.misses() : placement.distances(tangents_of(misses))) / unit;
   }
   Eigen::VectorXd numbers(miss_count(path));
   for (std::size_t i = 0; i < misses.size(); ++i) {

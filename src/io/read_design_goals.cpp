@@ -198,6 +198,9 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
   } else if (const auto figure = table.take("figure")) {
     objective.figure = read_figure(table, *figure);
     objective.target = optional_plain_number(table, "target");
+  } else if (is_extent(table)) {
+    objective.extent = read_extent(table, profile.mechanism);
+    objective.target = optional_plain_number(table, "target");
   } else {
     objective.measure = read_measure(table);
     objective.target = optional_plain_number(table, "target");
@@ -206,8 +209,8 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     objective.weight = as_plain_number(reading, *weight).value_or(1);
     if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
   }
-  const bool complete =
-      objective.path || objective.measure || objective.figure || !objective.followed.empty();
+  const bool complete = objective.path || objective.measure || objective.figure || objective.extent ||
+                        !objective.followed.empty();
   return complete ? std::optional(std::move(objective)) : std::nullopt;
 }
 
@@ -235,6 +238,8 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     constraint.below = 0;
   } else if (const auto figure = table.take("figure")) {
     constraint.figure = read_figure(table, *figure);
+  } else if (is_extent(table)) {
+    constraint.extent = read_extent(table, profile.mechanism);
   } else {
     constraint.measure = read_measure(table);
   }
@@ -249,7 +254,7 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     wrong(fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
   }
   const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
-                        constraint.grashof || !constraint.without.empty();
+                        constraint.extent || constraint.grashof || !constraint.without.empty();
   return complete ? std::optional(std::move(constraint)) : std::nullopt;
 }
 

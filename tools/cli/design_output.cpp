@@ -70,6 +70,11 @@ std::string objectives_text(const DesignReport& report) {
     text += fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {}\n", objective.what, width,
                         shown(objective.before), shown(objective.after),
                         objective.target ? shown(*objective.target) : "least", objective.unit);
+    if (const auto& placed = objective.placement) {
+      text += fmt::format("  when turned by {:.9g} {}, scaled by {:.9g}, then moved by {:.9g}, {:.9g} {}\n",
+                          placed->turn, objective.angle_unit, placed->scale, placed->x, placed->y,
+                          objective.length_unit);
+    }
   }
   return text + fmt::format("{:<{}}  {:>16}  {:>16}\n", "altogether", width, shown(report.before),
                             shown(report.after));
@@ -140,6 +145,10 @@ Json design_json(const DesignReport& report) {
                                   {"before", number(objective.before)},
                                   {"after", number(objective.after)},
                                   {"target", objective.target ? number(*objective.target) : Json(nullptr)}});
+    if (const auto& placed = objective.placement) {
+      json["objectives"].back()["placement"] = {
+          {"turn", placed->turn}, {"scale", placed->scale}, {"x", placed->x}, {"y", placed->y}};
+    }
   }
   json["constraints"] = Json::array();
   for (const auto& constraint : report.constraints) {
