@@ -83,7 +83,7 @@ void read_free(Reading& reading, const Item& free, PointPath& path) {
     if (!choice) return;
     (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
   }
-  if (path.free_position && path.through.size() < 3) {
+  if (path.free_position && path.through.size() == 2) {  // of fewer it is said already
     report(reading, free, "expected at least three points: two have no form but their distance");
   }
 }

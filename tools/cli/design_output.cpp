@@ -99,9 +99,12 @@ std::string constraints_text(const DesignReport& report) {
 std::string search_text(const DesignReport& report) {
   std::string text = fmt::format("\n{} searches by {}, {} candidates; {} different optima\n", report.starts,
                                  report.method, report.evaluations, report.different);
+  const bool has_steps = std::any_of(report.variables.begin(), report.variables.end(),
+                                     [](const auto& variable) { return variable.step > 0; });
   for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
-    text += fmt::format("  {}. {}{}:", k + 1, shown(report.optima[k].objective),
-                        report.optima[k].holds ? "" : " (violates a constraint)");
+    text += fmt::format("  {}. {}{}{}:", k + 1, shown(report.optima[k].objective),
+                        report.optima[k].holds ? "" : " (violates a constraint)",
+                        has_steps && report.optima[k].text.empty() ? " (not rounded to steps)" : "");
     for (std::size_t i = 0; i < report.variables.size(); ++i) {
       text += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
     }
