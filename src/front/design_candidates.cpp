@@ -34,6 +34,7 @@ void DesignCandidates::work_out_rows(std::span<const double> x, int branch) {
     candidate ? place_rows(*setup_, std::move(candidate->mechanism), candidate->plan, branch, rows_) : fail();
   }
   if ((pins_ || direct_) && (rows_.missing > 0 || !setup_->needs_table())) {
+    if (pins_ && rows_.missing == 0 && setup_->needs_extents()) add_extents(x, branch);
     return;
   }
   const auto candidate = candidate_of(x, setup_->needs_table());
@@ -51,6 +52,7 @@ void DesignCandidates::work_out_rows(std::span<const double> x, int branch) {
   DesignRows followed;
   follow_rows(*setup_, *candidate, branch, when_lost, followed);
   std::swap(rows_.measured, followed.measured);
+  std::swap(rows_.extents, followed.extents);
   std::swap(rows_.table, followed.table);
   std::swap(rows_.table_slots, followed.table_slots);
   std::swap(rows_.places, followed.places);
@@ -108,6 +110,15 @@ void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
       if (quantities[k].figure) rows_.measured[k] = figures[k];
     }
   }
+  const Scaling length = from_si(dimension::kLength, setup_->numbers.model().units());
+  for (std::size_t k = 0, extent = 0; extent < rows_.extents.size(); ++k) {
+    if (!quantities[k].extent) continue;
+    double sum = 0;
+    for (const ExtentTerm& term : terms_that_count(*quantities[k].extent, rows_.extents[extent]))
+      sum += term.far;
+    rows_.measured[k] = length.apply(sum);
+    ++extent;
+  }
   std::optional<Mechanism> mechanism;
   for (std::size_t k = 0; k < quantities.size(); ++k) {
     if (!quantities[k].grashof) continue;
@@ -115,7 +126,7 @@ void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
     if (!mechanism) return;
     const auto room = grashof_room(*mechanism, *quantities[k].grashof);
     if (room) {
-      rows_.measured[k] = from_si(dimension::kLength, setup_->numbers.model().units()).apply(*room);
+      rows_.measured[k] = length.apply(*room);
     }
   }
 }
@@ -125,6 +136,15 @@ void DesignCandidates::place_directly(std::span<const double> x, int branch) {
   if (auto candidate = candidate_of(x, false)) {
     rows_.mechanism = std::move(candidate->mechanism);
     rows_.direct.emplace(*rows_.mechanism, std::move(candidate->plan), branch);
+  }
+}
+
+// Of pins, where no table is asked for: of the bodies, which pins do without.
+void DesignCandidates::add_extents(std::span<const double> x, int branch) {
+  if (auto candidate = candidate_of(x, false)) {
+    DesignRows placed;
+    place_rows(*setup_, std::move(candidate->mechanism), candidate->plan, branch, placed);
+    std::swap(rows_.extents, placed.extents);
   }
 }
 

@@ -32,6 +32,7 @@ private:
   void add_quantities(std::span<const double> x, int branch);
   [[nodiscard]] std::optional<DesignCandidate> candidate_of(std::span<const double> x, bool with_data) const;
   void place_directly(std::span<const double> x, int branch);
+  void add_extents(std::span<const double> x, int branch);
   void fail();
 
   const DesignSetup* setup_;

@@ -108,6 +108,11 @@ public:
     std::size_t path = 0;
     std::size_t measure = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
+      score.placements.emplace_back();
+      if (objective.path && objective.path->is_free() && rows_->started) {
+        const PathPlacement placement = placement_of(*objective.path, places_[path]);
+        score.placements.back() = {placement.turn_and_scale(), placement.shift()};
+      }
       if (!objective.values.empty()) {
         double sum = 0;
         for (std::size_t k = 0; k < objective.values.size(); ++k) {

@@ -5,6 +5,8 @@
 #include "higherpair/design/problem.hpp"
 
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -14,6 +16,8 @@ struct DesignScore {
   bool started = false;
   std::vector<double> objectives;  ///< of DesignTask::objectives: a path's sum of squares, a measure's value;
                                    ///< NaN where undefined
+  /// Of each objective that is a free path: what p of the path goes to is first · p + second [m].
+  std::vector<std::optional<std::pair<PathPlacement::Complex, PathPlacement::Complex>>> placements;
   std::vector<double> constraints;  ///< of DesignTask::constraints: the value that is limited
   double missing = 0;               ///< DesignRows::missing
 };

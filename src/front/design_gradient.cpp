@@ -129,7 +129,10 @@ private:
   void add_path(const DesignTask::PointPath& path, std::size_t k, double scale, Eigen::Index row) {
     const Eigen::MatrixXd slopes = place_slopes(path, k);
     const std::vector<PathMiss>& places = standing_.places[k];
-    if (path.is_free()) {
+    if (path.is_free() && !path.timed) {
+      jacobian_.residuals.middleRows(row, miss_count(path)) =
+          scale * placement_of(path, places).distance_slopes(tangents_of(places), slopes);
+    } else if (path.is_free()) {
       jacobian_.residuals.middleRows(row, slopes.rows()) =
           scale * placement_of(path, places).miss_slopes(slopes);
     } else if (path.timed) {

@@ -101,8 +101,18 @@ std::string_view attribute(std::string_view svg, std::string_view name) {
   return svg.substr(begin, svg.find('"', begin) - begin);
 }
 
-// The points that paths are to lead through, on top of a picture.
-std::string targets_on(std::string_view svg, const Model& model) {
+// A point that a path is to lead through, as the mechanism sees it that is not placed yet.
+Vector2d unplaced(const Vector2d& point, const std::optional<DesignReport::Objective::Placement>& placement,
+                  const Units& units) {
+  if (!placement) return point;
+  const double turn = to_si(dimension::kAngle, units).apply(placement->turn);
+  const Scaling length = to_si(dimension::kLength, units);
+  const Vector2d moved = point - Vector2d(length.apply(placement->x), length.apply(placement->y));
+  return Rotation<double>::from_angle(-turn) * moved / placement->scale;
+}
+
+// The points that paths are to lead through, on top of a picture of what was found.
+std::string targets_on(std::string_view svg, const Model& model, const DesignReport& report) {
   const double scale = std::atof(std::string(attribute(svg, "data-scale")).c_str());
   char* rest = nullptr;
   const std::string origin(attribute(svg, "data-origin"));
@@ -110,9 +120,11 @@ std::string targets_on(std::string_view svg, const Model& model) {
   const double y0 = std::strtod(rest, nullptr);
   const Scaling length = from_si(dimension::kLength, model.units());
   std::string circles;
-  for (const DesignTask::Objective& objective : model.profile().design->objectives) {
-    if (!objective.path) continue;
-    for (const Vector2d& point : objective.path->through) {
+  const auto& objectives = model.profile().design->objectives;
+  for (std::size_t k = 0; k < objectives.size(); ++k) {
+    if (!objectives[k].path) continue;
+    for (const Vector2d& through : objectives[k].path->through) {
+      const Vector2d point = unplaced(through, report.objectives[k].placement, model.units());
       circles += fmt::format("<circle class=\"target\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.5\"/>",
                              x0 + scale * length.apply(point.x()), y0 - scale * length.apply(point.y()));
     }
@@ -120,7 +132,7 @@ std::string targets_on(std::string_view svg, const Model& model) {
   return circles;
 }
 
-Result<std::string> picture_of(const Model& model) {
+Result<std::string> picture_of(const Model& model, const DesignReport& report) {
   SceneSettings settings;
   for (const DesignTask::Objective& objective : model.profile().design->objectives) {
     if (objective.path) settings.traces.push_back(objective.path->point);
@@ -134,7 +146,7 @@ Result<std::string> picture_of(const Model& model) {
   std::string svg = draw_svg(scenes->scenes, draw);
   svg.erase(0, svg.find("<svg"));
   const std::size_t end = svg.rfind("</svg>");
-  svg.insert(end, targets_on(svg, model));
+  svg.insert(end, targets_on(svg, model, report));
   return svg;
 }
 
@@ -153,8 +165,8 @@ Result<std::string> design_page(const Model& before, const DesignReport& report)
   if (!after) {
     return tl::unexpected(after.error());
   }
-  const auto first = picture_of(before);
-  const auto second = picture_of(*after);
+  const auto first = picture_of(before, report);
+  const auto second = picture_of(*after, report);
   if (!first && !second) {
     return tl::unexpected(second.error());
   }

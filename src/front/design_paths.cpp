@@ -1,5 +1,6 @@
 #include "design_paths.hpp"
 
+#include "design_free_path.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double kSharp = 1e-13;        // of the distance between rows: a step 
 constexpr std::size_t kMostBegins = 4;  // places tried as the first of a closed path
 constexpr double kClosed = 1e-6;        // of the way round: ends that are no farther apart are one point
 
-using RowIndices = std::vector<std::size_t>;
+using Rows = std::vector<std::size_t>;
 
 double squared(const Vector2d& a, const Vector2d& b) {
   return (a - b).squaredNorm();
@@ -25,7 +26,7 @@ double squared(const Vector2d& a, const Vector2d& b) {
 
 // The rows, not descending, that are nearest to the targets, by the sum of squares.
 struct Assignment {
-  RowIndices rows;
+  Rows rows;
   double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -34,7 +35,7 @@ template <class F>
 Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<double> best(places, kNone);
-  std::vector<RowIndices> from(targets, RowIndices(places, 0));
+  std::vector<Rows> from(targets, Rows(places, 0));
   for (std::size_t i = 0; i < targets; ++i) {
     double least = i == 0 ? 0 : kNone;
     std::size_t where = 0;
@@ -49,7 +50,7 @@ Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost
     }
   }
   const auto last = std::min_element(best.begin(), best.end());
-  Assignment assignment{RowIndices(targets), *last};
+  Assignment assignment{Rows(targets), *last};
   std::size_t k = static_cast<std::size_t>(last - best.begin());
   for (std::size_t i = targets; i-- > 0;) {
     assignment.rows[i] = k;
@@ -65,10 +66,10 @@ bool is_loop(std::span<const Vector2d> points) {
 }
 
 // Wherever the first target lies on a closed path, the others follow over one whole way round.
-RowIndices around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
+Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
   const std::size_t n = points.size() - 1;
   const auto far = [&](std::size_t k) { return squared(points[k % n], targets.front()); };
-  RowIndices begins;
+  Rows begins;
   for (std::size_t k = 0; k < n; ++k) {
     if (far(k) <= far(k + 1) && far(k) < far(k + n - 1)) begins.push_back(k);
   }
@@ -86,10 +87,10 @@ RowIndices around(std::span<const Vector2d> points, std::span<const Vector2d> ta
     }
   }
   for (std::size_t& row : best.rows) row = (row + begin) % n;
-  return best.rows.empty() ? RowIndices(targets.size(), 0) : best.rows;
+  return best.rows.empty() ? Rows(targets.size(), 0) : best.rows;
 }
 
-RowIndices nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points) {
+Rows nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points) {
   if (path.closed && is_loop(points)) {
     return around(points, path.through);
   }
@@ -98,7 +99,7 @@ RowIndices nearest_rows(const DesignTask::PointPath& path, std::span<const Vecto
                     [&](std::size_t i, std::size_t k) { return squared(points[k], path.through[i]); })
         .rows;
   }
-  RowIndices rows;
+  Rows rows;
   for (const Vector2d& target : path.through) {
     const auto nearest = std::min_element(
         points.begin(), points.end(),
@@ -163,36 +164,64 @@ private:
 
 }  // namespace
 
+namespace {
+
+// Places of an untimed path, from the rows next to which they are.
+class NearestPlaces {
+public:
+  NearestPlaces(DesignRows& rows, std::span<const Vector2d> points)
+      : rows_(rows), points_(points), between_rows_(rows.missing == 0 && rows.positions.size() > 1) {}
+
+  std::vector<PathMiss> of(const DesignTask::PointPath& path) {
+    std::vector<PathMiss> misses = in_rows(nearest_rows(path, points_));
+    if (!between_rows_) {
+      return misses;
+    }
+    const auto [low, high] = std::minmax(rows_.positions.front(), rows_.positions.back());
+    const double step = (high - low) / static_cast<double>(rows_.positions.size() - 1);
+    const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
+    PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, path.closed && is_loop(points_));
+    // In the order of the driver: shorter ways to go.
+    std::vector<std::size_t> order(misses.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
+    for (const std::size_t i : order) {
+      misses[i] = search.nearest(misses[i].driver, 1.5 * step, path.through[i]);
+    }
+    return misses;
+  }
+
+  [[nodiscard]] std::vector<PathMiss> in_rows(const Rows& nearest) const {
+    std::vector<PathMiss> misses;
+    for (const std::size_t row : nearest) {
+      misses.push_back({points_[row], Vector2d::Zero(), rows_.positions[row], row});
+    }
+    return misses;
+  }
+
+private:
+  DesignRows& rows_;
+  std::span<const Vector2d> points_;
+  bool between_rows_;
+};
+
+}  // namespace
+
 std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
                                      std::span<const Vector2d> points,
                                      std::span<const std::size_t> timed_rows) {
-  std::vector<PathMiss> misses(path.through.size());
-  const bool refine = !path.timed && rows.missing == 0 && rows.positions.size() > 1;
-  const RowIndices nearest =
-      path.timed ? RowIndices(timed_rows.begin(), timed_rows.end()) : nearest_rows(path, points);
-  for (std::size_t i = 0; i < misses.size(); ++i) {
-    misses[i].p_W = points[nearest[i]];
-    misses[i].driver = rows.positions[nearest[i]];
-    misses[i].row = nearest[i];
+  NearestPlaces places(rows, points);
+  if (path.timed) {
+    return places.in_rows(Rows(timed_rows.begin(), timed_rows.end()));
   }
-  if (!refine) {
-    return misses;
+  if (!path.is_free()) {
+    return places.of(path);
   }
-  const double first = rows.positions.front();
-  const double last = rows.positions.back();
-  const double between = std::abs(last - first) / static_cast<double>(rows.positions.size() - 1);
-  const Mechanism& mechanism = rows.direct ? *rows.mechanism : rows.run->mechanism();
-  PathSearch search(path, rows, point_of(mechanism, path.ref), std::min(first, last), std::max(first, last),
-                    path.closed && is_loop(points));
-  // In the order of the driver: shorter ways to go.
-  std::vector<std::size_t> order(misses.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
-  for (const std::size_t i : order) {
-    misses[i] = search.nearest(misses[i].driver, 1.5 * between, path.through[i]);
-  }
-  return misses;
+  return nearest_when_free(
+      path, points, path.closed && is_loop(points),
+      [&](const DesignTask::PointPath& other) { return nearest_rows(other, points); },
+      [&](const DesignTask::PointPath& other) { return places.of(other); });
 }
 
 Eigen::Index miss_count(const DesignTask::PointPath& path) {
@@ -205,9 +234,16 @@ PathPlacement placement_of(const DesignTask::PointPath& path, std::span<const Pa
   return {path, places};
 }
 
+std::vector<Vector2d> tangents_of(std::span<const PathMiss> misses) {
+  std::vector<Vector2d> tangents;
+  for (const PathMiss& miss : misses) tangents.push_back(miss.along);
+  return tangents;
+}
+
 Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses, double unit) {
   if (path.is_free()) {
-    return placement_of(path, misses).misses() / unit;
+    const PathPlacement placement = placement_of(path, misses);
+    return (path.timed ? placement.misses() : placement.distances(tangents_of(misses))) / unit;
   }
   Eigen::VectorXd numbers(miss_count(path));
   for (std::size_t i = 0; i < misses.size(); ++i) {

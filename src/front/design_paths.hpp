@@ -22,7 +22,9 @@ struct PathMiss {
 
 /// Where the path of a task comes nearest to its points, each of them: in its row if it is timed, else
 /// wherever it comes by, in the order of the points if they have one. Places between rows are found to
-/// rounding. \param points  of the path in the rows \param timed_rows  of a timed path, of each of its points
+/// rounding. Places are those of the path itself, also where it is free to be placed elsewhere; placement_of
+/// says where it lies then. \param points  of the path in the rows \param timed_rows  of a timed path, of
+/// each of its points
 [[nodiscard]] std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
                                                    std::span<const Vector2d> points,
                                                    std::span<const std::size_t> timed_rows);
@@ -32,7 +34,10 @@ struct PathMiss {
 [[nodiscard]] Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses,
                                         double unit);
 
-/// Of a free path with time: how it is placed.
+/// PathMiss::along of each.
+[[nodiscard]] std::vector<Vector2d> tangents_of(std::span<const PathMiss> misses);
+
+/// Of a free path: how it is placed.
 [[nodiscard]] PathPlacement placement_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses);
 
 /// How many numbers misses_of gives.

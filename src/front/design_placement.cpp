@@ -2,7 +2,20 @@
 
 #include <cmath>
 
+#include <Eigen/QR>
+
 namespace higherpair {
+namespace {
+
+using Complex = PathPlacement::Complex;
+
+constexpr Complex kQuarterTurn = {0, 1};
+
+double dot(const Complex& a, const Complex& b) {
+  return a.real() * b.real() + a.imag() * b.imag();
+}
+
+}  // namespace
 
 PathPlacement::PathPlacement(const DesignTask::PointPath& path, std::span<const Vector2d> places)
     : path_(path) {
@@ -15,8 +28,10 @@ PathPlacement::PathPlacement(const DesignTask::PointPath& path, std::span<const 
     T_(i) = {path.through[k].x(), path.through[k].y()};
   }
   if (path.free_position) {
-    P_.array() -= P_.mean();
-    T_.array() -= T_.mean();
+    P_mean_ = P_.mean();
+    T_mean_ = T_.mean();
+    P_.array() -= P_mean_;
+    T_.array() -= T_mean_;
   }
   sum_ = P_.dot(T_);  // conjugates its first factor
   size2_ = P_.squaredNorm();
@@ -65,6 +80,74 @@ Eigen::MatrixXd PathPlacement::miss_slopes(const Eigen::MatrixXd& place_slopes) 
     }
   }
   return slopes;
+}
+
+// Unit normals of the placed path; without a tangent along what is missed.
+std::vector<Complex> PathPlacement::normals(std::span<const Vector2d> along) const {
+  std::vector<Complex> normals;
+  for (Eigen::Index i = 0; i < P_.size(); ++i) {
+    const Vector2d& tangent = along[static_cast<std::size_t>(i)];
+    const Complex off = z_ * P_(i) - T_(i);
+    const Complex normal = tangent.isZero() ? off : kQuarterTurn * z_ * Complex(tangent.x(), tangent.y());
+    normals.push_back(std::abs(normal) > 0 ? normal / std::abs(normal) : 0);
+  }
+  return normals;
+}
+
+Eigen::VectorXd PathPlacement::distances(std::span<const Vector2d> along) const {
+  const std::vector<Complex> n = normals(along);
+  Eigen::VectorXd distances(P_.size());
+  for (Eigen::Index i = 0; i < P_.size(); ++i) {
+    distances(i) = dot(n[static_cast<std::size_t>(i)], z_ * P_(i) - T_(i));
+  }
+  return distances;
+}
+
+// How the distances change with what is free.
+Eigen::MatrixXd PathPlacement::freedoms(std::span<const Complex> normals) const {
+  const auto count = static_cast<Eigen::Index>(normals.size());
+  Eigen::MatrixXd J(count,
+                    (path_.free_position ? 2 : 0) + (path_.free_turn ? 1 : 0) + (path_.free_scale ? 1 : 0));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Complex& n = normals[static_cast<std::size_t>(i)];
+    Eigen::Index k = 0;
+    if (path_.free_position) {
+      J(i, k++) = n.real();
+      J(i, k++) = n.imag();
+    }
+    if (path_.free_turn) J(i, k++) = dot(n, kQuarterTurn * z_ * P_(i));
+    if (path_.free_scale) J(i, k++) = dot(n, z_ * P_(i));
+  }
+  return J;
+}
+
+std::pair<Complex, Complex> PathPlacement::moved_by_tangents(std::span<const Vector2d> along) const {
+  const std::vector<Complex> n = normals(along);
+  const Eigen::VectorXd step = freedoms(n).completeOrthogonalDecomposition().solve(-distances(along));
+  Eigen::Index k = 0;
+  Complex moved = T_mean_;
+  if (path_.free_position) {
+    moved += Complex(step(0), step(1));
+    k = 2;
+  }
+  const double turn = path_.free_turn ? step(k++) : 0;
+  const double scale = path_.free_scale ? step(k) : 0;
+  const Complex z = z_ * std::exp(Complex(scale, turn));
+  return {z, moved - z * P_mean_};
+}
+
+Eigen::MatrixXd PathPlacement::distance_slopes(std::span<const Vector2d> along,
+                                               const Eigen::MatrixXd& place_slopes) const {
+  const std::vector<Complex> n = normals(along);
+  Eigen::MatrixXd slopes(P_.size(), place_slopes.cols());
+  for (Eigen::Index k = 0; k < place_slopes.cols(); ++k) {
+    for (Eigen::Index i = 0; i < P_.size(); ++i) {
+      const Complex dP = {place_slopes(2 * i, k), place_slopes(2 * i + 1, k)};
+      slopes(i, k) = dot(n[static_cast<std::size_t>(i)], z_ * dP);
+    }
+  }
+  const Eigen::MatrixXd J = freedoms(n);
+  return slopes - J * J.completeOrthogonalDecomposition().solve(slopes);
 }
 
 }  // namespace higherpair

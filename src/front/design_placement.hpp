@@ -4,6 +4,8 @@
 
 #include <complex>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -15,19 +17,40 @@ namespace higherpair {
 ///     T' - z P',   z = Σ P̄'T'/Σ|P'|², its size 1 without scale, real without turn, 1 without both.
 class PathPlacement {
 public:
+  using Complex = std::complex<double>;
+
   /// \param places  of the path [m], one for each point of `path`
   PathPlacement(const DesignTask::PointPath& path, std::span<const Vector2d> places);
+
+  /// A place p of the path goes to turn_and_scale() p + shift() [m].
+  [[nodiscard]] Complex turn_and_scale() const { return z_; }
+  [[nodiscard]] Complex shift() const { return T_mean_ - z_ * P_mean_; }
 
   /// x and y of each place less its point, one after the other [m].
   [[nodiscard]] Eigen::VectorXd misses() const;
   /// Their derivatives, from those of x and y of the places.
   [[nodiscard]] Eigen::MatrixXd miss_slopes(const Eigen::MatrixXd& place_slopes) const;
 
+  /// \name Of a path without times, whose places are those that are nearest
+  /// @{
+  /// The distance of each place from its point, with the sign of the side on which the point lies; without
+  /// sign where the place has no tangent [m]. \param along  unit tangents of the path itself; 0: none
+  [[nodiscard]] Eigen::VectorXd distances(std::span<const Vector2d> along) const;
+  /// Their derivatives, with the placement following to first order in the distances (Kaufman's
+  /// approximation): those of the sum of their squares are exact.
+  [[nodiscard]] Eigen::MatrixXd distance_slopes(std::span<const Vector2d> along,
+                                                const Eigen::MatrixXd& place_slopes) const;
+  /// turn_and_scale() and shift() after a step to where the places may move along their tangents.
+  [[nodiscard]] std::pair<Complex, Complex> moved_by_tangents(std::span<const Vector2d> along) const;
+  /// @}
+
 private:
-  using Complex = std::complex<double>;
+  [[nodiscard]] std::vector<Complex> normals(std::span<const Vector2d> along) const;
+  [[nodiscard]] Eigen::MatrixXd freedoms(std::span<const Complex> normals) const;
 
   const DesignTask::PointPath& path_;
-  Eigen::VectorXcd P_, T_;  // from their means
+  Complex P_mean_, T_mean_;
+  Eigen::VectorXcd P_, T_;  // from these
   Complex sum_;             // Σ P̄'T'
   double size2_ = 0;        // Σ|P'|²
   Complex z_ = 1;

@@ -24,7 +24,8 @@ DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
   for (const DesignTask::Objective& objective : task.objectives) {
     problem.residuals += objective.path ? miss_count(*objective.path) : objective.target ? 1 : 0;
     problem.residuals += static_cast<Eigen::Index>(objective.values.size());
-    problem.has_cost = problem.has_cost || ((objective.measure || objective.figure) && !objective.target);
+    const bool is_value = objective.measure || objective.figure || objective.extent;
+    problem.has_cost = problem.has_cost || (is_value && !objective.target);
   }
   problem.constraints = closure_count(*setup) + 1;
   for (const DesignTask::Constraint& constraint : task.constraints) {

@@ -34,7 +34,8 @@ struct Entry {
 std::vector<Entry> entries_of(const DesignTask& task) {
   std::vector<Entry> entries;
   for (const DesignTask::Objective& objective : task.objectives) {
-    const std::size_t count = objective.measure || objective.figure ? 1 : objective.followed.size();
+    const bool one = objective.measure || objective.figure || objective.extent;
+    const std::size_t count = one ? 1 : objective.followed.size();
     entries.insert(entries.end(), count, {objective.place, objective.path_of_key});
   }
   for (const DesignTask::Constraint& constraint : task.constraints) {
@@ -66,11 +67,13 @@ std::vector<DesignQuantity> quantities_of(const DesignTask& task) {
   for (const DesignTask::Objective& objective : task.objectives) {
     if (objective.measure) add_measure();
     if (objective.figure) quantities.emplace_back().figure = objective.figure;
+    if (objective.extent) quantities.emplace_back().extent = objective.extent;
     for (std::size_t k = 0; k < objective.followed.size(); ++k) add_measure();
   }
   for (const DesignTask::Constraint& constraint : task.constraints) {
     if (constraint.measure) add_measure();
     if (constraint.figure) quantities.emplace_back().figure = constraint.figure;
+    if (constraint.extent) quantities.emplace_back().extent = constraint.extent;
     if (constraint.grashof) quantities.emplace_back().grashof = constraint.grashof;
     if (!constraint.without.empty()) quantities.emplace_back().without = constraint.without;
   }
@@ -141,8 +144,8 @@ Diagnostics complete_quantities(const Model& model, const DesignTask& task,
     const auto object = [&](const std::string& what) {
       mistakes.push_back({entries[k].place, fmt::format("{}: {}", entries[k].path, what)});
     };
+    if (quantity.grashof || quantity.extent) quantity.unit = unit_text(dimension::kLength, model.units());
     if (quantity.grashof) {
-      quantity.unit = unit_text(dimension::kLength, model.units());
       if (!four_bar_of(model.mechanism(), *quantity.grashof)) {
         object(
             "expected a mechanism with one four-bar; of several the coupler says which, coupler = \"BODY\"");

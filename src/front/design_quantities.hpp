@@ -11,10 +11,11 @@
 namespace higherpair {
 
 /// One number about a candidate that an objective or constraint is about, apart from paths and transmission
-/// angles: one of the four.
+/// angles: one of the five.
 struct DesignQuantity {
-  std::optional<std::size_t> measure;          ///< of DesignSetup::measures
-  std::optional<DesignTask::Figure> figure;    ///< of check()
+  std::optional<std::size_t> measure;        ///< of DesignSetup::measures
+  std::optional<DesignTask::Figure> figure;  ///< of check()
+  std::optional<DesignTask::Extent> extent;
   std::optional<DesignTask::Grashof> grashof;  ///< by how much a four-bar is of a class
   std::vector<EventType> without;              ///< how many of these events happen
   std::string unit;                            ///< of tables

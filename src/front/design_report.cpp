@@ -35,6 +35,7 @@ std::string words_of(const Measure& measure) {
 std::string words_of(const DesignTask::Objective& objective) {
   if (objective.path) return "path of " + objective.path->point;
   if (objective.figure) return words_of(*objective.figure);
+  if (objective.extent) return objective.extent->words;
   return objective.followed.empty() ? words_of(*objective.measure)
                                     : objective.followed.front().column + " followed";
 }
@@ -42,6 +43,7 @@ std::string words_of(const DesignTask::Objective& objective) {
 std::string words_of(const DesignTask::Constraint& constraint) {
   if (constraint.transmission) return "transmission at " + constraint.transmission->pin;
   if (constraint.figure) return words_of(*constraint.figure);
+  if (constraint.extent) return constraint.extent->words;
   if (constraint.grashof) return "room as a " + constraint.grashof->wanted;
   if (constraint.without.empty()) return words_of(*constraint.measure);
   std::vector<std::string_view> names;
@@ -149,11 +151,23 @@ private:
       line.target = objective.target;
       line.before = before.objectives[k];
       line.after = after.objectives[k];
+      if (after.placements[k]) add_placement(*after.placements[k], line);
     }
     report.before = total(task_, before.objectives);
     report.after = total(task_, after.objectives);
     report.starts_good = before.started && before.missing == 0;
     report.path_good = after.started && after.missing == 0;
+  }
+
+  void add_placement(const std::pair<PathPlacement::Complex, PathPlacement::Complex>& placed,
+                     DesignReport::Objective& line) const {
+    const Units& units = setup_.numbers.model().units();
+    const Scaling length = from_si(dimension::kLength, units);
+    const auto& [z, shift] = placed;
+    line.placement = {from_si(dimension::kAngle, units).apply(std::arg(z)), std::abs(z),
+                      length.apply(shift.real()), length.apply(shift.imag())};
+    line.length_unit = unit_text(dimension::kLength, units);
+    line.angle_unit = unit_text(dimension::kAngle, units);
   }
 
   [[nodiscard]] DesignScore score_before() const {

@@ -22,12 +22,18 @@ RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const
   for (const DesignTask::Objective& objective : setup.numbers.task().objectives) {
     if (objective.path) rows_.points.emplace_back();
   }
+  for (const DesignQuantity& quantity : setup.quantities) {
+    if (quantity.extent) rows_.extents.push_back(terms_of(*quantity.extent));
+  }
 }
 
 void RowReader::take(const std::vector<BodyMotion>& bodies, bool there, double driver, RowStatus status) {
   rows_.positions.push_back(driver);
   not_good_ += status == RowStatus::kOk ? 0 : 1;
-  if (there) take_transmissions(bodies);
+  if (there) {
+    take_transmissions(bodies);
+    take_extents(bodies);
+  }
   std::size_t path = 0;
   for (const DesignTask::Objective& objective : setup_.numbers.task().objectives) {
     if (!objective.path) continue;
@@ -75,6 +81,20 @@ void RowReader::take_transmissions(const std::vector<BodyMotion>& bodies) {
       rows_.transmission_rows[k] = rows_.positions.size() - 1;
     }
     ++k;
+  }
+}
+
+void RowReader::take_extents(const std::vector<BodyMotion>& bodies) {
+  std::size_t k = 0;
+  for (const DesignQuantity& quantity : setup_.quantities) {
+    if (!quantity.extent) continue;
+    for (ExtentTerm& term : rows_.extents[k++]) {
+      const double far = far_along(*quantity.extent, term.direction_W, mechanism_, bodies);
+      if (far > term.far) {
+        term.far = far;
+        term.row = rows_.positions.size() - 1;
+      }
+    }
   }
 }
 

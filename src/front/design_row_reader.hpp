@@ -24,6 +24,7 @@ public:
 
 private:
   void take_transmissions(const std::vector<BodyMotion>& bodies);
+  void take_extents(const std::vector<BodyMotion>& bodies);
 
   const DesignSetup& setup_;
   const Mechanism& mechanism_;

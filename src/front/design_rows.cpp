@@ -15,6 +15,11 @@ bool DesignSetup::needs_check() const {
                      [](const DesignQuantity& quantity) { return quantity.figure.has_value(); });
 }
 
+bool DesignSetup::needs_extents() const {
+  return std::any_of(quantities.begin(), quantities.end(),
+                     [](const DesignQuantity& quantity) { return quantity.extent.has_value(); });
+}
+
 const std::vector<BodyMotion>& DesignRows::bodies_at(double driver) {
   if (direct) {
     (void)direct->move_to({{driver, 1, 0}}, true);
@@ -29,6 +34,7 @@ void DesignRows::restart() {
   missing = 0;
   gaps.clear();
   measured.clear();
+  extents.clear();
   transmissions.clear();
   positions.clear();
   gap_rows.clear();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "design_columns.hpp"
+#include "design_extents.hpp"
 #include "design_numbers.hpp"
 #include "design_quantities.hpp"
 #include "higherpair/analysis/branch_run.hpp"
@@ -36,18 +37,21 @@ struct DesignSetup {
   /// Whether a candidate's table or events are wanted, and whether what check() has of it is.
   [[nodiscard]] bool needs_table() const;
   [[nodiscard]] bool needs_check() const;
+  /// Whether it is asked how far bodies come.
+  [[nodiscard]] bool needs_extents() const;
 };
 
 /// The rows of a candidate, as far as it has them.
 struct DesignRows {
   bool started = false;
   double missing = 0;  ///< share of rows that are not ok or to which the path is not good; 0: all is good
-  std::vector<double> gaps;                   ///< of each group with two modes, the largest over all rows [m]
-  std::vector<double> measured;               ///< of DesignSetup::quantities, NaN where undefined
-  std::vector<double> transmissions;          ///< of each constraint on one: the least |sine|
-  std::vector<std::vector<Vector2d>> points;  ///< of each path: where the point is in each row, in ground
-                                              ///< [m]; of a row that is missing where it was last
-  std::vector<double> positions;              ///< of the first driver in the rows [rad or m]
+  std::vector<double> gaps;      ///< of each group with two modes, the largest over all rows [m]
+  std::vector<double> measured;  ///< of DesignSetup::quantities, NaN where undefined
+  std::vector<std::vector<ExtentTerm>> extents;  ///< of those of DesignSetup::quantities that are extents
+  std::vector<double> transmissions;             ///< of each constraint on one: the least |sine|
+  std::vector<std::vector<Vector2d>> points;     ///< of each path: where the point is in each row, in ground
+                                                 ///< [m]; of a row that is missing where it was last
+  std::vector<double> positions;                 ///< of the first driver in the rows [rad or m]
 
   /// What derivatives hang on, of rows that were followed or placed by groups of any kind: to first order
   /// each gap is the sum of weights times the gaps in these rows; empty where it is largest elsewhere.

@@ -80,7 +80,8 @@ Diagnostics mistakes_in(const Model& model, const DesignTask& task, const Driver
       mistakes.push_back(
           {constraint.place,
            fmt::format("{}.transmission = \"{}\": this pin does not join two links whose other ends "
-                       "are pins of known bodies, as coupler and rocker of a four-bar are",
+                       "are pins of known bodies, as coupler and rocker of a four-bar are; of a rod that "
+                       "moves a slide limit the angle, column = \"ROD.angle\", of = \"maxabs\"",
                        constraint.path_of_key, constraint.transmission->pin)});
     }
   }

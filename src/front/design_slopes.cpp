@@ -1,9 +1,7 @@
 #include "design_slopes.hpp"
 
-#include "analysis_impl.hpp"
-#include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "design_slope_run.hpp"
 #include "higherpair/geometry/stencil.hpp"
-#include "higherpair/io/row_path.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 
 #include <algorithm>
@@ -23,87 +21,6 @@ bool is_covered(const Mechanism& mechanism) {
     return contact.by_boundary || contact.keep == Keep::kGap;
   });
 }
-
-// A run of one candidate, and with it the derivatives by each variable.
-class SlopeRun {
-public:
-  static std::optional<SlopeRun> start(const DesignSetup& setup, const DesignCandidate& candidate, int branch,
-                                       const std::vector<Mechanism>& derivatives) {
-    auto run = start_on_branch(make_run_model(*candidate.mechanism, candidate.plan),
-                               candidate.schedule.first_positions(), branch);
-    if (!run) return std::nullopt;
-    SlopeRun started(setup, candidate.schedule, *std::move(run));
-    const std::vector<double> fixed(candidate.schedule.driver_count(), 0.0);
-    for (const Mechanism& derivative : derivatives) {
-      auto by = Sensitivity::at_start(started.run_, derivative, fixed);
-      if (!by) return std::nullopt;
-      started.by_.push_back(*std::move(by));
-    }
-    return started;
-  }
-
-  // To the rows one after the other.
-  void go_to(std::size_t row) {
-    for (; next_ <= row; ++next_) {
-      motions_ = drivers_in(*schedule_, static_cast<std::int64_t>(next_));
-      move_to(run_, motions_);
-    }
-  }
-
-  // Aside, to where the only driver stands.
-  [[nodiscard]] SlopeRun beside(double driver) const {
-    SlopeRun other = *this;
-    other.motions_ = {{driver, 1, 0}};
-    move_to(other.run_, other.motions_);
-    return other;
-  }
-
-  // One for each variable; empty where there is one by which the row cannot be differentiated.
-  [[nodiscard]] std::vector<RowSensitivity> sensitivities() const {
-    std::vector<RowSensitivity> all;
-    const std::vector<DriverMotion> fixed(motions_.size());
-    for (const Sensitivity& by : by_) {
-      auto of_row = by.of_row(run_, motions_, fixed);
-      if (!of_row) return {};
-      all.push_back(*std::move(of_row));
-    }
-    return all;
-  }
-
-  [[nodiscard]] const Run& run() const { return run_; }
-  [[nodiscard]] const Sensitivity& by(std::size_t variable) const { return by_[variable]; }
-
-  // The columns of the table in the row that was gone to last.
-  [[nodiscard]] std::vector<double> table_slopes(Model::Data& like, std::size_t variable,
-                                                 const RowSensitivity& of_row) const {
-    std::vector<DriverState> drivers;
-    for (std::size_t i = 0; i < schedule_->driver_count(); ++i) {
-      drivers.push_back(schedule_->state(static_cast<std::int64_t>(next_ - 1), i));
-    }
-    const double time = schedule_->time(static_cast<std::int64_t>(next_ - 1));
-    return derivative_along(run_, by_[variable], of_row, [&](const Run& run, double /*h*/) {
-      like.profile.mechanism = run.mechanism();
-      ColumnSet columns = columns_of(like, setup_->settings, like.profile.units).value();
-      std::optional<InverseDynamics> dynamics;
-      if (setup_->settings.forces) dynamics.emplace(run);
-      const Reactions* const reactions = dynamics ? &dynamics->solve(run) : nullptr;
-      std::vector<double> values;
-      columns.fill({run, drivers, time, reactions, false}, values);
-      return values;
-    });
-  }
-
-private:
-  SlopeRun(const DesignSetup& setup, const DriverSchedule& schedule, Run run)
-      : setup_(&setup), schedule_(&schedule), run_(std::move(run)) {}
-
-  const DesignSetup* setup_;
-  const DriverSchedule* schedule_;
-  Run run_;
-  std::vector<Sensitivity> by_;
-  std::vector<DriverMotion> motions_;
-  std::size_t next_ = 0;  // row
-};
 
 // What is wanted of one row: added up where it has been gone to.
 using Task = std::function<bool(const SlopeRun&, const std::vector<RowSensitivity>&)>;
@@ -158,12 +75,10 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
   const auto add = [&](const WeightedRow& at, auto value, Eigen::MatrixXd& J, std::size_t index) {
     tasks[at.row].push_back([value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
       for (std::size_t v = 0; v < of_row.size(); ++v) {
-        const std::vector<double> slope =
-            derivative_along(run.run(), run.by(v), of_row[v], [&](const Run& displaced, double /*h*/) {
-              return std::vector{
-                  value(redimensioned(displaced.plan(), displaced.mechanism()), displaced.row.bodies)};
+        J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) +=
+            weight * run.slope_of(v, of_row[v], [&](const Run& displaced) {
+              return value(redimensioned(displaced.plan(), displaced.mechanism()), displaced.row.bodies);
             });
-        J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) += weight * slope.front();
       }
       return true;
     });
@@ -187,6 +102,44 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
     };
     if (k < rows.transmission_rows.size()) add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
     ++k;
+  }
+}
+
+// How far bodies come: each term in the row in which it is largest.
+void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
+  const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
+  std::size_t k = 0;
+  for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
+    if (!setup.quantities[q].extent) continue;
+    const DesignTask::Extent& extent = *setup.quantities[q].extent;
+    for (const ExtentTerm& term : terms_that_count(extent, rows.extents[k++])) {
+      tasks[term.row].push_back([&, q, unit, term](const SlopeRun& run, const auto& of_row) {
+        const auto far = [&](const Run& displaced) {
+          return far_along(extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
+        };
+        for (std::size_t v = 0; v < of_row.size(); ++v) {
+          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+              unit * run.slope_of(v, of_row[v], far);
+        }
+        return true;
+      });
+    }
+  }
+}
+
+// What four-bars have to spare hangs on no row.
+void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
+               const std::vector<Mechanism>& derivatives, DesignSlopes& slopes) {
+  const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
+  for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
+    const auto& grashof = setup.quantities[q].grashof;
+    for (std::size_t v = 0; grashof && v < derivatives.size(); ++v) {
+      const auto room = [&](double h) {
+        return grashof_room(displaced(*candidate.mechanism, derivatives[v], h), *grashof).value_or(0);
+      };
+      slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) =
+          unit * eighth_order_difference(room, 1e-6 * setup.size);
+    }
   }
 }
 
@@ -223,20 +176,11 @@ std::optional<DesignSlopes> RunSlopes::of_candidate(const DesignCandidate& candi
     slopes.paths.emplace_back(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * path.size()), variables));
   }
   Tasks tasks;
+  add_rooms(*setup_, candidate, derivatives_, slopes);
+  add_extent_tasks(*setup_, rows, slopes, tasks);
   std::map<std::size_t, std::vector<std::pair<std::size_t, WeightedRow>>> along;  // columns not of bodies
   for (std::size_t q = 0; q < setup_->quantities.size(); ++q) {
     const DesignQuantity& quantity = setup_->quantities[q];
-    if (quantity.grashof) {
-      for (std::size_t v = 0; v < derivatives_.size(); ++v) {
-        const auto room = [&](double h) {
-          return grashof_room(displaced(*candidate.mechanism, derivatives_[v], h), *quantity.grashof)
-              .value_or(0);
-        };
-        const double unit = from_si(dimension::kLength, setup_->numbers.model().units()).apply(1);
-        slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) =
-            unit * eighth_order_difference(room, 1e-6 * setup_->size);
-      }
-    }
     if (!quantity.measure) continue;
     const std::size_t slot = rows.table_slots[*quantity.measure];
     std::vector<double> values;

@@ -14,7 +14,7 @@
 namespace higherpair {
 namespace {
 
-using Path = ExportSettings::Path;
+using FlankPath = ExportSettings::Path;
 
 std::string length_text(const Model& model, double metres) {
   return fmt::format("{:.6g} {}", from_si(dimension::kLength, model.units()).apply(metres),
@@ -70,7 +70,7 @@ std::vector<std::string> names_of(const std::vector<NamedRef>& curves) {
 }
 
 // All that can go out: a knife edge only as the path of a cutter around it.
-Result<std::vector<NamedRef>> curves_of_body(const Model& model, const std::string& name, Path path) {
+Result<std::vector<NamedRef>> curves_of_body(const Model& model, const std::string& name, FlankPath path) {
   std::vector<std::string> bodies;
   for (const Body& body : model.mechanism().bodies) {
     bodies.push_back(body.name);
@@ -82,7 +82,7 @@ Result<std::vector<NamedRef>> curves_of_body(const Model& model, const std::stri
   std::vector<NamedRef> curves = all_curves(model);
   std::erase_if(curves, [&](const NamedRef& curve) {
     return curve.ref.body != found - bodies.begin() ||
-           (path == Path::kCurve && is_point(named(model, curve.ref).curve));
+           (path == FlankPath::kCurve && is_point(named(model, curve.ref).curve));
   });
   if (curves.empty()) {
     return wrong(model, fmt::format("the body {} has no curves to draw", name));
@@ -124,7 +124,7 @@ Result<Boundary> boundary_of(const Model& model, const NamedRef& wanted, const E
   if (curve.boundary) {
     return *curve.boundary;
   }
-  if (is_point(curve.curve) && settings.path == Path::kCurve) {
+  if (is_point(curve.curve) && settings.path == FlankPath::kCurve) {
     return wrong(model, fmt::format("{} is a point, of which there is nothing to draw; the path of a cutter "
                                     "around it can be",
                                     wanted.name));
@@ -207,11 +207,11 @@ std::string text_of(const Model& model, const std::string& name, double radius, 
 
 Result<Boundary> path_of(const Model& model, const NamedRef& wanted, const ExportSettings& settings) {
   auto boundary = boundary_of(model, wanted, settings);
-  if (!boundary || settings.path == Path::kCurve) {
+  if (!boundary || settings.path == FlankPath::kCurve) {
     return boundary;
   }
   const Result<double> radius =
-      settings.path == Path::kPitch ? roller_of(model, wanted) : Result<double>(settings.cutter);
+      settings.path == FlankPath::kPitch ? roller_of(model, wanted) : Result<double>(settings.cutter);
   if (!radius) {
     return tl::unexpected(radius.error());
   }
@@ -225,8 +225,10 @@ Result<Boundary> path_of(const Model& model, const NamedRef& wanted, const Expor
   return *std::move(path);
 }
 
-std::string with_suffix(std::string name, Path path) {
-  return std::move(name) + (path == Path::kPitch ? "-pitch" : path == Path::kCutter ? "-cutter" : "");
+std::string with_suffix(std::string name, FlankPath path) {
+  return std::move(name) + (path == FlankPath::kPitch    ? "-pitch"
+                            : path == FlankPath::kCutter ? "-cutter"
+                                                         : "");
 }
 
 }  // namespace

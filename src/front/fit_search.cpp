@@ -1,24 +1,20 @@
 #include "fit_search.hpp"
 
-#include "arena.hpp"
+#include "fit_loss.hpp"
+#include "fit_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <random>
+#include <utility>
 
 namespace higherpair {
 namespace {
 
-constexpr double kHuberBend = 1.345, kTukeyEnd = 4.685;
 constexpr double kOfDeviation = 1.4826;   // of normal noise: standard deviation over median of sizes
 constexpr double kNoiseRounding = 1e-13;  // of the largest value of a column: what no noise is smaller than
 constexpr double kSettled = 1e-6;         // noise and weights that change by less
-constexpr int kMostRounds = 60, kMostIterations = 100;
-constexpr int kHuberRounds = 3;     // before Tukey's loss, which forgets what is far off at once
-constexpr int kBoundedStarts = 12;  // where all variables have bounds
-constexpr int kCandidates = 10;     // random ones of which the best is where a search begins
-constexpr double kSameEnd = 1e-4;   // of a range: ends of two searches are one
+constexpr int kMostRounds = 60;
+constexpr int kHuberRounds = 3;  // before Tukey's loss, which forgets what is far off at once
 
 using Sizes = std::vector<double>;
 
@@ -43,7 +39,10 @@ public:
       : problem_(problem), settings_(settings), loss_(problem.data().task.loss) {}
 
   FitSolution run() {
-    solution_.x = best_start();
+    FitStart start = best_start(problem_, settings_);
+    solution_.x = std::move(start.x);
+    solution_.starts = start.starts;
+    solution_.different = start.different;
     const auto residuals = problem_.residuals(solution_.x, &solution_.missing);
     if (!residuals) {
       return std::move(solution_);
@@ -58,126 +57,6 @@ public:
   }
 
 private:
-  [[nodiscard]] bool stopped() const { return settings_.stop != nullptr && settings_.stop->load(); }
-
-  // Least squares of residuals in these units.
-  [[nodiscard]] LeastSquaresFit minimise(const Eigen::VectorXd& from, const Eigen::VectorXd& scales,
-                                         int iterations) const {
-    LeastSquaresProblem squares;
-    squares.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) {
-      auto residuals = problem_.residuals(x);
-      if (!residuals) return false;
-      r = residuals->cwiseProduct(scales);
-      return true;
-    };
-    squares.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) {
-      auto jacobian = problem_.jacobian(x);
-      if (!jacobian) return false;
-      J = scales.asDiagonal() * *jacobian;
-      return true;
-    };
-    squares.low = problem_.low();
-    squares.high = problem_.high();
-    LeastSquaresOptions options;
-    options.iterations = iterations;
-    options.stop = settings_.stop;
-    for (std::size_t i = 0; i < problem_.values().size(); ++i) {
-      options.rounding = std::max(options.rounding,
-                                  1e-15 * problem_.largest(problem_.values()[i].column) * scales(place(i)));
-    }
-    return least_squares(squares, from, options);
-  }
-
-  // By the spread of each column, before its noise is known.
-  [[nodiscard]] Eigen::VectorXd spread_scales() const {
-    Eigen::VectorXd scales(place(problem_.values().size()));
-    for (std::size_t i = 0; i < problem_.values().size(); ++i) {
-      scales(place(i)) = 1 / problem_.spread(problem_.values()[i].column);
-    }
-    return scales;
-  }
-
-  [[nodiscard]] int start_count() const {
-    const auto& variables = problem_.data().variables->variables;
-    const bool bounded = std::all_of(variables.begin(), variables.end(), [](const auto& variable) {
-      return std::isfinite(variable.range.low) && std::isfinite(variable.range.high);
-    });
-    return problem_.data().task.starts.value_or(bounded ? kBoundedStarts : 1);
-  }
-
-  // Each by itself, so that the number of threads makes no difference.
-  Eigen::VectorXd best_start() {
-    const Eigen::VectorXd first = problem_.start();
-    const int count = start_count();
-    solution_.starts = 1;
-    solution_.different = 1;
-    if (count == 1) return first;
-    std::vector<LeastSquaresFit> ends(static_cast<std::size_t>(count));
-    const Eigen::VectorXd scales = spread_scales();
-    const auto one = [&](int k) {
-      const auto from = k == 0 ? std::optional(first) : random_start(k);
-      if (from && !stopped()) ends[static_cast<std::size_t>(k)] = minimise(*from, scales, kMostIterations);
-    };
-    one(0);
-    for_each_on_threads(ends.size() - 1, settings_.threads,
-                        [&](std::size_t k) { one(static_cast<int>(k) + 1); });
-    const LeastSquaresFit* best = nullptr;
-    std::vector<const LeastSquaresFit*> different;
-    solution_.starts = 0;
-    for (const LeastSquaresFit& end : ends) {
-      if (!std::isfinite(end.sum)) continue;
-      ++solution_.starts;
-      if (std::none_of(different.begin(), different.end(),
-                       [&](const LeastSquaresFit* other) { return is_same(end.x, other->x); })) {
-        different.push_back(&end);
-      }
-      if (best == nullptr || end.sum < best->sum * (1 - 1e-9)) best = &end;
-    }
-    solution_.different = static_cast<int>(different.size());
-    return best == nullptr ? first : best->x;
-  }
-
-  [[nodiscard]] double range(Eigen::Index i) const {
-    const double width = problem_.high()(i) - problem_.low()(i);
-    return std::isfinite(width) ? width : problem_.motion().scale(static_cast<std::size_t>(i));
-  }
-
-  [[nodiscard]] bool is_same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-    for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
-      if (std::abs(a(i) - b(i)) > kSameEnd * range(i)) return false;
-    }
-    return true;
-  }
-
-  [[nodiscard]] std::optional<Eigen::VectorXd> random_start(int number) const {
-    const std::uint64_t seed = problem_.data().task.seed.value_or(1);
-    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                           static_cast<std::uint32_t>(number)};
-    std::mt19937_64 engine(sequence);
-    std::optional<Eigen::VectorXd> best;
-    double least = std::numeric_limits<double>::infinity();
-    const Eigen::VectorXd scales = spread_scales();
-    for (int k = 0; k < kCandidates && !stopped(); ++k) {
-      std::vector<double> variables;
-      for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
-        const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
-        const double low = problem_.low()(i), high = problem_.high()(i);
-        const double at = problem_.data().variables->variables[static_cast<std::size_t>(i)].range.start;
-        variables.push_back(std::isfinite(low) && std::isfinite(high)
-                                ? low + share * (high - low)
-                                : std::clamp(at + (share - 0.5) * range(i), low, high));
-      }
-      const auto x = problem_.start_from(variables);
-      const auto residuals = x ? problem_.residuals(*x) : std::nullopt;
-      const double sum = residuals ? residuals->cwiseProduct(scales).squaredNorm() : least;
-      if (sum < least) {
-        least = sum;
-        best = x;
-      }
-    }
-    return best;
-  }
-
   void find_constant_columns() {
     constexpr double kNothing = 1e-12;  // of the largest change
     const auto jacobian = problem_.jacobian(solution_.x);
@@ -251,16 +130,28 @@ private:
     return loss_ == FitLoss::kSquares && (unknown == 0 || (unknown == 1 && fitted == 1));
   }
 
+  void tell(int rounds) const {
+    if (!settings_.progress) return;
+    double sum = 0;
+    for (std::size_t i = 0; i < problem_.values().size(); ++i) {
+      sum += std::pow(solution_.residuals(place(i)) / problem_.spread(problem_.values()[i].column), 2);
+    }
+    settings_.progress({solution_.starts, solution_.starts, rounds,
+                        std::sqrt(sum / static_cast<double>(problem_.values().size()))});
+  }
+
   void refine() {
     (void)reweight(loss_ == FitLoss::kTukey ? FitLoss::kHuber : loss_);
     for (int round = 0; round < kMostRounds; ++round) {
-      const LeastSquaresFit found = minimise(solution_.x, scales_of(problem_, solution_), kMostIterations);
+      const LeastSquaresFit found =
+          minimise(problem_, solution_.x, scales_of(problem_, solution_), settings_.stop);
       solution_.iterations += found.iterations;
       if (found.end == LeastSquaresEnd::kUndefined) return;
       solution_.x = found.x;
       if (auto residuals = problem_.residuals(solution_.x, &solution_.missing)) {
         solution_.residuals = *std::move(residuals);
       }
+      tell(round + 1);
       const bool huber = loss_ == FitLoss::kTukey && round < kHuberRounds;
       const double change = reweight(huber ? FitLoss::kHuber : loss_);
       if (found.end == LeastSquaresEnd::kStopped) {
@@ -282,34 +173,6 @@ private:
 };
 
 }  // namespace
-
-double weight_of(FitLoss loss, double u) {
-  const double size = std::abs(u);
-  switch (loss) {
-    case FitLoss::kHuber:
-      return size <= kHuberBend ? 1 : kHuberBend / size;
-    case FitLoss::kTukey:
-      return size < kTukeyEnd ? std::pow(1 - u * u / (kTukeyEnd * kTukeyEnd), 2) : 0;
-    case FitLoss::kSquares:
-      break;
-  }
-  return 1;
-}
-
-double slope_of(FitLoss loss, double u) {
-  const double size = std::abs(u);
-  switch (loss) {
-    case FitLoss::kHuber:
-      return size <= kHuberBend ? 1 : 0;
-    case FitLoss::kTukey: {
-      const double share = u * u / (kTukeyEnd * kTukeyEnd);
-      return size < kTukeyEnd ? (1 - share) * (1 - 5 * share) : 0;
-    }
-    case FitLoss::kSquares:
-      break;
-  }
-  return 1;
-}
 
 Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution) {
   Eigen::VectorXd scales(place(problem.values().size()));

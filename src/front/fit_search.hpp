@@ -30,8 +30,4 @@ struct FitSolution {
 /// Residuals in units of noise, with √weight of columns and loss; of columns without a part 0.
 [[nodiscard]] Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution);
 
-/// ψ(u)/u of a loss, and ψ′.
-[[nodiscard]] double weight_of(FitLoss loss, double u);
-[[nodiscard]] double slope_of(FitLoss loss, double u);
-
 }  // namespace higherpair

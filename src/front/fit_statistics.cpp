@@ -1,5 +1,6 @@
 #include "fit_statistics.hpp"
 
+#include "fit_loss.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/singular_values.hpp"
 

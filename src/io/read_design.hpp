@@ -23,6 +23,15 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 [[nodiscard]] std::optional<DesignTask::PointPath> read_point_path(TableReader& table,
                                                                    const Mechanism& mechanism);
 
+/// "body.point"; none where there is no such point, which is reported.
+[[nodiscard]] std::optional<PointRef> find_point(Reading& reading, const Item& item,
+                                                 const Mechanism& mechanism);
+
+/// Whether an objective or constraint has `reach` or `size`.
+[[nodiscard]] bool is_extent(TableReader& table);
+/// That; none where it is wrong. \pre is_extent
+[[nodiscard]] std::optional<DesignTask::Extent> read_extent(TableReader& table, const Mechanism& mechanism);
+
 /// A number without a unit of its own: it is in the unit of something that is not known here.
 [[nodiscard]] std::optional<double> as_plain_number(Reading& reading, const Item& item);
 /// The same at a key that may be absent.

@@ -198,6 +198,9 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
   } else if (const auto figure = table.take("figure")) {
     objective.figure = read_figure(table, *figure);
     objective.target = optional_plain_number(table, "target");
+  } else if (is_extent(table)) {
+    objective.extent = read_extent(table, profile.mechanism);
+    objective.target = optional_plain_number(table, "target");
   } else {
     objective.measure = read_measure(table);
     objective.target = optional_plain_number(table, "target");
@@ -206,8 +209,8 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     objective.weight = as_plain_number(reading, *weight).value_or(1);
     if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
   }
-  const bool complete =
-      objective.path || objective.measure || objective.figure || !objective.followed.empty();
+  const bool complete = objective.path || objective.measure || objective.figure || objective.extent ||
+                        !objective.followed.empty();
   return complete ? std::optional(std::move(objective)) : std::nullopt;
 }
 
@@ -235,21 +238,24 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     constraint.below = 0;
   } else if (const auto figure = table.take("figure")) {
     constraint.figure = read_figure(table, *figure);
+  } else if (is_extent(table)) {
+    constraint.extent = read_extent(table, profile.mechanism);
   } else {
     constraint.measure = read_measure(table);
   }
+  const std::size_t mistakes = reading.mistakes.size();
   if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
   if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
   const auto wrong = [&](const std::string& what) {
     reading.mistakes.push_back({table.mark(), table.path() + ": " + what});
   };
-  if (!constraint.below && !constraint.above) {
+  if (!constraint.below && !constraint.above && reading.mistakes.size() == mistakes) {
     wrong("a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     wrong(fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
   }
   const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
-                        constraint.grashof || !constraint.without.empty();
+                        constraint.extent || constraint.grashof || !constraint.without.empty();
   return complete ? std::optional(std::move(constraint)) : std::nullopt;
 }
 

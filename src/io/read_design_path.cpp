@@ -14,23 +14,6 @@ namespace {
 
 using PointPath = DesignTask::PointPath;
 
-bool find_point(Reading& reading, const Item& item, const Mechanism& mechanism, PointPath& path) {
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const Body& body = mechanism.bodies[b];
-    for (std::size_t p = 0; p < body.points.size(); ++p) {
-      names.push_back(body.name + "." + body.points[p].name);
-      if (names.back() == path.point) {
-        path.ref = {static_cast<int>(b), static_cast<int>(p)};
-        if (b == 0) report(reading, item, "a point of ground does not move");
-        return true;
-      }
-    }
-  }
-  report(reading, item, "there is no such point; " + suggestion(path.point, names));
-  return false;
-}
-
 void check_points(Reading& reading, const Item& item, const PointPath& path) {
   if (path.through.size() < 2) {
     report(reading, item, "expected at least two points: one alone is no path");
@@ -100,20 +83,40 @@ void read_free(Reading& reading, const Item& free, PointPath& path) {
     if (!choice) return;
     (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
   }
-  if (path.free_position && path.through.size() < 3) {
+  if (path.free_position && path.through.size() == 2) {  // of fewer it is said already
     report(reading, free, "expected at least three points: two have no form but their distance");
   }
 }
 
 }  // namespace
 
+std::optional<PointRef> find_point(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto wanted = as_text(reading, item);
+  if (!wanted) {
+    return std::nullopt;
+  }
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      names.push_back(body.name + "." + body.points[p].name);
+      if (names.back() == *wanted) return PointRef{static_cast<int>(b), static_cast<int>(p)};
+    }
+  }
+  report(reading, item, "there is no such point; " + suggestion(*wanted, names));
+  return std::nullopt;
+}
+
 std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& mechanism) {
   Reading& reading = table.reading();
   PointPath path;
   bool known = false;
   if (const auto item = table.need("point", "the point whose path is meant, \"coupler.E\"")) {
-    path.point = as_text(reading, *item).value_or("");
-    known = !path.point.empty() && find_point(reading, *item, mechanism, path);
+    const auto point = find_point(reading, *item, mechanism);
+    if (point && point->body == 0) report(reading, *item, "a point of ground does not move");
+    if (point) path.point = as_text(reading, *item).value();
+    path.ref = point.value_or(PointRef());
+    known = point.has_value();
   }
   if (const auto file = table.take("file")) {
     table.refuse("through", "the points are in the file already: one of the two");
@@ -131,11 +134,7 @@ std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& me
     read_positions(reading, *at, path);
   }
   if (path.timed && path.closed) table.refuse("closed", "the points of a timed path have their rows");
-  if (!path.timed) {
-    table.refuse("free", "holds for a path with timed = true");
-  } else if (const auto free = table.take("free")) {
-    read_free(reading, *free, path);
-  }
+  if (const auto free = table.take("free")) read_free(reading, *free, path);
   return known && path.through.size() > 1 ? std::optional(std::move(path)) : std::nullopt;
 }
 

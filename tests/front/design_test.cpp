@@ -82,7 +82,7 @@ TEST_P(PublishedTasks, AreSolvedToTheBestValueKnown) {
 
 INSTANTIATE_TEST_SUITE_P(Paths, PublishedTasks,
                          ::testing::Values(Published{"design_five_points", 7.41575131e-7, 12},
-                                           Published{"design_eighteen_points", 0.00902888463, 20},
+                                           Published{"design_eighteen_points", 0.00902888463, 100},
                                            Published{"design_straight_path", 1e-20, 150},
                                            Published{"design_ellipse_path", 4.0199e-4, 8},
                                            Published{"design_arch_path", 2.84271, 100}));

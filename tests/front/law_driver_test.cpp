@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // A crank and slider, stroke in the driver's direction; or the slide alone, with a mass.
-const std::string kCrank = R"(
+const std::string kLawCrank = R"(
 [bodies.ground]
 points.O = [0, 0]
 [bodies.crank]
@@ -60,7 +60,7 @@ RunSettings at(const std::vector<double>& positions) {
 // Each column is the derivative of the one before: five-point differences over rows that are close together.
 TEST(LawDriver, EveryRateIsTheDerivativeOfTheOneBefore) {
   const Model model =
-      model_of(kCrank +
+      model_of(kLawCrank +
                "duration = 0.4\ntime_step = 0.0001\n[laws.turn]\norigin = -0.1\nsegments = [{ over = "
                "1, law = \"polynomial-4567\", rise = 300 }]\n");
   const Motion motion = [&] {
@@ -96,7 +96,7 @@ TEST(LawDriver, EveryRateIsTheDerivativeOfTheOneBefore) {
 
 TEST(LawDriver, ReportsJumpsOfVelocityAndAcceleration) {
   const Model model =
-      model_of(kCrank +
+      model_of(kLawCrank +
                "time_step = 0.25\n[laws.turn]\nsegments = [{ over = 1, law = \"parabolic\", rise = 90 "
                "}, { over = 0.5, law = \"dwell\" }, { over = 0.6, law = \"uniform\", rise = 30 }]\n");
   const Motion motion = motion_of(model, in_time());
@@ -133,7 +133,7 @@ TEST(LawDriver, EventsDoNotDependOnTheRows) {
       "\"polynomial-345\", rise = -200 }]\n";
   const auto ends_of_stroke = [&](const std::string& step) {
     std::vector<double> times;
-    const Model model = model_of(kCrank + "duration = 4\ntime_step = " + step + "\n" + law);
+    const Model model = model_of(kLawCrank + "duration = 4\ntime_step = " + step + "\n" + law);
     const Motion motion = motion_of(model, in_time());
     for (const Event& event : motion.events()) {
       if (event.type == EventType::kStrokeEnd) times.push_back(*event.time);
@@ -151,7 +151,7 @@ TEST(LawDriver, EventsDoNotDependOnTheRows) {
 
 TEST(LawDriver, AnalyzeIsStepOverTheWholeLaw) {
   const Model model = model_of(
-      kCrank + "samples = 11\n[laws.turn]\nsegments = [{ over = 2, law = \"harmonic\", rise = 90 }]\n");
+      kLawCrank + "samples = 11\n[laws.turn]\nsegments = [{ over = 2, law = \"harmonic\", rise = 90 }]\n");
   const Motion analyzed = motion_of(model, {});
   const Motion stepped = motion_of(model, in_time());
   ASSERT_EQ(analyzed.size(), 11U);
@@ -249,7 +249,7 @@ segments = [{ over = 0.1, law = "dwell" }, { over = 0.1, law = "harmonic", rise 
 
 TEST(LawDriver, APositionByItselfHasTheRatesOfTheLaw) {
   const Model model =
-      model_of(kCrank + "[laws.turn]\nsegments = [{ over = 2, law = \"parabolic\", rise = 90 }]\n");
+      model_of(kLawCrank + "[laws.turn]\nsegments = [{ over = 2, law = \"parabolic\", rise = 90 }]\n");
   const Motion motion = motion_of(model, at({45, 0}));
   EXPECT_NEAR(motion.column("driver.velocity")[0], 90, 1e-9);
   EXPECT_EQ(motion.column("driver.velocity")[1], 0);
@@ -259,7 +259,7 @@ TEST(LawDriver, APositionByItselfHasTheRatesOfTheLaw) {
 }
 
 TEST(LawDriver, OtherUnitsThanTheProfilesAreThoseOfTheTable) {
-  const Model model = model_of(kCrank +
+  const Model model = model_of(kLawCrank +
                                "samples = 3\n[laws.turn]\nsegments = [{ over = 2, law = \"parabolic\", rise "
                                "= 90 }, { over = 1, law = \"dwell\" }]\n");
   const Motion motion = [&] {

@@ -173,10 +173,28 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{
             kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"\nabove = 3\nbelow = 2",
             "design.constraints.0: nothing is above 3 and below 2"},
+        Wrong{kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"\nabove = \"3 mm\"",
+              "design.constraints.0.above = \"3 mm\": expected a plain number"},
         Wrong{kObjective + "[[design.constraints]]\ntransmission = \"pivo\"\nabove = 3",
               "did you mean `pivot`"},
         Wrong{kObjective + "[design]\nmethod = \"newton\"", "slsqp"},
         Wrong{kObjective + "[design]\nstarts = 0", "from 1"}));
+
+// One slip, one message: a limit that cannot be read is not missing, nor has an absent file too few points.
+TEST(DesignTask, ASlipIsReportedOnce) {
+  for (const char* goal :
+       {"[[design.objectives]]\npath = { point = \"crank.A\", file = \"none.csv\", free = [\"position\"] }",
+        "[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1]], free = [\"position\"] }",
+        "[[design.objectives]]\ncolumn = \"crank.A.y\"\nof = \"max\"\n[[design.constraints]]\ncolumn = "
+        "\"crank.A.y\"\nof = \"min\"\nabove = \"3 mm\""}) {
+    EXPECT_EQ(testing::messages(kCrank + kVariable + goal).size(), 1U) << goal;
+  }
+  EXPECT_THAT(
+      testing::messages(kCrank + kVariable +
+                        "[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1], [2, 3]], "
+                        "free = [\"position\"] }"),
+      ElementsAre(HasSubstr("two have no form but their distance")));
+}
 
 TEST(DesignTask, MistakesAreReportedAllAtOnce) {
   EXPECT_EQ(

@@ -10,6 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kCamProfile;
+using testing::messages;
 using testing::Overrides;
 using testing::read;
 

@@ -5,10 +5,9 @@
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "status_line.hpp"
 
-#include <cstdio>
 #include <filesystem>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,28 +15,10 @@
 namespace higherpair::cli {
 namespace {
 
-// On a terminal, the best so far while the search goes on.
-class BestSoFar {
-public:
-  explicit BestSoFar(bool quiet) : wanted_(!quiet && isatty(STDERR_FILENO) == 1) {}
-  ~BestSoFar() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
-  }
-  BestSoFar(const BestSoFar&) = delete;
-  BestSoFar& operator=(const BestSoFar&) = delete;
-
-  void show(const DesignProgress& progress) {
-    if (!wanted_) return;
-    shown_ = true;
-    fmt::print(stderr, "\r\033[K{} searches, best {:.9g}{}", progress.starts, progress.objective,
-               progress.violation > kConstraintTolerance ? " (violates a constraint)" : "");
-    std::fflush(stderr);
-  }
-
-private:
-  bool wanted_;
-  bool shown_ = false;
-};
+std::string best_so_far(const DesignProgress& progress) {
+  return fmt::format("{} searches, best {:.9g}{}", progress.starts, progress.objective,
+                     progress.violation > kConstraintTolerance ? " (violates a constraint)" : "");
+}
 
 // out/better.toml, out/better.2.toml, …
 std::string numbered(const std::string& path, int number) {
@@ -56,7 +37,7 @@ std::vector<FileText> profiles_of(const DesignReport& report, const DesignComman
   return files;
 }
 
-DesignSettings settings_of(const DesignCommandOptions& options, BestSoFar& best) {
+DesignSettings settings_of(const DesignCommandOptions& options, StatusLine& line) {
   DesignSettings settings;
   settings.seed = options.seed;
   settings.starts = options.starts;
@@ -65,7 +46,7 @@ DesignSettings settings_of(const DesignCommandOptions& options, BestSoFar& best)
   settings.threads = options.threads;
   settings.best = options.best;
   settings.stop = &interruption();
-  settings.progress = [&best](const DesignProgress& progress) { best.show(progress); };
+  settings.progress = [&line](const DesignProgress& progress) { line.show(best_so_far(progress)); };
   return settings;
 }
 
@@ -118,8 +99,8 @@ int design_command(const DesignCommandOptions& options) {
     return report_error(model.error());
   }
   const auto report = [&] {
-    BestSoFar best(options.quiet);
-    return design(*model, settings_of(options, best));
+    StatusLine line(!options.quiet);
+    return design(*model, settings_of(options, line));
   }();
   if (!report) {
     return report_error(report.error());

@@ -64,6 +64,11 @@ std::string objectives_text(const DesignReport& report) {
     text += fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {}\n", objective.what, width,
                         shown(objective.before), shown(objective.after),
                         objective.target ? shown(*objective.target) : "least", objective.unit);
+    if (const auto& placed = objective.placement) {
+      text += fmt::format("  when turned by {:.9g} {}, scaled by {:.9g}, then moved by {:.9g}, {:.9g} {}\n",
+                          placed->turn, objective.angle_unit, placed->scale, placed->x, placed->y,
+                          objective.length_unit);
+    }
   }
   return text + fmt::format("{:<{}}  {:>16}  {:>16}\n", "altogether", width, shown(report.before),
                             shown(report.after));
@@ -88,9 +93,12 @@ std::string constraints_text(const DesignReport& report) {
 std::string search_text(const DesignReport& report) {
   std::string text = fmt::format("\n{} searches by {}, {} candidates; {} different optima\n", report.starts,
                                  report.method, report.evaluations, report.different);
+  const bool has_steps = std::any_of(report.variables.begin(), report.variables.end(),
+                                     [](const auto& variable) { return variable.step > 0; });
   for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
-    text += fmt::format("  {}. {}{}:", k + 1, shown(report.optima[k].objective),
-                        report.optima[k].holds ? "" : " (violates a constraint)");
+    text += fmt::format("  {}. {}{}{}:", k + 1, shown(report.optima[k].objective),
+                        report.optima[k].holds ? "" : " (violates a constraint)",
+                        has_steps && report.optima[k].text.empty() ? " (not rounded to steps)" : "");
     for (std::size_t i = 0; i < report.variables.size(); ++i) {
       text += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
     }
@@ -135,6 +143,10 @@ Json design_json(const DesignReport& report) {
          {"before", number_or_null(objective.before)},
          {"after", number_or_null(objective.after)},
          {"target", objective.target ? number_or_null(*objective.target) : Json(nullptr)}});
+    if (const auto& placed = objective.placement) {
+      json["objectives"].back()["placement"] = {
+          {"turn", placed->turn}, {"scale", placed->scale}, {"x", placed->x}, {"y", placed->y}};
+    }
   }
   json["constraints"] = Json::array();
   for (const auto& constraint : report.constraints) {

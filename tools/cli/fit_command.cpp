@@ -4,6 +4,7 @@
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
+#include "status_line.hpp"
 
 #include <algorithm>
 
@@ -87,7 +88,13 @@ int fit_points(const FitCommandOptions& options) {
   return write(options, *report) ? kExitOk : kExitMachine;
 }
 
-FitSettings settings_of(const FitCommandOptions& options) {
+std::string how_far(const FitProgress& progress) {
+  return fmt::format("{} of {} searches, {:.3g} % of the spread missed{}", progress.starts,
+                     progress.all_starts, 100 * progress.off,
+                     progress.rounds > 0 ? fmt::format(", round {}", progress.rounds) : "");
+}
+
+FitSettings settings_of(const FitCommandOptions& options, StatusLine& line) {
   FitSettings settings;
   if (options.loss) settings.loss = static_cast<FitLoss>(index_of(fit_loss_names(), *options.loss));
   settings.confidence = options.confidence;
@@ -97,6 +104,7 @@ FitSettings settings_of(const FitCommandOptions& options) {
   settings.seed = options.seed;
   settings.threads = options.threads;
   settings.stop = &interruption();
+  settings.progress = [&line](const FitProgress& progress) { line.show(how_far(progress)); };
   return settings;
 }
 
@@ -137,7 +145,7 @@ CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options) {
   command
       ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
       ->check(CLI::Range(1, 100'000));
-  command->add_flag("--quiet", options.quiet, "no notes on standard error");
+  command->add_flag("--quiet", options.quiet, "no notes and progress on standard error");
   command->final_callback([&options] {
     refuse_with_curve(options);
     check_files(options);
@@ -158,7 +166,10 @@ int fit_command(const FitCommandOptions& options) {
   if (!measured) {
     return report_error({ErrorKind::kInput, measured.error()});
   }
-  const auto report = fit(*model, *measured, settings_of(options));
+  const auto report = [&] {
+    StatusLine line(!options.quiet);
+    return fit(*model, *measured, settings_of(options, line));
+  }();
   if (!report) {
     return report_error(report.error());
   }

@@ -41,6 +41,15 @@ struct DesignReport {
     std::optional<double> target;
     double before = 0;  ///< of a path, and of a column that follows values, the sum of all squares
     double after = 0;
+    /// Of a path that is free to be placed: what the new mechanism has to be turned by about ground's origin,
+    /// scaled by, and moved by then for its path to lie where it is wanted.
+    struct Placement {
+      double turn = 0;
+      double scale = 1;
+      double x = 0, y = 0;
+    };
+    std::optional<Placement> placement;
+    std::string length_unit, angle_unit;  ///< of the placement
   };
   struct Constraint {
     std::string what;  ///< "max of touch.pressure below 30", as the profile has it

@@ -6,12 +6,21 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace higherpair {
+
+/// Where a fit is.
+struct FitProgress {
+  int starts = 0;      ///< searches that are done
+  int all_starts = 1;  ///< of so many
+  int rounds = 0;      ///< of noise and weights, behind the searches
+  double off = 0;      ///< of the best so far: root mean square of the residuals, each by its column's spread
+};
 
 /// In place of what [fit] of the profile says.
 struct FitSettings {
@@ -24,6 +33,7 @@ struct FitSettings {
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: all; makes no difference to the result
   const std::atomic<bool>* stop = nullptr;
+  std::function<void(const FitProgress&)> progress;  ///< called by one thread at a time; may be empty
 };
 
 enum class FitEnd { kConverged, kNotConverged, kStopped };

@@ -38,7 +38,7 @@ struct DesignTask {
         at;  ///< timed: the driver's positions in these rows, in the profile's unit; empty: all rows
     bool ordered = true;  ///< not timed: one after the other as the driver goes on
     bool closed = false;  ///< ordered: whichever of them comes first
-    /// What the whole path may be besides: only its form counts. Of a timed path.
+    /// What the whole path may be besides: only its form counts.
     bool free_position = false, free_turn = false, free_scale = false;
 
     [[nodiscard]] bool is_free() const { return free_position || free_turn || free_scale; }
@@ -64,17 +64,32 @@ struct DesignTask {
     int joint = 0;  ///< of Mechanism::joints
   };
 
+  /// How far the mechanism comes over all rows [length of tables].
+  struct Extent {
+    enum class Kind {
+      kReach,    ///< largest distance of a point from another one
+      kWidth,    ///< of all its places together, along x of ground
+      kHeight,   ///< the same along y
+      kLargest,  ///< the larger of both
+    };
+    Kind kind = Kind::kReach;
+    PointRef point, from;     ///< of kReach
+    std::vector<int> bodies;  ///< of the others: those that count
+    std::string words;        ///< "reach of coupler.E from ground.O", "width"
+  };
+
   struct Objective {
     std::string path_of_key;  ///< "design.objectives.0"
     std::optional<PointPath> path;
     std::optional<Measure> measure;
     std::optional<Figure> figure;
+    std::optional<Extent> extent;
     /// A column that is to follow given values: measures of kAt, and the values.
     std::vector<Measure> followed;
     std::vector<double> values;
     bool follow_change = false;  ///< only how it changes from the first of them on counts
     std::optional<double>
-        target;         ///< of a measure or figure, in the unit of tables; none: as small as possible
+        target;         ///< of a measure, figure or extent, in the unit of tables; none: as small as possible
     double weight = 1;  ///< > 0; of a path and of a target within the square
     Place place;
   };
@@ -83,6 +98,7 @@ struct DesignTask {
     std::string path_of_key;
     std::optional<Measure> measure;
     std::optional<Figure> figure;
+    std::optional<Extent> extent;
     std::optional<Transmission> transmission;  ///< the least over all rows
     std::optional<Grashof> grashof;
     std::vector<EventType> without;      ///< how many of these events happen

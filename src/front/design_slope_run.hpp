@@ -1,0 +1,50 @@
+#pragma once
+
+#include "design_runs.hpp"
+#include "higherpair/analysis/sensitivity.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// A run of one candidate, and with it the derivatives by each variable.
+class SlopeRun {
+public:
+  /// None where it cannot be started on the branch, or not be differentiated there. \param setup, candidate
+  /// outlive this \param derivatives  of the mechanism by each variable
+  [[nodiscard]] static std::optional<SlopeRun> start(const DesignSetup& setup,
+                                                     const DesignCandidate& candidate, int branch,
+                                                     const std::vector<Mechanism>& derivatives);
+
+  /// To a row that is not before the last one.
+  void go_to(std::size_t row);
+  /// Aside, to where the only driver stands.
+  [[nodiscard]] SlopeRun beside(double driver) const;
+
+  /// One for each variable; empty where there is one by which the row cannot be differentiated.
+  [[nodiscard]] std::vector<RowSensitivity> sensitivities() const;
+  /// The derivative of a number that a run has in its row.
+  [[nodiscard]] double slope_of(std::size_t variable, const RowSensitivity& of_row,
+                                const std::function<double(const Run& displaced)>& number) const;
+  /// Those of the columns of the table. \param like  whose mechanism is changed
+  [[nodiscard]] std::vector<double> table_slopes(Model::Data& like, std::size_t variable,
+                                                 const RowSensitivity& of_row) const;
+
+  [[nodiscard]] const Run& run() const { return run_; }
+  [[nodiscard]] const Sensitivity& by(std::size_t variable) const { return by_[variable]; }
+
+private:
+  SlopeRun(const DesignSetup& setup, const DriverSchedule& schedule, Run run)
+      : setup_(&setup), schedule_(&schedule), run_(std::move(run)) {}
+
+  const DesignSetup* setup_;
+  const DriverSchedule* schedule_;
+  Run run_;
+  std::vector<Sensitivity> by_;
+  std::vector<DriverMotion> motions_;
+  std::size_t next_ = 0;  // row
+};
+
+}  // namespace higherpair

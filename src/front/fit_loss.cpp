@@ -1,0 +1,40 @@
+#include "fit_loss.hpp"
+
+#include <cmath>
+
+namespace higherpair {
+namespace {
+
+constexpr double kHuberBend = 1.345, kTukeyEnd = 4.685;
+
+}  // namespace
+
+double weight_of(FitLoss loss, double u) {
+  const double size = std::abs(u);
+  switch (loss) {
+    case FitLoss::kHuber:
+      return size <= kHuberBend ? 1 : kHuberBend / size;
+    case FitLoss::kTukey:
+      return size < kTukeyEnd ? std::pow(1 - u * u / (kTukeyEnd * kTukeyEnd), 2) : 0;
+    case FitLoss::kSquares:
+      break;
+  }
+  return 1;
+}
+
+double slope_of(FitLoss loss, double u) {
+  const double size = std::abs(u);
+  switch (loss) {
+    case FitLoss::kHuber:
+      return size <= kHuberBend ? 1 : 0;
+    case FitLoss::kTukey: {
+      const double share = u * u / (kTukeyEnd * kTukeyEnd);
+      return size < kTukeyEnd ? (1 - share) * (1 - 5 * share) : 0;
+    }
+    case FitLoss::kSquares:
+      break;
+  }
+  return 1;
+}
+
+}  // namespace higherpair

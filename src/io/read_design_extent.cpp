@@ -1,0 +1,84 @@
+// How far the mechanism comes, as a design's objective or constraint.
+#include "read_design.hpp"
+
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+using Extent = DesignTask::Extent;
+
+std::optional<Extent> read_reach(TableReader& table, const Item& reach, const Mechanism& mechanism) {
+  Reading& reading = table.reading();
+  table.refuse("size", "this is a reach: make an entry of its own of the size");
+  table.refuse("bodies", "a reach is that of one point");
+  const auto from = table.need("from", "the point from which the reach is measured, such as \"ground.O\"");
+  const auto point = find_point(reading, reach, mechanism);
+  const auto origin = from ? find_point(reading, *from, mechanism) : std::nullopt;
+  if (!point || !origin) {
+    return std::nullopt;
+  }
+  if (point->body == origin->body) {
+    report(reading, reach, "both points are of one body: their distance does not change as it moves");
+    return std::nullopt;
+  }
+  Extent extent{Extent::Kind::kReach, *point, *origin, {}, ""};
+  extent.words =
+      fmt::format("reach of {} from {}", as_text(reading, reach).value(), as_text(reading, *from).value());
+  return extent;
+}
+
+// All of them where the table does not say which.
+std::vector<int> bodies_that_count(TableReader& table, const Mechanism& mechanism) {
+  std::vector<int> bodies(mechanism.bodies.size());
+  std::iota(bodies.begin(), bodies.end(), 0);
+  const auto item = table.take("bodies");
+  if (!item) {
+    return bodies;
+  }
+  bodies.clear();
+  const auto* items = std::get_if<Array>(&item->value->content);
+  if (items == nullptr || items->empty()) {
+    report(table.reading(), *item, "expected a list of bodies, such as [\"crank\", \"coupler\"]");
+    return bodies;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto body =
+        as_body(table.reading(), {&(*items)[i], fmt::format("{}.{}", item->path, i)}, mechanism);
+    if (body) bodies.push_back(*body);
+  }
+  return bodies;
+}
+
+std::optional<Extent> read_size(TableReader& table, const Item& size, const Mechanism& mechanism) {
+  const auto choice = as_choice(table.reading(), size, {"width", "height", "largest"});
+  table.refuse("from", "belongs to a reach");
+  Extent extent;
+  extent.bodies = bodies_that_count(table, mechanism);
+  if (!choice) {
+    return std::nullopt;
+  }
+  constexpr Extent::Kind kKinds[] = {Extent::Kind::kWidth, Extent::Kind::kHeight, Extent::Kind::kLargest};
+  extent.kind = kKinds[*choice];
+  extent.words = *choice == 2 ? "width or height" : as_text(table.reading(), size).value();
+  return extent;
+}
+
+}  // namespace
+
+bool is_extent(TableReader& table) {
+  return table.take("reach") || table.take("size");
+}
+
+std::optional<Extent> read_extent(TableReader& table, const Mechanism& mechanism) {
+  table.refuse("column", "this is about how far the mechanism comes: make an entry of its own of the column");
+  table.refuse("of", "an extent is the largest already");
+  const auto reach = table.take("reach");
+  return reach ? read_reach(table, *reach, mechanism) : read_size(table, *table.take("size"), mechanism);
+}
+
+}  // namespace higherpair::io_detail

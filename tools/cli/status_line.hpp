@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+
+/// One line on standard error, where that is a terminal, that says how far a search is; gone at the end.
+class StatusLine {
+public:
+  explicit StatusLine(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) == 1) {}
+  ~StatusLine() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+  void show(const std::string& text) {
+    if (!wanted_) return;
+    shown_ = true;
+    fmt::print(stderr, "\r\033[K{}", text);
+    std::fflush(stderr);
+  }
+
+private:
+  bool wanted_;
+  bool shown_ = false;
+};
+
+}  // namespace higherpair::cli
