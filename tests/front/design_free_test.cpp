@@ -145,5 +145,14 @@ TEST(FormsOfPaths, HaveTheDerivativesOfTheirSum) {
   }
 }
 
+// The same form from a table, wherever its points are given.
+TEST(FormsOfPaths, ThatAreShippedFitIntoTheirBox) {
+  const DesignReport report = designed(shipped_model("design_film_hook"), 8);
+  EXPECT_TRUE(report.holds);
+  EXPECT_LE(report.after, 5);  // of 14 points, mm^2
+  ASSERT_EQ(report.constraints.size(), 3U);
+  EXPECT_EQ(report.constraints[0].what, "width or height below 130");
+}
+
 }  // namespace
 }  // namespace higherpair

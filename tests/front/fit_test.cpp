@@ -560,6 +560,24 @@ TEST(Fit, ARaisedFlagStopsItWithTheBestSoFar) {
   EXPECT_FALSE(report.text.empty());
 }
 
+TEST(Fit, SaysHowFarItIs) {
+  std::vector<FitProgress> seen;
+  FitSettings settings;
+  settings.starts = 3;
+  settings.threads = 2;
+  settings.progress = [&](const FitProgress& progress) { seen.push_back(progress); };
+  const FitReport report =
+      fitted(model_of(kCamFit), table_of(lift_table("driver,follower.y", eccentric_lift)), settings);
+  ASSERT_GE(seen.size(), 4U);  // searches, and a round of noise at least
+  EXPECT_EQ(seen[0].starts, 1);
+  EXPECT_EQ(seen[2].starts, 3);
+  EXPECT_EQ(seen[2].all_starts, 3);
+  EXPECT_EQ(seen[2].rounds, 0);
+  EXPECT_LE(seen[2].off, seen[0].off);
+  EXPECT_GE(seen.back().rounds, 1);
+  EXPECT_TRUE(report.good);
+}
+
 TEST(Fit, AngleVariablesAndForcesAreFittedAsWell) {
   // The effort of the driver against a load on the follower: F e cos θ, with the slide turned.
   const std::string profile = std::string(kCam) + R"(
