@@ -148,7 +148,7 @@ std::optional<Vector2d> middle_of_convex(const Curve& curve) {
 // Two bounded convex bodies that are apart: no two of their points are nearer to each other than they are, so
 // that √(F² + F′²), the distance of the points of any normal, is a bound of the maximum. Newton's method from
 // the line of centres until F itself reaches it.
-std::optional<Separation> between_apart(const Problem& problem, const Vector2d& center1,
+std::optional<Separation> between_apart(const GapProblem& problem, const Vector2d& center1,
                                         const Vector2d& center2, double tolerance) {
   constexpr int kMostSteps = 8;
   double phi = angle_of(Vector2d(center2 - center1));

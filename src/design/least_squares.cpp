@@ -34,7 +34,7 @@ LeastSquaresProblem squares_of(Search& search, double weight) {
 
 }  // namespace
 
-void fit_least_squares(Search& search, const Eigen::VectorXd& u) {
+Eigen::VectorXd fit_least_squares(Search& search, const Eigen::VectorXd& u) {
   Eigen::VectorXd from = u;
   for (const double weight : kWeights) {
     LeastSquaresOptions options;
@@ -42,9 +42,10 @@ void fit_least_squares(Search& search, const Eigen::VectorXd& u) {
     from = least_squares(squares_of(search, weight), from, options).x;
     // Without a violation the weight makes no difference.
     if (search.stopped() || search.best().violation <= kConstraintTolerance) {
-      return;
+      break;
     }
   }
+  return from;
 }
 
 }  // namespace higherpair

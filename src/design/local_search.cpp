@@ -48,8 +48,10 @@ void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod metho
     return;
   }
   if (chosen == DesignMethod::kLeastSquares) {
-    fit_least_squares(search, u);
-    if (search.best().violation > -kActive && search.problem().constraints > 0) {
+    const Eigen::VectorXd end = fit_least_squares(search, u);
+    // The best point of the way may be inside of what the squares at its end press against.
+    if (search.problem().constraints > 0 && violation_of(search.evaluate(end)) > -kActive) {
+      search_by_nlopt(search, end, DesignMethod::kSlsqp, seed);
       repeat(search, DesignMethod::kSlsqp, seed);
     }
     return;

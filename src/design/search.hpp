@@ -69,8 +69,8 @@ private:
 /// One local search from u; its result is search.best().
 void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod method, std::uint64_t seed);
 
-/// Levenberg-Marquardt from u, constraints that do not hold as further residuals.
-void fit_least_squares(Search& search, const Eigen::VectorXd& u);
+/// Levenberg-Marquardt from u, constraints that do not hold as further residuals. Where it ends.
+Eigen::VectorXd fit_least_squares(Search& search, const Eigen::VectorXd& u);
 
 /// One of NLopt's methods from u.
 void search_by_nlopt(Search& search, const Eigen::VectorXd& u, DesignMethod method, std::uint64_t seed);

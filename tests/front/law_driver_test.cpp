@@ -152,7 +152,7 @@ TEST(LawDriver, EventsDoNotDependOnTheRows) {
 TEST(LawDriver, AnalyzeIsStepOverTheWholeLaw) {
   const Model model = model_of(
       kLawCrank + "samples = 11\n[laws.turn]\nsegments = [{ over = 2, law = \"harmonic\", rise = 90 }]\n");
-  const Motion analyzed = motion_of(model, {});
+  const Motion analyzed = motion_of(model);
   const Motion stepped = motion_of(model, in_time());
   ASSERT_EQ(analyzed.size(), 11U);
   ASSERT_EQ(stepped.size(), 11U);
