@@ -33,6 +33,8 @@ struct Bit {
   [[nodiscard]] int sense() const { return gap_q * bend; }
 };
 
+constexpr std::size_t kMostParts = 10000;  // pairs of spans: of two whole gears there are more
+
 // A branch before its coordinates are brought into the range.
 struct Draft {
   MapBranch branch;
@@ -47,6 +49,7 @@ public:
     map_.pair.motion2 = pair.motion2;
     map_.range = range;
     map_.size = trace_->sheet(true).size();
+    too_many_parts_ = pair.boundary1->spans().size() * pair.boundary2->spans().size() > kMostParts;
     cyclic_ = pair.motion1.turns;
     unit1_ = cyclic_ ? 1 : map_.size;
     unit2_ = pair.motion2.turns ? 1 : map_.size;
@@ -55,6 +58,10 @@ public:
   [[nodiscard]] ContactMap run() {
     if (!trace_->sheet(true).is_regular()) {
       map_.status = MapStatus::kOnlyRelative;
+      return map_;
+    }
+    if (too_many_parts_) {
+      map_.status = MapStatus::kTooManyParts;
       return map_;
     }
     map_.status = MapStatus::kOk;
@@ -453,6 +460,7 @@ private:
 
   MapRange range_;
   std::array<bool, 2> unbounded_;
+  bool too_many_parts_ = false;
   std::shared_ptr<BoundaryTrace> trace_;
   ContactMap map_;
   std::vector<Draft> drafts_;

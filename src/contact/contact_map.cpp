@@ -282,6 +282,8 @@ std::string_view describe(MapStatus status) {
     case MapStatus::kOnlyRelative:
       return "both bodies turn about one pivot, or slide in one direction: only their relative position "
              "counts";
+    case MapStatus::kTooManyParts:
+      return "the curves have too many parts for a map: give those that may touch as curves of their own";
     case MapStatus::kLimitEverywhere:
       break;
   }

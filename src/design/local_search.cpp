@@ -49,9 +49,15 @@ void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod metho
   }
   if (chosen == DesignMethod::kLeastSquares) {
     const Eigen::VectorXd end = fit_least_squares(search, u);
+    if (search.problem().constraints == 0) {
+      return;
+    }
     // The best point of the way may be inside of what the squares at its end press against.
-    if (search.problem().constraints > 0 && violation_of(search.evaluate(end)) > -kActive) {
+    const bool inside = search.best().violation <= -kActive;
+    if (inside && violation_of(search.evaluate(end)) > -kActive) {
       search_by_nlopt(search, end, DesignMethod::kSlsqp, seed);
+    }
+    if (!inside || search.best().violation > -kActive) {
       repeat(search, DesignMethod::kSlsqp, seed);
     }
     return;

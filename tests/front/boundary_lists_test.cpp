@@ -46,5 +46,13 @@ TEST(BoundaryLists, AreThoseOfTheMap) {
   EXPECT_THAT(positions, ElementsAre(DoubleNear(-30, 1e-12), DoubleNear(30, 1e-12)));
 }
 
+TEST(BoundaryLists, WholeGearsHaveNoMap) {
+  const auto gears = Model::open(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/gear_teeth.toml");
+  ASSERT_TRUE(gears);
+  const auto map = map_of(*gears);
+  ASSERT_FALSE(map);
+  EXPECT_THAT(to_string(map.error()), HasSubstr("too many parts for a map"));
+}
+
 }  // namespace
 }  // namespace higherpair

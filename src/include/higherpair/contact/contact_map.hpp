@@ -78,6 +78,7 @@ enum class MapStatus {
   kTangentAtInfinity,  ///< hyperbolas that share an asymptote at every relative position
   kLimitEverywhere,    ///< the driver does not move the follower, which is at a limit position
   kOnlyRelative,       ///< boundaries of bodies on one pivot, or on parallel slides
+  kTooManyParts,       ///< boundaries of so many spans that a map would take minutes
 };
 
 /// What the status means, as a sentence.
