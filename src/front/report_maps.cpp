@@ -68,7 +68,7 @@ MapPlace place_on(const ContactMapReport& map, double driver, double position, s
     const double lap = turn.value_or(0);
     const double first = turn ? std::ceil((rows.front().driver - driver) / lap - 1e-9) : 0;
     for (double x = driver + first * lap; x <= rows.back().driver + 1e-9 * std::abs(lap); x += lap) {
-      const auto y = position_on(map.branches[i], std::min(x, rows.back().driver));
+      const auto y = position_on(map.branches[i], std::clamp(x, rows.front().driver, rows.back().driver));
       if (!y) break;
       const double shift = follower_turn ? *follower_turn * std::round((*y - position) / *follower_turn) : 0;
       const double away = std::abs(*y - position - shift);
@@ -87,10 +87,17 @@ void write_map(JsonWriter& json, const Model& model, const ReportData& data, con
   const auto driver = column_of(model, data, map.driver_joint);
   const auto position = column_of(model, data, map.position_joint);
   const auto turn = turn_of(model, map.driver_joint), follower_turn = turn_of(model, map.position_joint);
+  const auto& contacts = model.mechanism().contacts;
+  const auto contact = std::find_if(contacts.begin(), contacts.end(),
+                                    [&](const Contact& one) { return one.name == map.contact; });
+  const auto index = static_cast<std::size_t>(contact - contacts.begin());
   std::vector<double> x, y, branch;
-  for (const Row& row : data.rows) {
+  for (std::size_t k = 0; k < data.rows.size(); ++k) {
+    const Row& row = data.rows[k];
     MapPlace place;
-    if (driver && position && row.status != RowStatus::kNotAssemblable) {
+    // Bodies that are apart have no contact that could be on the map.
+    if (driver && position && row.status != RowStatus::kNotAssemblable &&
+        data.motions[k].contacts[index].touches) {
       place = place_on(map, row.values[*driver], row.values[*position], turn, follower_turn);
     }
     x.push_back(place.driver);
