@@ -139,7 +139,7 @@ void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, do
   std::sort(changes.begin(), changes.end(),
             [](const Change& a, const Change& b) { return std::abs(a.x) < std::abs(b.x); });
   for (const Change& change : changes) {
-    places += change.begins ? 1 : -1;
+    change.begins ? ++places : --places;
     report(run, change.begins ? EventType::kEngage : EventType::kRelease, path, s + change.x, contact,
            change.begins ? fmt::format("the two bodies begin to touch at a further place, now at {}", places)
                          : fmt::format("the two bodies part at one of several places, {} left", places));

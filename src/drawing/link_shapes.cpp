@@ -77,7 +77,7 @@ std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t c
   const Curve& ring = body.curves[curve].curve;
   const double thickness = kFace * sketch.unit;
   const auto [a, b] = semi_axes(ring);
-  const auto on_rim = [&](const Vector2d& d) {
+  const auto on_rim = [&, a = a, b = b](const Vector2d& d) {
     const double radius = 1 / std::hypot(d.dot(ring.axis_B) / a, d.dot(perp(ring.axis_B)) / b);
     return Vector2d(middle + (radius + 0.6 * thickness) * d);
   };

@@ -101,7 +101,7 @@ MapBranchReport branch_of(const MapBranch& branch, const MappedContact& mapped, 
 // has one pair of coordinates; without branches the follower's nearest to the pose.
 MapPoint place_of(const ContactMap& map, std::size_t event, const MappedContact& mapped) {
   const MapEvent& here = map.events[event];
-  MapPoint point = {here.at.u, here.at.q, here.at.p_W, here.at.n_W, false, std::nullopt};
+  MapPoint point = {{here.at.u, here.at.q, here.at.p_W, here.at.n_W}, false, std::nullopt};
   double near = mapped.q.value_or(mapped.posed);
   if (!here.branches.empty()) {
     const MapBranch& branch = map.branches[static_cast<std::size_t>(here.branches.front())];

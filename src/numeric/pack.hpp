@@ -12,33 +12,43 @@ namespace higherpair {
 
 namespace pack_detail {
 
+// Eigen aligns what it holds to 16 bytes; Clang refuses that for numbers that ask for more.
+#ifdef __clang__
+inline constexpr std::size_t kMostAligned = 16;
+#else
+inline constexpr std::size_t kMostAligned = 64;
+#endif
+constexpr std::size_t aligned_as(std::size_t lanes) {
+  return lanes * sizeof(double) < kMostAligned ? lanes * sizeof(double) : kMostAligned;
+}
+
 // The attribute is lost where it depends on a template's argument.
 template <int W>
 struct Lanes;
 template <>
 struct Lanes<2> {
-  typedef double Doubles __attribute__((vector_size(2 * sizeof(double))));
-  typedef long long Bits __attribute__((vector_size(2 * sizeof(double))));
+  typedef double Doubles __attribute__((vector_size(2 * sizeof(double)), aligned(aligned_as(2))));
+  typedef long long Bits __attribute__((vector_size(2 * sizeof(double)), aligned(aligned_as(2))));
 };
 template <>
 struct Lanes<4> {
-  typedef double Doubles __attribute__((vector_size(4 * sizeof(double))));
-  typedef long long Bits __attribute__((vector_size(4 * sizeof(double))));
+  typedef double Doubles __attribute__((vector_size(4 * sizeof(double)), aligned(aligned_as(4))));
+  typedef long long Bits __attribute__((vector_size(4 * sizeof(double)), aligned(aligned_as(4))));
 };
 template <>
 struct Lanes<8> {
-  typedef double Doubles __attribute__((vector_size(8 * sizeof(double))));
-  typedef long long Bits __attribute__((vector_size(8 * sizeof(double))));
+  typedef double Doubles __attribute__((vector_size(8 * sizeof(double)), aligned(aligned_as(8))));
+  typedef long long Bits __attribute__((vector_size(8 * sizeof(double)), aligned(aligned_as(8))));
 };
 
-// GCC fills lanes one by one in whatever way but this one.
+// GCC fills lanes one by one in whatever way but this one. Not returned: how vectors are depends on the
+// machine.
 template <int W>
-[[gnu::always_inline]] inline typename Lanes<W>::Doubles all(double value) {
-  using Doubles = typename Lanes<W>::Doubles;
+[[gnu::always_inline]] inline void set_all(double value, typename Lanes<W>::Doubles& lanes) {
 #ifdef __clang__
-  return value - Doubles{};
+  lanes = value - typename Lanes<W>::Doubles{};
 #else
-  return __builtin_shuffle(Doubles{value}, typename Lanes<W>::Bits{});
+  lanes = __builtin_shuffle(typename Lanes<W>::Doubles{value}, typename Lanes<W>::Bits{});
 #endif
 }
 
@@ -59,7 +69,7 @@ struct Pack {
   Doubles lanes;
 
   Pack() = default;
-  [[gnu::always_inline]] explicit Pack(double value) : lanes(pack_detail::all<W>(value)) {}
+  [[gnu::always_inline]] explicit Pack(double value) { pack_detail::set_all<W>(value, lanes); }
   [[gnu::always_inline]] explicit Pack(const Doubles& values) : lanes(values) {}
 
   [[gnu::always_inline]] static Pack load(const double* from) {

@@ -65,7 +65,7 @@ std::string mesh_text(const Json& pair, const std::string& length) {
   std::string text = fmt::format("  contact ratio {}; path of contact {} {}: {} of approach, {} of recess\n",
                                  number(mesh["contact_ratio"]), number(mesh["length"]), length,
                                  number(mesh["approach"]), number(mesh["recess"]));
-  for (const int i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     const std::string own = pair[i == 0 ? "first" : "second"].get<std::string>();
     const std::string other = pair[i == 0 ? "second" : "first"].get<std::string>();
     if (mesh["past_base"][i].get<double>() > 0) {
@@ -97,7 +97,7 @@ std::string gears_text(const nlohmann::ordered_json& gears, const std::string& l
                        const std::string& angle_unit) {
   std::string text;
   for (const Json& pair : gears) {
-    const auto teeth = [&](int i) {
+    const auto teeth = [&](std::size_t i) {
       return pair["teeth"].is_null() ? "" : fmt::format(" with {} teeth", pair["teeth"][i].get<int>());
     };
     text +=
