@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chain_kernel.hpp"
+#include "chain_vectors.hpp"
 #include "numeric/pack.hpp"
 
 #include <array>
@@ -42,27 +43,6 @@ inline constexpr double kNoChange = 1e-9;
 inline constexpr double kCosFarthestTurn = 0.866;
 // |∂gap/∂q| of the arm of the contact, below which it is near a limit.
 inline constexpr double kLeastSine = 0.02;
-
-template <class T>
-[[nodiscard]] inline T dot(const Vector2<T>& a, const Vector2<T>& b) {
-  return a.x() * b.x() + a.y() * b.y();
-}
-template <class T>
-[[nodiscard]] inline Vector2<T> left_of(const Vector2<T>& v) {
-  return Vector2<T>(-v.y(), v.x());
-}
-template <class T>
-[[nodiscard]] inline Vector2<T> sum(const Vector2<T>& a, const Vector2<T>& b) {
-  return Vector2<T>(a.x() + b.x(), a.y() + b.y());
-}
-template <class T>
-[[nodiscard]] inline Vector2<T> less(const Vector2<T>& a, const Vector2<T>& b) {
-  return Vector2<T>(a.x() - b.x(), a.y() - b.y());
-}
-template <class T>
-[[nodiscard]] inline Vector2<T> times(const T& factor, const Vector2<T>& v) {
-  return Vector2<T>(factor * v.x(), factor * v.y());
-}
 
 // The rotation by a small angle, which passes on the way may be wrong about, but not its being one.
 template <class T>
