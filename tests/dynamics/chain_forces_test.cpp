@@ -105,6 +105,28 @@ TEST(ChainForces, HoldAForceOnASliderByTheTorqueOfTheTextbook) {
   }
 }
 
+// A crank, or a slide, that carries a rod and a rocker; the driven joint names ground second.
+TEST(ChainForces, OfDriversThatNameGroundSecondAreThoseOfARun) {
+  for (const bool turns : {true, false}) {
+    SCOPED_TRACE(turns);
+    Builder b;
+    const int first = b.body("first", {0.1, 0}, 0.3), rod = b.body("rod", {0.4, 0.6}, 1);
+    const int rocker = b.body("rocker", {2, 0}, -0.7);
+    const int driven = turns ? b.revolute(first, 0, {0, 0}) : b.prismatic(first, 0, {0, 0}, {0.6, 0.8}, 0.4);
+    b.drive(driven);
+    b.revolute(rod, first, {0.4, 0.5});
+    b.revolute(rocker, rod, {1.7, 1.2});
+    b.revolute(0, rocker, {2, 0});
+    Random random(11);
+    add_random_loads(b.mechanism, random);
+    b.mechanism.springs.push_back({"driven", driven, {}, {}, 7, 0.3, 2});
+    const ChainAgreement agrees = agreement(b.mechanism, turn(b.coordinate(driven), 0.4, 40), true);
+    EXPECT_EQ(agrees.outcome, Outcome::kProven);
+    EXPECT_EQ(agrees.broken, "");
+    EXPECT_AT_MOST(agrees.errors.force, 100);
+  }
+}
+
 bool has_forces(const Mechanism& mechanism) {
   const auto plan = make_plan(mechanism);
   return plan && DyadChain::of(mechanism, *plan, turn(0, 1, 9), {{0, std::nullopt, Quantity::kEffort}});
