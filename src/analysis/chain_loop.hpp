@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chain_rows.hpp"
+#include "chain_statics.hpp"
 #include "numeric/arctangent.hpp"
 #include "numeric/pack.hpp"
 
@@ -31,17 +32,6 @@ private:
   alignas(Item) std::array<std::byte, kMost * sizeof(Item)> bytes_;
 };
 
-// The driver's velocity and acceleration in the rows: rates are those for a unit velocity times these.
-template <class T>
-struct RowRates {
-  T velocity, acceleration;
-
-  [[nodiscard]] T first(const T& unit) const { return velocity * unit; }
-  [[nodiscard]] T second(const T& unit_first, const T& unit_second) const {
-    return velocity * velocity * unit_second + acceleration * unit_first;
-  }
-};
-
 template <class T>
 [[nodiscard]] inline T angle_of_rows(const ChainAngle& angle, const T& position, const ChainBody<T>* bodies) {
   if (angle.source == ChainAngle::Source::kRotation) {
@@ -68,8 +58,26 @@ template <class T>
   return arctangent(abs(arm.x()), abs(arm.y()));
 }
 
+// -0 becomes 0, as what a joint cannot do is written elsewhere.
+template <class T>
+[[nodiscard]] inline T force_of_rows(const ChainColumn& column, const ChainReaction<T>* reactions,
+                                     const ChainEffort<T>& effort) {
+  switch (column.quantity) {
+    case Quantity::kForceX:
+      return reactions[column.body].force.x() + T(0);
+    case Quantity::kForceY:
+      return reactions[column.body].force.y() + T(0);
+    case Quantity::kMoment:
+      return reactions[column.body].moment + T(0);
+    case Quantity::kEffort:
+      return effort.effort + T(0);
+    default:
+      return effort.by_power + T(0);
+  }
+}
+
 template <ChainRates kRates, class T>
-[[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const RowRates<T>& rates,
+[[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const DriverRates<T>& rates,
                                      const ChainBody<T>* bodies) {
   const Quantity quantity = task.column.quantity;
   if (quantity == Quantity::kPressure) {
@@ -109,10 +117,15 @@ inline void fill(const ChainRowsJob& job) {
   const std::size_t groups = job.groups.size();
   Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
   Room<ChainWatch<T>, kMostChainGroups> watches(groups);
+  const std::size_t joints = job.statics != nullptr ? job.statics->joints : 0;
+  Room<ChainReaction<T>, kPacks * kMostChainJoints> reactions(kPacks * joints);
+  Room<ChainWrench<T>, kMostChainBodies> wrenches(job.statics != nullptr ? bodies : 0);
+  T shortest(-std::numeric_limits<double>::infinity());
   const ChainSchedule& schedule = job.schedule;
   for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
     std::array<ChainDriver<T>, kPacks> driver;
-    std::array<RowRates<T>, kPacks> rates;
+    std::array<DriverRates<T>, kPacks> rates;
+    std::array<ChainEffort<T>, kPacks> effort;
     for (std::size_t i = 0; i < kPacks; ++i) {
       const std::size_t at = k + i * W;
       driver[i] = {T::load(&schedule.position[at]),
@@ -128,10 +141,21 @@ inline void fill(const ChainRowsJob& job) {
         solve_group<kRates>(job.groups[g], job.modes[g], driver[i], room.data() + i * bodies, watches[g]);
       }
     }
+    if constexpr (kRates == ChainRates::kAccelerations) {
+      for (std::size_t i = 0; i < kPacks && job.statics != nullptr; ++i) {
+        balance_chain<T>(job.groups, *job.statics, bodies,
+                         {room.data() + i * bodies, driver[i], rates[i], wrenches.data(),
+                          reactions.data() + i * joints, &shortest},
+                         effort[i]);
+      }
+    }
     for (ChainTask& task : job.tasks) {
       for (std::size_t i = 0; i < kPacks; ++i) {
-        value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies)
-            .store(&task.values[k + i * W]);
+        const T values =
+            is_force(task.column.quantity)
+                ? force_of_rows(task.column, reactions.data() + i * joints, effort[i])
+                : value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies);
+        values.store(&task.values[k + i * W]);
       }
     }
   }
@@ -139,6 +163,9 @@ inline void fill(const ChainRowsJob& job) {
     const double sum = sum_of_lanes(watches[g].sum);
     job.watches[g] = {std::isnan(sum) ? sum : largest_lane(watches[g].margin), sum,
                       largest_lane(watches[g].far2)};
+  }
+  if (job.statics != nullptr) {
+    job.statics->shortest2 = -largest_lane(shortest);
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "chain_columns.hpp"
 #include "chain_kernel.hpp"
+#include "chain_loads.hpp"
 #include "chain_ovals.hpp"
 #include "higherpair/analysis/dyad_chain.hpp"
 
@@ -22,23 +24,6 @@ struct ChainSchedule {
   std::vector<double> acceleration;
 };
 
-/// Where a body's angle comes from.
-struct ChainAngle {
-  enum class Source { kFixed, kDriver, kRotation } source = Source::kFixed;
-  int body = 0;       ///< of kRotation: whose rotation says it
-  double factor = 0;  ///< of the driver's position
-  double offset = 0;  ///< [rad]
-};
-
-/// A column with what it takes to fill it in.
-struct ChainTask {
-  ChainColumn column;
-  Vector2d p_B = Vector2d::Zero();
-  ChainAngle angle;
-  ChainTouch touch;  ///< of kPressure
-  std::vector<double> values;
-};
-
 /// What there is room for.
 inline constexpr std::size_t kMostChainBodies = 64;
 inline constexpr std::size_t kMostChainGroups = 64;
@@ -53,7 +38,8 @@ struct ChainRowsJob {
   double size;         ///< of the mechanism [m]; for contacts of ovals
   std::span<ChainTask> tasks;
   std::span<ChainWatch<double>> watches;  ///< of the groups: the result for all rows
-  std::span<OvalRow> ovals;  ///< of the groups: where a contact is in the first row, then the last
+  std::span<OvalRow> ovals;         ///< of the groups: where a contact is in the first row, then the last
+  ChainStatics* statics = nullptr;  ///< where tasks are of forces; `rates` are accelerations then
 };
 
 /// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.

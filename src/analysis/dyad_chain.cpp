@@ -1,6 +1,8 @@
 #include "higherpair/analysis/dyad_chain.hpp"
 
 #include "chain_bounds.hpp"
+#include "chain_columns.hpp"
+#include "chain_loads.hpp"
 #include "chain_rows.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/mechanism/build.hpp"
@@ -28,6 +30,9 @@ constexpr std::ptrdiff_t kMostDyads = 6;  // 2^6 assemblies are tried
 
 // Of the size: how far a disc may be from where a Run has put it. The other mode is much farther away.
 constexpr double kSameChainPlace = 1e-6;
+
+// Of the size: a spring shorter than this has a direction made of rounding, or none.
+constexpr double kShortestSpring = 1e-6;
 
 // The groups as a chain solves them, into `groups`; each contact may have a body of its own between two
 // centres, behind those of the mechanism. False where one of them is not for a chain.
@@ -58,16 +63,6 @@ bool has_ovals(const std::vector<ChainGroup>& groups) {
                      [](const ChainGroup& group) { return std::holds_alternative<OvalContact>(group.kind); });
 }
 
-ChainRates rates_for(const std::vector<ChainColumn>& columns) {
-  ChainRates rates = ChainRates::kNone;
-  for (const ChainColumn& column : columns) {
-    rates = std::max(rates, column.quantity >= Quantity::kAx   ? ChainRates::kAccelerations
-                            : column.quantity >= Quantity::kVx ? ChainRates::kVelocities
-                                                               : ChainRates::kNone);
-  }
-  return rates;
-}
-
 ChainSchedule schedule_of(std::span<const DriverMotion> rows) {
   ChainSchedule schedule;
   const std::size_t filled = (rows.size() + kChainRows - 1) / kChainRows * kChainRows;
@@ -88,60 +83,6 @@ double longest_step(std::span<const DriverMotion> rows) {
     step = std::max(step, std::abs(rows[k].position - rows[k - 1].position));
   }
   return step;
-}
-
-// Where the angles of all bodies come from; those of riders from their carriers.
-std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies) {
-  std::vector<ChainAngle> angles(bodies);
-  const auto at = [&](int body) -> ChainAngle& { return angles[static_cast<std::size_t>(body)]; };
-  const auto turns = [&](int body) { at(body) = {ChainAngle::Source::kRotation, body, 0, 0}; };
-  const auto rides = [&](const std::optional<Rider>& rider) {
-    if (rider) {
-      at(rider->body) = at(rider->carrier);
-      at(rider->body).offset += rider->relative_angle;
-    }
-  };
-  for (const ChainGroup& group : groups) {
-    if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
-      const CarriedBody& carried = driven->carried;
-      at(carried.body) = carried.freedom.turns
-                             ? ChainAngle{ChainAngle::Source::kDriver, carried.body, carried.sign, 0}
-                             : ChainAngle{ChainAngle::Source::kFixed, carried.body, 0, carried.freedom.theta};
-    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
-      turns(rrr->link_a);
-      turns(rrr->link_b);
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
-      turns(rrp->link);
-      rides(rrp->slider);
-    } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
-      turns(rpr->link);
-      rides(rpr->slider);
-    } else if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
-      turns(ovals->touch.body);
-      if (!ovals->touch.freedom.turns) {
-        at(ovals->touch.body) = {ChainAngle::Source::kFixed, ovals->touch.body, 0,
-                                 ovals->touch.freedom.theta};
-      }
-    }
-  }
-  return angles;
-}
-
-// The contact with this index.
-const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact) {
-  for (const ChainGroup& group : groups) {
-    if (const ChainTouch* touch = touch_of(group); touch != nullptr && touch->contact == contact) {
-      return touch;
-    }
-  }
-  return nullptr;
-}
-
-// Whether there is such an angle: the second body is one on ground that the contact places.
-bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, const ChainColumn& column) {
-  const ChainTouch* touch = touch_in(groups, column.body);
-  return touch != nullptr && touch->carrier == kGround &&
-         mechanism.contacts[static_cast<std::size_t>(column.body)].second.body == touch->body;
 }
 
 // Where a contact of ovals is in the first row; rates in `state` are those for a unit velocity.
@@ -165,21 +106,6 @@ OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& sta
     row.second_rate = body.a_WB.dot(freedom.direction_W);
   }
   return row;
-}
-
-// Angles of a body that turns from row to row by less than half a turn, from those in (-π, π]; the first is
-// the one nearest to its pose's.
-void unwind(const ChainAngle& angle, double posed, std::span<double> values) {
-  double before = values.front();
-  double turns = nearest_turn(before, posed) - before;
-  for (double& value : values) {
-    const double rise = value - before;
-    before = value;
-    if (std::abs(rise) > kPi) {
-      turns -= std::copysign(2 * kPi, rise);
-    }
-    value = (value + turns) + angle.offset;
-  }
 }
 
 double largest_coordinate(const Mechanism& mechanism, std::span<const ChainGroup> groups) {
@@ -228,7 +154,8 @@ struct DyadChain::Impl {
   ChainRates rates = ChainRates::kNone;  // that the columns want
   std::vector<ChainTask> tasks;
   std::vector<ChainGroup> groups;         // of the plan
-  bool needs_size = false;                // for dyads whose sine is a length, and contacts
+  std::optional<ChainStatics> statics;    // where forces are wanted
+  bool needs_size = false;                // for dyads whose sine is a length, contacts, springs
   std::vector<OvalRow> ovals;             // of the groups: contacts in the first row
   std::vector<ChainBody<double>> posed;   // the poses
   std::vector<double> posed_angles;       // in them
@@ -268,6 +195,7 @@ bool DyadChain::Impl::redimension(const Mechanism& mechanism) {
   }
   redimension_groups(plan, mechanism);
   return take_groups(mechanism, plan, groups) &&
+         (!statics || take_statics(mechanism, plan, groups, *statics)) &&
          largest_coordinate(mechanism, groups) <= kFarthestPoint * shortest_link(groups, plan.size);
 }
 
@@ -399,7 +327,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
     return std::nullopt;
   }
   for (const ChainColumn& column : columns) {
-    if (column.quantity == Quantity::kPressure && !has_pressure(mechanism, impl->groups, column)) {
+    if (column.quantity == Quantity::kPressure && !has_pressure(mechanism, impl->groups, column.body)) {
       return std::nullopt;
     }
   }
@@ -409,11 +337,16 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->step = longest_step(rows);
   impl->rows = rows.size();
   impl->rates = rates_for(columns);
+  if (std::any_of(columns.begin(), columns.end(),
+                  [](const ChainColumn& column) { return is_force(column.quantity); }) &&
+      !take_statics(mechanism, plan, impl->groups, impl->statics.emplace())) {
+    return std::nullopt;
+  }
   for (const ChainColumn& column : columns) {
     impl->tasks.push_back(
         {column, Vector2d::Zero(), {}, {}, std::vector<double>(impl->schedule.position.size())});
   }
-  impl->needs_size = !mechanism.contacts.empty() ||
+  impl->needs_size = !mechanism.contacts.empty() || !mechanism.springs.empty() ||
                      std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
                        return std::holds_alternative<RprDyad>(group.kind);
                      });
@@ -427,7 +360,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->bounds.resize(bodies);
   const std::vector<ChainAngle> angles = angles_of(impl->groups, bodies);
   for (ChainTask& task : impl->tasks) {
-    if (task.column.quantity == Quantity::kPressure) {
+    if (task.column.quantity == Quantity::kPressure || is_force(task.column.quantity)) {
       continue;
     }
     task.angle = angles[static_cast<std::size_t>(task.column.body)];
@@ -454,8 +387,9 @@ bool DyadChain::solve(const Mechanism& mechanism) {
   }
   const ChainRates rates = has_ovals(own.groups) ? ChainRates::kAccelerations : own.rates;
   fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.bodies.size(), own.plan.size,
-                   own.tasks, own.watches, own.ovals});
-  if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds)) {
+                   own.tasks, own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
+  if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds) ||
+      (own.statics && !(own.statics->shortest2 >= std::pow(kShortestSpring * own.plan.size, 2)))) {
     return false;
   }
   for (ChainTask& task : own.tasks) {

@@ -1,6 +1,7 @@
 #include "higherpair/dynamics/statics.hpp"
 
 #include "higherpair/dynamics/tooth_force.hpp"
+#include "higherpair/linkage/dyad_statics.hpp"
 #include "numeric/least_norm.hpp"
 
 #include <algorithm>
@@ -180,7 +181,7 @@ void Statics::solve(const Block& block, const PinnedDyad& dyad, std::vector<Wren
     return Pin{along_x.x(), along_x.x() * Vector2d(along_y.z(), -along_x.z())};
   };
   std::array<Vector2d, 2> arm, force;
-  std::array<double, 2> moment{};  // arm × inner force
+  std::array<double, 2> moment{};  // about the outer pins
   std::array<double, 2> sign{}, outer_sign{};
   for (std::size_t i = 0; i < 2; ++i) {
     const Wrench& wrench = wrenches[static_cast<std::size_t>(block.bodies[i])];
@@ -190,9 +191,9 @@ void Statics::solve(const Block& block, const PinnedDyad& dyad, std::vector<Wren
     arm[i] = inner.r - outer.r;
     sign[i] = inner.sign;
     outer_sign[i] = outer.sign;
-    moment[i] = -inner.sign * (wrench.z() - cross(outer.r, force[i]));
+    moment[i] = wrench.z() - cross(outer.r, force[i]);
   }
-  const Vector2d at_inner = (moment[0] * arm[1] - moment[1] * arm[0]) / cross(arm[0], arm[1]);
+  const Vector2d at_inner = sign[0] * rrr_inner_force(arm[0], arm[1], moment[0], moment[1]);
   multipliers_[dyad.inner[0].row] = at_inner.x();
   multipliers_[dyad.inner[0].row + 1] = at_inner.y();
   for (std::size_t i = 0; i < 2; ++i) {

@@ -60,6 +60,39 @@ constexpr std::array<NamedQuantity, 3> kOfPins{
      {"velocity", Quantity::kOmega, dimension::kAngularVelocity},
      {"acceleration", Quantity::kAlpha, dimension::kAngularAcceleration}}};
 
+struct NamedColumn {
+  ChainColumn column;
+  Dimension dimension;
+};
+
+// As add_force_columns names them.
+std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::string_view name) {
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    const int index = static_cast<int>(j);
+    if (name == joint.name + ".fx") {
+      return NamedColumn{{index, std::nullopt, Quantity::kForceX}, dimension::kForce};
+    }
+    if (name == joint.name + ".fy") {
+      return NamedColumn{{index, std::nullopt, Quantity::kForceY}, dimension::kForce};
+    }
+    if (has_moment(joint.type) && name == joint.name + ".m") {
+      return NamedColumn{{index, std::nullopt, Quantity::kMoment}, dimension::kTorque};
+    }
+  }
+  const Driver& driver = mechanism.drivers.front();
+  const std::string prefix = driver.name.empty() ? "driver" : "driver." + driver.name;
+  const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+  const Dimension dimension = turns ? dimension::kTorque : dimension::kForce;
+  if (name == prefix + ".effort") {
+    return NamedColumn{{0, std::nullopt, Quantity::kEffort}, dimension};
+  }
+  if (name == prefix + ".effort_check") {
+    return NamedColumn{{0, std::nullopt, Quantity::kEffortByPower}, dimension};
+  }
+  return std::nullopt;
+}
+
 // Adds the column of this name unless it is there; its place.
 std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, std::string_view name,
                                       ChainRecipe& recipe) {
@@ -103,7 +136,8 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
       return add({static_cast<int>(c), std::nullopt, Quantity::kPressure}, dimension::kAngle);
     }
   }
-  return std::nullopt;
+  const auto force = force_column_named(mechanism, name);
+  return force ? std::optional(add(force->column, force->dimension)) : std::nullopt;
 }
 
 // The driver in the rows; false where something happens between two of them that is no straight way.
@@ -160,13 +194,33 @@ Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, 
   return same ? Agreement::kFull : Agreement::kNone;
 }
 
-// False where a number is of something else than a body.
+// Of all tries: none where one is not, unknown where none can be read.
+Agreement agreement(const ChainRecipe& recipe, std::span<const std::vector<double>> tries,
+                    const RunSettings& run, ModelVariants& models) {
+  Agreement all = Agreement::kUnknown;
+  for (const std::vector<double>& numbers : tries) {
+    const Agreement agrees = agreement(recipe, numbers, run, models);
+    if (agrees == Agreement::kNone) {
+      return agrees;
+    }
+    all = agrees == Agreement::kFull ? agrees : all;
+  }
+  return all;
+}
+
+// What may vary besides coordinates of points: a variant is read then.
+bool may_vary(std::string_view path) {
+  return path.starts_with("bodies.") || path.starts_with("loads.") || path.starts_with("springs.") ||
+         path.starts_with("gravity");
+}
+
+// False where a number is of something else than a body, or what acts on it.
 bool take_targets(std::span<const std::string> paths, ChainRecipe& recipe) {
   bool all = true;
   for (const std::string& path : paths) {
     if (const auto target = target_of(recipe.mechanism, path)) {
       recipe.targets.push_back(*target);
-    } else if (path.starts_with("bodies.")) {
+    } else if (may_vary(path)) {
       all = false;
     } else {
       return false;
@@ -184,8 +238,8 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
                                            const RunSettings& run, std::vector<Measure> measures,
                                            ModelVariants& models,
                                            std::span<const std::vector<double>> tries) {
-  if (run.forces || run.jerk || run.derivatives || !(run.tolerance >= kLeastTolerance) ||
-      !model.data().plan || model.mechanism().drivers.size() != 1 || measures.empty()) {
+  if (run.jerk || run.derivatives || !(run.tolerance >= kLeastTolerance) || !model.data().plan ||
+      model.mechanism().drivers.size() != 1 || measures.empty()) {
     return std::nullopt;
   }
   const Units units = run.units.value_or(model.units());
@@ -210,15 +264,12 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
       !DyadChain::of(recipe.mechanism, recipe.plan, recipe.rows, recipe.columns)) {
     return std::nullopt;
   }
-  bool known = false;
-  for (const std::vector<double>& numbers : tries) {
-    const Agreement agrees = agreement(recipe, numbers, run, models);
-    if (agrees == Agreement::kNone) {
-      return std::nullopt;
-    }
-    known = known || agrees == Agreement::kFull;
+  Agreement agrees = agreement(recipe, tries, run, models);
+  if (agrees == Agreement::kNone && recipe.writes()) {
+    recipe.targets.clear();  // a number says more than a place, such as where a load acts
+    agrees = agreement(recipe, tries, run, models);
   }
-  return known ? std::optional(std::move(recipe)) : std::nullopt;
+  return agrees == Agreement::kFull ? std::optional(std::move(recipe)) : std::nullopt;
 }
 
 std::optional<ChainVariants> ChainVariants::of(const ChainRecipe& recipe) {

@@ -14,8 +14,8 @@
 namespace higherpair {
 
 /// How to work out the variants of a linkage of dyads and discs (analysis/dyad_chain.hpp) whose numbers are
-/// of its bodies: they are not followed row by row. Where all are coordinates of points they are written into
-/// the mechanism, which is neither read nor planned. Never changes once made.
+/// of its bodies and of what acts on them: they are not followed row by row. Where all are coordinates of
+/// points they are written into the mechanism, which is neither read nor planned. Never changes once made.
 struct ChainRecipe {
   /// Where a number of the profile lands.
   struct Target {
@@ -35,8 +35,8 @@ struct ChainRecipe {
   std::vector<Measure> measures;   ///< what is asked
   std::vector<std::size_t> slots;  ///< of each measure: its column
 
-  /// None where numbers are not of bodies or say more than how these are made, a measure is not of bodies and
-  /// points, or the run is not one for DyadChain.
+  /// None where numbers are of other things than bodies and what acts on them, a measure is not one of
+  /// ChainColumn, or the run is not one for DyadChain.
   /// \param models  of these paths
   /// \param tries   values of the numbers at which the mechanism that is read must be the one that is written
   [[nodiscard]] static std::optional<ChainRecipe> of(const Model& model, std::span<const std::string> paths,

@@ -6,7 +6,7 @@
 #include "number_texts.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,9 +17,8 @@ namespace higherpair {
 namespace {
 
 void append_number(double value, std::string& out) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr;
-  out.append(text, end);
+  std::array<char, NumberTexts::kLongest> text;
+  out.append(text.data(), put_shortest(value == 0 ? 0.0 : value, text.data()));
 }
 
 // A name that occurs twice; none.

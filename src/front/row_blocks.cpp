@@ -34,7 +34,7 @@ struct Block {
 
 class BlockRun {
 public:
-  using MakeTexts = std::function<BlockTexts(const RowBlock&)>;
+  using MakeTexts = std::function<void(const RowBlock&, BlockTexts&)>;
   using Take = std::function<bool(const RowBlock&, const BlockTexts&)>;
 
   BlockRun(Analysis::Impl& whole, const MakeTexts& texts, const Take& take)
@@ -44,7 +44,7 @@ public:
 
   // In their order, one at a time.
   Block begin() {
-    Block block;
+    Block block = take_memory();
     block.rows.first = next_;
     block.from = next_ == 0 ? RunPlace{start_->run, {}} : scout_.go_to(whole_.schedule, next_ - 1);
     next_ += kBlockRows;
@@ -73,7 +73,8 @@ public:
       block.end = {worker->run, worker->history};
       block.events = std::move(worker->events);
       block.good = worker->good;
-      block.texts = texts_(block.rows);
+      for (std::string& text : block.texts) text.clear();
+      texts_(block.rows, block.texts);
     }
     give_back(std::move(worker));
   }
@@ -91,9 +92,29 @@ public:
     whole_.add_block(std::move(block.events), block.good,
                      block.rows.first + static_cast<std::int64_t>(block.rows.size()));
     last_ = std::move(block.end);
+    const std::lock_guard lock(mutex_);
+    written_.push_back({std::move(block.rows), std::move(block.texts)});
   }
 
 private:
+  struct Memory {
+    RowBlock rows;
+    BlockTexts texts;
+  };
+
+  // With the memory of a block that has been handed over: blocks are megabytes, which the system would clear
+  // each time.
+  Block take_memory() {
+    Block block;
+    const std::lock_guard lock(mutex_);
+    if (!written_.empty()) {
+      block.rows = std::move(written_.back().rows);
+      block.texts = std::move(written_.back().texts);
+      written_.pop_back();
+    }
+    return block;
+  }
+
   // A copy of the run, with buffers of its own.
   std::unique_ptr<Analysis::Impl> take_worker() {
     const std::lock_guard lock(mutex_);
@@ -120,11 +141,13 @@ private:
   std::optional<RunPlace> last_;  // at the end of the block that was handed over last
   std::mutex mutex_;
   std::vector<std::unique_ptr<Analysis::Impl>> idle_;
+  std::vector<Memory> written_;
 };
 
 }  // namespace
 
-void run_blocks(Analysis& analysis, int threads, const std::function<BlockTexts(const RowBlock&)>& texts,
+void run_blocks(Analysis& analysis, int threads,
+                const std::function<void(const RowBlock&, BlockTexts&)>& texts,
                 const std::function<bool(const RowBlock&, const BlockTexts&)>& take) {
   threads = thread_count(threads);
   BlockRun run(analysis.impl(), texts, take);

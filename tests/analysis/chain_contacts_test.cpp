@@ -1,7 +1,7 @@
 // Rows of discs and ovals that touch: where they are given they are those of a run that follows the motion.
 #include "analysis/chain_testing.hpp"
+#include "analysis/random_cam.hpp"
 #include "higherpair/linkage/four_bar.hpp"
-#include "linkage/linkage_testing.hpp"
 
 #include <cmath>
 #include <string>
@@ -12,79 +12,16 @@
 namespace higherpair::testing {
 namespace {
 
-enum class Shape { kDisc, kOval, kEdge };
-
-Vector2d turned(const Vector2d& v, double angle) {
-  return Rotation<double>::from_angle(angle) * v;
-}
-
-// A cam on ground and a follower on ground that touch at a place, with the shapes given; behind the follower
-// maybe two links. Well away from limits where it starts, but not on its way.
-class CamBuilder {
-public:
-  CamBuilder(unsigned seed, double scale) : random_(seed), scale_(scale) {}
-
-  Mechanism build(Shape first, Shape second) {
-    const int cam = b_.body("cam", place(), random_.angle());
-    const int follower = b_.body("follower", place(), random_.angle());
-    const bool cam_turns = random_.between(0, 1) < 0.8;
-    b_.drive(cam_turns ? b_.revolute(0, cam, place()) : b_.prismatic(0, cam, place(), heading(), 0));
-    const Vector2d p = place(), n = heading();
-    const CurveRef on_cam = curve(first, cam, p, n);
-    const CurveRef on_follower = curve(second, follower, p, -n);
-    if (chance()) {
-      b_.revolute(0, follower, p + length(0.4, 1.5) * turned(n, sign() * random_.between(0.7, 2.4)));
-    } else {
-      b_.prismatic(0, follower, p, turned(n, random_.between(-1, 1)), 0.2 * scale_);
-    }
-    chance() ? b_.contact(on_cam, on_follower) : b_.contact(on_follower, on_cam);
-    if (chance()) {
-      links_behind(follower);
-    }
-    return b_.mechanism;
-  }
-
-private:
-  Vector2d place() { return {length(-1, 1), length(-1, 1)}; }
-  Vector2d heading() { return turned(Vector2d(1, 0), random_.angle()); }
-  double length(double low, double high) { return scale_ * random_.between(low, high); }
-  double sign() { return chance() ? 1 : -1; }
-  bool chance() { return random_.between(0, 1) < 0.5; }
-
-  // The curve of a body whose outward normal at p is n.
-  CurveRef curve(Shape shape, int body, const Vector2d& p, const Vector2d& n) {
-    if (shape == Shape::kEdge) {
-      return b_.edge(body, p);
-    }
-    const double radius = length(0.1, 0.8);
-    return shape == Shape::kDisc ? b_.circle(body, p - radius * n, radius)
-                                 : b_.ellipse_at(body, p, n, {radius, length(0.2, 0.6)}, random_.angle());
-  }
-
-  void links_behind(int follower) {
-    const Vector2d C = place(), u = heading();
-    const int a = b_.body("a", place(), random_.angle());
-    const int b = b_.body("b", place(), random_.angle());
-    b_.revolute(follower, a, C + length(0.5, 1) * u);
-    b_.revolute(a, b, C);
-    b_.revolute(b, 0, C + length(0.5, 1) * turned(u, sign() * random_.between(0.9, 2.2)));
-  }
-
-  Random random_;
-  double scale_;
-  Builder b_;
-};
-
 struct Counts {
   int proven = 0;
   int refused = 0;
 };
 
-Counts compare_many(Shape first, Shape second, unsigned cams, double scale, double way) {
+Counts compare_many(CamShape first, CamShape second, unsigned cams, double scale, double way) {
   Counts counts;
   for (unsigned seed = 1; seed <= cams && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mechanism mechanism = CamBuilder(seed, scale).build(first, second);
+    const Mechanism mechanism = RandomCam(seed, scale).build(first, second);
     const bool turns = mechanism.joints[0].type == JointType::kRevolute;
     const double start = turns ? mechanism.bodies[1].guess_theta : 0.0;
     const std::size_t rows = 30 + 10 * (seed % 30);
@@ -96,14 +33,14 @@ Counts compare_many(Shape first, Shape second, unsigned cams, double scale, doub
   return counts;
 }
 
-constexpr Shape kShapes[] = {Shape::kDisc, Shape::kOval, Shape::kEdge};
+constexpr CamShape kShapes[] = {CamShape::kDisc, CamShape::kOval, CamShape::kEdge};
 
 TEST(ChainContacts, ShortWaysOfRandomPairsAreThoseOfARun) {
-  for (const Shape first : kShapes) {
-    for (const Shape second : kShapes) {
+  for (const CamShape first : kShapes) {
+    for (const CamShape second : kShapes) {
       SCOPED_TRACE(static_cast<int>(first) * 10 + static_cast<int>(second));
       const Counts counts = compare_many(first, second, 150, 1, 0.5);
-      if (first == Shape::kEdge && second == Shape::kEdge) {
+      if (first == CamShape::kEdge && second == CamShape::kEdge) {
         EXPECT_EQ(counts.proven + counts.refused, 0);
       } else {
         EXPECT_GT(counts.proven, 60);
@@ -115,8 +52,8 @@ TEST(ChainContacts, ShortWaysOfRandomPairsAreThoseOfARun) {
 
 // Most come to a limit on a whole turn, which must not be passed over.
 TEST(ChainContacts, WholeTurnsOfRandomPairsAreThoseOfARun) {
-  for (const Shape first : {Shape::kDisc, Shape::kOval}) {
-    for (const Shape second : kShapes) {
+  for (const CamShape first : {CamShape::kDisc, CamShape::kOval}) {
+    for (const CamShape second : kShapes) {
       const Counts counts = compare_many(first, second, 200, 1, 2 * kPi);
       EXPECT_GT(counts.proven, 10);
       EXPECT_GT(counts.refused, 60);
@@ -127,8 +64,8 @@ TEST(ChainContacts, WholeTurnsOfRandomPairsAreThoseOfARun) {
 TEST(ChainContacts, LengthsOfAnyOrderAreAllTheSame) {
   for (const double scale : {1e-6, 1e-3, 1e3}) {
     SCOPED_TRACE(scale);
-    EXPECT_GT(compare_many(Shape::kOval, Shape::kOval, 60, scale, 0.5).proven, 20);
-    EXPECT_GT(compare_many(Shape::kDisc, Shape::kDisc, 60, scale, 0.5).proven, 20);
+    EXPECT_GT(compare_many(CamShape::kOval, CamShape::kOval, 60, scale, 0.5).proven, 20);
+    EXPECT_GT(compare_many(CamShape::kDisc, CamShape::kDisc, 60, scale, 0.5).proven, 20);
   }
 }
 

@@ -53,6 +53,22 @@ ChainSchedule schedule() {
   return schedule;
 }
 
+ChainSupport support(int joint, double sign) {
+  return {joint, sign, {}, false};
+}
+
+// Weights, a load and a spring; the crank's pin, and those of the dyad.
+ChainStatics statics() {
+  ChainStatics statics;
+  statics.loads.gravity_W = Vector2d(0.3, -9.8);
+  statics.loads.masses = {{kCrank, {1.3, {0.7, 0.1}, 0.2}}, {kCoupler, {0.9, {1.4, -0.2}, 0.3}}};
+  statics.loads.forces = {{{kRocker, {2.2, 0.4}}, {3.1, -7}, 0.6, true}};
+  statics.loads.point_springs = {{{0, {-1, 3}}, {kCoupler, {3, 1}}, {20, 0.4, 0.7}}};
+  statics.supports = {{{support(0, 1), {}}, {}}, {{support(1, 1), support(2, -1)}, support(3, -1)}, {}};
+  statics.joints = 4;
+  return statics;
+}
+
 // The columns, one behind the other.
 template <class Fill>
 std::vector<double> numbers_by(const Fill& fill) {
@@ -70,12 +86,17 @@ std::vector<double> numbers_by(const Fill& fill) {
     }
   }
   add({0, std::nullopt, Quantity::kPressure}, {});
+  for (const Quantity quantity : {Quantity::kForceX, Quantity::kForceY, Quantity::kEffortByPower}) {
+    add({2, std::nullopt, quantity}, {});
+  }
+  ChainStatics balanced = statics();
   const std::vector<double> modes{1, 1, 1};
   std::vector<ChainWatch<double>> watches(all.size());
   std::vector<OvalRow> ovals(all.size());
   ovals[2].turn = Rotation<double>::from_angle(-0.6);
   ovals[2].n_W = Vector2d(0.8, 0.6);
-  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, kBodies, 8, tasks, watches, ovals});
+  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, kBodies, 8, tasks, watches, ovals,
+                    &balanced});
   std::vector<double> numbers;
   for (const ChainTask& task : tasks) {
     numbers.insert(numbers.end(), task.values.begin(), task.values.end());
@@ -83,6 +104,7 @@ std::vector<double> numbers_by(const Fill& fill) {
   for (const ChainWatch<double>& watch : watches) {
     numbers.push_back(watch.margin);
   }
+  numbers.push_back(balanced.shortest2);
   return numbers;
 }
 

@@ -50,8 +50,6 @@ inline double number_of(const ChainColumn& column, const Mechanism& mechanism, c
                            : Vector2d(0, 0);
   const PointMotion point = point_motion(row.bodies[body], p_B);
   switch (column.quantity) {
-    case ChainColumn::Quantity::kPressure:
-      break;
     case ChainColumn::Quantity::kX:
       return point.p_W.x();
     case ChainColumn::Quantity::kY:
@@ -70,8 +68,9 @@ inline double number_of(const ChainColumn& column, const Mechanism& mechanism, c
       return point.a_W.y();
     case ChainColumn::Quantity::kAlpha:
       return row.bodies[body].alpha;
+    default:
+      return NAN;  // not of bodies
   }
-  return NAN;
 }
 
 // Of a place a share of the size; of rates shares of the fastest motion, sharper than their rounding times

@@ -3,8 +3,10 @@
 #include "analysis/mechanism_builder.hpp"
 #include "linkage/linkage_testing.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace higherpair::testing {
@@ -14,10 +16,20 @@ struct RandomMechanism {
   double start = 0;  ///< coordinate of the driven joint in the poses
 };
 
+/// Groups of bodies between two known ones; S: its line without a slider.
+enum class RandomGroup { kRrr, kRrp, kRrpS, kRpr, kRprS, kPrp, kRpp, kRppS, kTouching };
+
+inline constexpr std::array kAllRandomGroups{RandomGroup::kRrr, RandomGroup::kRrp,  RandomGroup::kRrpS,
+                                             RandomGroup::kRpr, RandomGroup::kRprS, RandomGroup::kPrp,
+                                             RandomGroup::kRpp, RandomGroup::kRppS, RandomGroup::kTouching};
+
 /// Mechanisms of random groups, each well away from its dead points, hung one on the other.
 class RandomBuilder {
 public:
-  RandomBuilder(unsigned seed, std::size_t most_bodies) : random_(seed), most_bodies_(most_bodies) {}
+  /// \param groups  of which it draws
+  RandomBuilder(unsigned seed, std::size_t most_bodies,
+                std::span<const RandomGroup> groups = kAllRandomGroups)
+      : random_(seed), most_bodies_(most_bodies), groups_(groups) {}
 
   RandomMechanism build() {
     const int crank = body();
@@ -58,24 +70,24 @@ private:
   void add_group() {
     int k1 = 0, k2 = 0;
     choose(k1, k2);
-    switch (index(9)) {
-      case 0:
+    switch (groups_[index(groups_.size())]) {
+      case RandomGroup::kRrr:
         return rrr(k1, k2);
-      case 1:
+      case RandomGroup::kRrp:
         return rrp(k1, k2, false);
-      case 2:
+      case RandomGroup::kRrpS:
         return rrp(k1, k2, true);
-      case 3:
+      case RandomGroup::kRpr:
         return rpr(k1, k2, false);
-      case 4:
+      case RandomGroup::kRprS:
         return rpr(k1, k2, true);
-      case 5:
+      case RandomGroup::kPrp:
         return prp(k1, k2);
-      case 6:
+      case RandomGroup::kRpp:
         return rpp(k1, k2, false);
-      case 7:
+      case RandomGroup::kRppS:
         return rpp(k1, k2, true);
-      default:
+      case RandomGroup::kTouching:
         return touching(k1, k2);
     }
   }
@@ -164,6 +176,7 @@ private:
 
   Random random_;
   std::size_t most_bodies_;
+  std::span<const RandomGroup> groups_;
   Builder b_;
   std::vector<int> known_;
 };

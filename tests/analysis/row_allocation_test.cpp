@@ -96,9 +96,12 @@ TEST(ChainAllocation, FurtherVariantsOfALinkageTakeNone) {
       rows.push_back({2 * kPi * k / kTurnRows, 1, 0});
     }
     Mechanism mechanism = profile.mechanism;
-    auto chain =
-        DyadChain::of(mechanism, make_plan(mechanism).value(), rows,
-                      {{2, std::nullopt, ChainColumn::Quantity::kAngle}, {3, 0, ChainColumn::Quantity::kAx}});
+    mechanism.bodies[2].mass = MassProperties{1, Vector2d(0.01, 0), 1e-3};
+    mechanism.loads.push_back({"load", 3, Vector2d(0.01, 0), Vector2d(3, 4), 0.1, LoadFrame::kBody});
+    auto chain = DyadChain::of(mechanism, make_plan(mechanism).value(), rows,
+                               {{2, std::nullopt, ChainColumn::Quantity::kAngle},
+                                {3, 0, ChainColumn::Quantity::kAx},
+                                {0, std::nullopt, ChainColumn::Quantity::kEffort}});
     ASSERT_TRUE(chain) << name;
     ASSERT_TRUE(chain->solve(mechanism)) << name;
     mechanism.bodies[1].points[1].p_B *= 1.01;

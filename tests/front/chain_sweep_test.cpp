@@ -175,6 +175,61 @@ tip   = { column = "lever.T.vx", of = "min", where = true }
 )"));
 }
 
+TEST(ChainSweep, ForcesOfLinkagesComeOutAsFollowedOnes) {
+  const Sweeps watt = sweeps_of(shipped_text("watt_sixbar_forces") + R"(
+[sweep]
+method = "sobol"
+count  = 40
+[sweep.variables]
+b = { path = "bodies.crank.points.B.0", min = 37, max = 46 }
+c = { path = "bodies.coupler.points.C.0", min = 95, max = 105 }
+f = { path = "bodies.ground.points.F.0", min = 260, max = 300 }
+[sweep.results]
+torque = { column = "driver.effort", of = "maxabs", where = true }
+check  = { column = "driver.effort_check", of = "rms" }
+pin    = { column = "D.fx", of = "min", where = true }
+foot   = { column = "F.fy", of = "at", at = 181 }
+swing  = { column = "rocker.angle", of = "range" }
+)",
+                                {"driver.samples=181"});
+  expect_same(watt);
+  EXPECT_GT(watt.plain.good, 5);
+  const std::string press = R"(
+[loads]
+gas = { body = "piston", force = [-300, 0], point = "B" }
+[springs]
+back = { between = ["ground.O2", "piston.B"], stiffness = 40, free_length = 10, damping = 3 }
+[sweep]
+method = "random"
+count  = 40
+[sweep.variables]
+r = { path = "bodies.crank.points.A.0", min = 1.5, max = 2.5 }
+g = { path = "loads.gas.force.0", min = -400, max = -100 }
+k = { path = "springs.back.stiffness", min = 10, max = 80 }
+[sweep.results]
+torque = { column = "driver.effort", of = "max", where = true }
+side   = { column = "slide.fy", of = "range" }
+none   = { column = "slide.fx", of = "max" }
+tilt   = { column = "slide.m", of = "maxabs" }
+)";
+  expect_same(sweeps_of(shipped_text("slider_crank") + press, {"driver.samples=91"}));
+}
+
+// A load acts where a point is that varies: more than a coordinate is written then.
+TEST(ChainSweep, LoadsGoWithTheirPoints) {
+  expect_same(sweeps_of(shipped_text("watt_sixbar_forces") + R"(
+[sweep]
+method = "random"
+count  = 20
+[sweep.variables]
+g = { path = "bodies.coupler.points.G.0", min = 40, max = 60 }
+m = { path = "bodies.rocker.mass", min = 0.1, max = 0.2 }
+[sweep.results]
+torque = { column = "driver.effort", of = "max" }
+)",
+                        {"driver.samples=61"}));
+}
+
 TEST(ChainSweep, WhatAPathSetsBesidesAPlaceIsNotLost) {
   // The start is the slide's coordinate in the poses, and goes with its points.
   expect_same(sweeps_of(R"(

@@ -55,10 +55,9 @@ Whole in_blocks(Analysis analysis, int threads) {
   Whole whole;
   run_blocks(
       analysis, threads,
-      [&](const RowBlock& block) {
-        std::string text;
-        append_csv_rows(analysis.columns(), block, text);
-        return BlockTexts{text};
+      [&](const RowBlock& block, BlockTexts& texts) {
+        texts.resize(1);
+        append_csv_rows(analysis.columns(), block, texts[0]);
       },
       [&](const RowBlock& block, const BlockTexts& texts) {
         EXPECT_EQ(block.first, static_cast<std::int64_t>(whole.statuses.size()));
@@ -200,7 +199,7 @@ TEST(BlocksUnderWay, EndWhereTheyAreNotWantedAnyMore) {
   Analysis analysis = model.start(settings).value();
   int taken = 0;
   run_blocks(
-      analysis, 3, [](const RowBlock&) { return BlockTexts{}; },
+      analysis, 3, [](const RowBlock&, BlockTexts&) {},
       [&](const RowBlock&, const BlockTexts&) { return ++taken < 3; });
   EXPECT_EQ(taken, 3);
   EXPECT_FALSE(analysis.stopped());
@@ -215,7 +214,7 @@ TEST(BlocksUnderWay, EndWhereTheRunIsStopped) {
   Analysis analysis = model.start(settings).value();
   int taken = 0;
   run_blocks(
-      analysis, 3, [](const RowBlock&) { return BlockTexts{}; },
+      analysis, 3, [](const RowBlock&, BlockTexts&) {},
       [&](const RowBlock&, const BlockTexts&) {
         stop = ++taken >= 2;
         return true;

@@ -25,10 +25,9 @@ Analysis start(const LongRun& run, std::int64_t rows) {
 void for_each_text(Analysis& analysis, int threads, const std::function<void(const std::string&)>& take) {
   run_blocks(
       analysis, threads,
-      [&](const RowBlock& block) {
-        BlockTexts texts(1);
+      [&](const RowBlock& block, BlockTexts& texts) {
+        texts.resize(1);
         append_csv_rows(analysis.columns(), block, texts[0]);
-        return texts;
       },
       [&](const RowBlock&, const BlockTexts& texts) {
         take(texts[0]);

@@ -400,6 +400,7 @@ int run(int argc, char** argv) {
   };
   add_packs("four_bar", four_bar.run);
   add_packs("watt_sixbar", watt.run);
+  packs.push_back(std::make_shared<PackCase>(checked_packs_with_forces("watt_sixbar_with_forces", watt.run)));
   for (std::size_t i = 0; i + 1 < cases.size(); ++i) {  // all but the flat face
     add_packs(cases[i].name, cases[i].run);
   }

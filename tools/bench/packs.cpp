@@ -1,6 +1,7 @@
 #include "packs.hpp"
 
 #include "checks.hpp"
+#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "linkages.hpp"
 
 #include <algorithm>
@@ -17,6 +18,29 @@ using Quantity = ChainColumn::Quantity;
 
 constexpr std::array kQuantities{Quantity::kAngle, Quantity::kOmega, Quantity::kAlpha};
 
+// `append` the numbers of the columns in a row of the run.
+template <class Append>
+PackCase checked(const std::string& name, const Run& start, const std::vector<ChainColumn>& columns,
+                 double tolerance, const Append& append) {
+  std::vector<DriverMotion> drivers;
+  for (int step = 0; step < kStepsPerTurn; ++step) {
+    drivers.push_back({start.at.drivers.front() + driver_position(step), 1, 0});
+  }
+  auto chain = DyadChain::of(start.mechanism(), start.plan(), drivers, columns);
+  require(chain.has_value() && chain->solve(start.mechanism()), name + ": rows are not proven");
+  Run run = start;
+  for (std::size_t k = 0; k < drivers.size(); ++k) {
+    move_to(run, {drivers[k]});
+    std::vector<double> expected;
+    append(run, expected);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      require(std::abs(chain->values(c)[k] - expected[c]) <= tolerance,
+              fmt::format("{}: rows at a time differ from those one by one", name));
+    }
+  }
+  return {name, start.mechanism(), *std::move(chain)};
+}
+
 }  // namespace
 
 PackCase checked_packs(const std::string& name, const Run& start) {
@@ -27,23 +51,32 @@ PackCase checked_packs(const std::string& name, const Run& start) {
       columns.push_back({body, std::nullopt, quantity});
     }
   }
-  std::vector<DriverMotion> drivers;
-  for (int step = 0; step < kStepsPerTurn; ++step) {
-    drivers.push_back({start.at.drivers.front() + driver_position(step), 1, 0});
-  }
-  auto chain = DyadChain::of(start.mechanism(), start.plan(), drivers, columns);
-  require(chain.has_value() && chain->solve(start.mechanism()), name + ": rows are not proven");
-  Run run = start;
-  for (std::size_t k = 0; k < drivers.size(); ++k) {
-    move_to(run, {drivers[k]});
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const BodyMotion& body = run.row.bodies[static_cast<std::size_t>(columns[c].body)];
-      const std::array expected{body.theta, body.omega, body.alpha};
-      require(std::abs(chain->values(c)[k] - expected[c % expected.size()]) <= 1e-10,
-              fmt::format("{}: rows at a time differ from those one by one", name));
+  return checked(name, start, columns, 1e-10, [&](const Run& run, std::vector<double>& expected) {
+    for (const int body : {last - 1, last}) {
+      const BodyMotion& motion = run.row.bodies[static_cast<std::size_t>(body)];
+      expected.insert(expected.end(), {motion.theta, motion.omega, motion.alpha});
     }
+  });
+}
+
+PackCase checked_packs_with_forces(const std::string& name, const Run& start) {
+  const auto joints = static_cast<int>(start.mechanism().joints.size());
+  std::vector<ChainColumn> columns;
+  for (int joint = 0; joint < joints; ++joint) {
+    columns.push_back({joint, std::nullopt, Quantity::kForceX});
+    columns.push_back({joint, std::nullopt, Quantity::kForceY});
   }
-  return {name, start.mechanism(), *std::move(chain)};
+  columns.push_back({0, std::nullopt, Quantity::kEffort});
+  columns.push_back({0, std::nullopt, Quantity::kEffortByPower});
+  InverseDynamics dynamics(start);
+  return checked(name, start, columns, 1e-9, [&](const Run& run, std::vector<double>& expected) {
+    const Reactions& reactions = dynamics.solve(run);
+    for (const JointReaction& joint : reactions.joints) {
+      expected.insert(expected.end(), {joint.fx.value(), joint.fy.value()});
+    }
+    const DriverEffort& driver = reactions.drivers.front();
+    expected.insert(expected.end(), {driver.effort.value(), driver.by_power.value()});
+  });
 }
 
 VectorFourBar checked_vector_floor() {

@@ -99,6 +99,11 @@ std::vector<VariantCase> checked_variants() {
                               {"bodies.ground.points.F.0", 275, 285}};
   constexpr const char* kWattColumns[] = {"link6.angle", "link6.omega", "link5.D.y"};
   cases.push_back(variants_of("watt_sixbar", kWatt, kWattColumns));
+  constexpr Varied kLoaded[] = {{"bodies.crank.points.B.0", 39, 41},
+                                {"bodies.coupler.points.C.0", 98, 102},
+                                {"bodies.ground.points.F.0", 275, 285}};
+  constexpr const char* kForceColumns[] = {"driver.effort", "D.fx", "F.fy"};
+  cases.push_back(variants_of("watt_sixbar_forces", kLoaded, kForceColumns));
   constexpr Varied kDiscs[] = {{"bodies.cam.curves.disc.radius", 19, 21},
                                {"bodies.follower.curves.roller.center.0", -61, -59}};
   constexpr const char* kFollowerColumns[] = {"follower.angle", "follower.omega", "follower.alpha"};

@@ -55,16 +55,14 @@ void RowWriter::append_json_row(const RowBlock& block, std::size_t row, std::str
   out += ']';
 }
 
-std::string RowWriter::text_of(const RowBlock& block) const {
-  std::string text;
+void RowWriter::append_text(const RowBlock& block, std::string& out) const {
   if (format_ == Format::kCsv) {
-    append_csv_rows(columns_, block, text);
-    return text;
+    append_csv_rows(columns_, block, out);
+    return;
   }
   for (std::size_t row = 0; row < block.size(); ++row) {
-    append_json_row(block, row, text);
+    append_json_row(block, row, out);
   }
-  return text;
 }
 
 void RowWriter::end(const std::vector<Event>& events, bool good) {

@@ -19,7 +19,7 @@ public:
             const std::vector<Column>& columns);
 
   /// Any number at once.
-  [[nodiscard]] std::string text_of(const RowBlock& block) const;
+  void append_text(const RowBlock& block, std::string& out) const;
   void write(const std::string& rows) { file_->write(rows); }
   /// Nothing is written after this.
   void end(const std::vector<Event>& events, bool good);

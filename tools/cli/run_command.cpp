@@ -90,10 +90,9 @@ public:
   }
 
   /// Any number at once.
-  [[nodiscard]] BlockTexts texts_of(const RowBlock& block) const {
-    BlockTexts texts;
-    for (const RowWriter& writer : writers_) texts.push_back(writer.text_of(block));
-    return texts;
+  void make_texts(const RowBlock& block, BlockTexts& texts) const {
+    texts.resize(writers_.size());
+    for (std::size_t i = 0; i < writers_.size(); ++i) writers_[i].append_text(block, texts[i]);
   }
 
   [[nodiscard]] bool good() const {
@@ -148,7 +147,8 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
     return kExitMachine;
   }
   run_blocks(
-      analysis, options.threads, [&](const RowBlock& block) { return outputs.texts_of(block); },
+      analysis, options.threads,
+      [&](const RowBlock& block, BlockTexts& texts) { outputs.make_texts(block, texts); },
       [&](const RowBlock& block, const BlockTexts& texts) {
         progress.at(block.first, analysis.size());
         return written = outputs.write(block, texts);

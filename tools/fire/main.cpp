@@ -2,6 +2,7 @@
 // printed as a profile.
 #include "child.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "packs_law.hpp"
 #include "random_sketch.hpp"
 #include "rows_law.hpp"
 #include "shrink_sketch.hpp"
@@ -180,6 +181,22 @@ int run_rows(const Options& options) {
   return failed == 0 ? 0 : 1;
 }
 
+int run_packs(const Options& options) {
+  long tried = 0;
+  long broken = 0;
+  for (const std::string_view kind : higherpair::fire::chain_kinds()) {
+    if (options.kind == "all" || options.kind == kind) {
+      ++tried;
+      broken += higherpair::fire::try_packs(kind, options.seed, options.first, options.count);
+    }
+  }
+  if (tried == 0) {
+    fmt::print(stderr, "fire: --kind {}: the packs law knows {}\n", options.kind,
+               fmt::join(higherpair::fire::chain_kinds(), ", "));
+  }
+  return broken == 0 && tried > 0 ? 0 : 1;
+}
+
 int start(int argc, char** argv) {
   Options options;
   CLI::App app("Random contacts and mechanisms against the laws that they have to obey.", "fire");
@@ -194,16 +211,21 @@ int start(int argc, char** argv) {
   app.add_option("--whole", options.every, "read and run the whole profile of every so manyth case only")
       ->check(CLI::PositiveNumber);
   app.add_option("--show", options.shown, "print at most so many failures")->check(CLI::NonNegativeNumber);
-  app.add_option("--law", options.law,
-                 "pairs: contacts and their rates; rows: that nothing depends on the rows")
-      ->check(CLI::IsMember({"pairs", "rows", "truth"}));
-  app.add_option("--kind", options.kind, "of mechanisms for the rows law; all unless given");
+  app.add_option(
+         "--law", options.law,
+         "pairs: contacts and their rates; rows: that nothing depends on the rows; packs: rows worked out "
+         "many at a time")
+      ->check(CLI::IsMember({"pairs", "rows", "truth", "packs"}));
+  app.add_option("--kind", options.kind, "of mechanisms for the other laws; all unless given");
   app.add_flag("--print", options.print, "print the profiles only");
   app.add_flag("!--whole-cases", options.shrink, "print failing mechanisms as they are, not made small");
   app.add_option("--patience", options.patience, "seconds of processor time that a case may take");
   CLI11_PARSE(app, argc, argv);
   if (options.seconds > 0 && count->count() == 0) {
     options.count = std::numeric_limits<long>::max();
+  }
+  if (options.law == "packs") {
+    return run_packs(options);
   }
   return options.law != "pairs" ? run_rows(options) : run(options);
 }

@@ -34,8 +34,12 @@ using BlockTexts = std::vector<std::string>;
 /// run is stopped.
 /// \pre no row of the analysis has been taken
 /// \param threads  so many; 0: as many as there are cores to be used
-/// \param texts    makes from a block what is written of it; on any thread, several at once
-void run_blocks(Analysis& analysis, int threads, const std::function<BlockTexts(const RowBlock&)>& texts,
+/// \param texts    makes from a block what is written of it, on any thread, several at once. The texts that
+/// it
+///                 is given are empty, and as many as it has left of an earlier block: their memory is used
+///                 again
+void run_blocks(Analysis& analysis, int threads,
+                const std::function<void(const RowBlock&, BlockTexts&)>& texts,
                 const std::function<bool(const RowBlock&, const BlockTexts&)>& take);
 
 /// The lines of CSV (with their ends) of a block, appended to `out`: those of append_csv_row.

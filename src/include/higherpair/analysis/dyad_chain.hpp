@@ -9,12 +9,30 @@
 
 namespace higherpair {
 
-/// A number of a body, of one of its points, or of a contact in every row of a run; SI units, ground frame.
+/// A number of a body, of one of its points, of a contact, a joint or the driver in every row of a run; SI
+/// units, ground frame.
 struct ChainColumn {
   /// kPressure: angle in [0, π/2] between the normal and the way that the joint of the contact's second body
-  /// leaves its point.
-  enum class Quantity { kPressure, kX, kY, kAngle, kVx, kVy, kOmega, kAx, kAy, kAlpha };
-  int body = 0;              ///< of kPressure: index of Mechanism::contacts
+  /// leaves its point. kForceX, kForceY, kMoment: what a joint does to its second body (JointReaction).
+  /// kEffort, kEffortByPower: what drives (DriverEffort).
+  enum class Quantity {
+    kPressure,
+    kX,
+    kY,
+    kAngle,
+    kVx,
+    kVy,
+    kOmega,
+    kAx,
+    kAy,
+    kAlpha,
+    kForceX,
+    kForceY,
+    kMoment,
+    kEffort,
+    kEffortByPower
+  };
+  int body = 0;  ///< of kPressure: index of Mechanism::contacts; of a joint's: of Mechanism::joints
   std::optional<int> point;  ///< of Body::points; none: the frame's origin
   Quantity quantity = Quantity::kX;
 };
@@ -31,13 +49,18 @@ struct ChainColumn {
 /// Newton's method; each row is held against the one before by the tests that a Run makes of its steps, and
 /// where one fails there is no answer either.
 ///
+/// Forces of linkages without contacts follow from the rows, from the last dyad to the driver, with weights,
+/// inertia, loads, springs and dampers.
+///
 /// One thread at a time. solve() allocates only where there are contacts, which a Run finds first, or where
 /// two assemblies are as near to the poses as each other.
 class DyadChain {
 public:
   /// None where the mechanism is no such linkage: more or other groups, several drivers, ends of slides,
   /// other contacts, surplus conditions; or where a kPressure is not that of a body on ground that its
-  /// contact places. \param rows  the driver in every row, as move_to() would be told
+  /// contact places, or forces are wanted and there are contacts, torsion springs on other pins than the
+  /// driven one, or bodies whose turning nothing sets. \param rows  the driver in every row, as move_to()
+  /// would be told
   [[nodiscard]] static std::optional<DyadChain> of(const Mechanism& mechanism, const Plan& plan,
                                                    std::span<const DriverMotion> rows,
                                                    std::vector<ChainColumn> columns);

@@ -1,0 +1,85 @@
+#include "chain_columns.hpp"
+
+#include "higherpair/mechanism/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace higherpair {
+
+ChainRates rates_for(std::span<const ChainColumn> columns) {
+  ChainRates rates = ChainRates::kNone;
+  for (const ChainColumn& column : columns) {
+    rates = std::max(rates, column.quantity >= ChainColumn::Quantity::kAx   ? ChainRates::kAccelerations
+                            : column.quantity >= ChainColumn::Quantity::kVx ? ChainRates::kVelocities
+                                                                            : ChainRates::kNone);
+  }
+  return rates;
+}
+
+std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies) {
+  std::vector<ChainAngle> angles(bodies);
+  const auto at = [&](int body) -> ChainAngle& { return angles[static_cast<std::size_t>(body)]; };
+  const auto turns = [&](int body) { at(body) = {ChainAngle::Source::kRotation, body, 0, 0}; };
+  const auto rides = [&](const std::optional<Rider>& rider) {
+    if (rider) {
+      at(rider->body) = at(rider->carrier);
+      at(rider->body).offset += rider->relative_angle;
+    }
+  };
+  for (const ChainGroup& group : groups) {
+    if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
+      const CarriedBody& carried = driven->carried;
+      at(carried.body) = carried.freedom.turns
+                             ? ChainAngle{ChainAngle::Source::kDriver, carried.body, carried.sign, 0}
+                             : ChainAngle{ChainAngle::Source::kFixed, carried.body, 0, carried.freedom.theta};
+    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
+      turns(rrr->link_a);
+      turns(rrr->link_b);
+    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
+      turns(rrp->link);
+      rides(rrp->slider);
+    } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
+      turns(rpr->link);
+      rides(rpr->slider);
+    } else if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
+      turns(ovals->touch.body);
+      if (!ovals->touch.freedom.turns) {
+        at(ovals->touch.body) = {ChainAngle::Source::kFixed, ovals->touch.body, 0,
+                                 ovals->touch.freedom.theta};
+      }
+    }
+  }
+  return angles;
+}
+
+const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact) {
+  for (const ChainGroup& group : groups) {
+    if (const ChainTouch* touch = touch_of(group); touch != nullptr && touch->contact == contact) {
+      return touch;
+    }
+  }
+  return nullptr;
+}
+
+bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, int contact) {
+  const ChainTouch* touch = touch_in(groups, contact);
+  return touch != nullptr && touch->carrier == kGround &&
+         mechanism.contacts[static_cast<std::size_t>(contact)].second.body == touch->body;
+}
+
+void unwind(const ChainAngle& angle, double posed, std::span<double> values) {
+  double before = values.front();
+  double turns = nearest_turn(before, posed) - before;
+  for (double& value : values) {
+    const double rise = value - before;
+    before = value;
+    if (std::abs(rise) > kPi) {
+      turns -= std::copysign(2 * kPi, rise);
+    }
+    value = (value + turns) + angle.offset;
+  }
+}
+
+}  // namespace higherpair

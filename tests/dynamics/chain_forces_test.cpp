@@ -1,0 +1,172 @@
+// Forces of linkages worked out many rows at a time: those of a run that follows the motion and solves its
+// balance by factorised matrices.
+#include "analysis/random_mechanism.hpp"
+#include "dynamics/chain_agreement.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace higherpair::testing {
+namespace {
+
+using Quantity = ChainColumn::Quantity;
+
+constexpr std::array kDyads{RandomGroup::kRrr, RandomGroup::kRrp, RandomGroup::kRrpS, RandomGroup::kRpr,
+                            RandomGroup::kRprS};
+
+struct Counts {
+  int proven = 0;
+  ChainErrors worst;
+};
+
+Counts compare_many(std::span<const RandomGroup> groups, std::size_t most_bodies, unsigned count) {
+  Counts counts;
+  for (unsigned seed = 1; seed <= count; ++seed) {
+    RandomMechanism made = RandomBuilder(seed, most_bodies, groups).build();
+    Random random(seed + 1000);
+    add_random_loads(made.mechanism, random);
+    const ChainAgreement agrees =
+        agreement(made.mechanism, turn(made.start, seed % 2 == 0 ? 0.9 : -0.4, 10 + seed % 40), true);
+    EXPECT_NE(agrees.outcome, Outcome::kNoChain) << "seed " << seed;
+    EXPECT_EQ(agrees.broken, "") << "seed " << seed;
+    counts.proven += agrees.outcome == Outcome::kProven ? 1 : 0;
+    const auto see = [](double& worst, double error) { worst = error <= worst ? worst : error; };
+    see(counts.worst.second_rate, agrees.errors.second_rate);
+    see(counts.worst.force, agrees.errors.force);
+  }
+  return counts;
+}
+
+// Of the largest force at a joint, in units in its last place; sines of dyads are 0.02 or more.
+TEST(ChainForces, OfEveryDyadAreThoseOfARun) {
+  for (const RandomGroup group : kDyads) {
+    SCOPED_TRACE(static_cast<int>(group));
+    const Counts counts = compare_many(std::array{group}, 4, 300);
+    EXPECT_GT(counts.proven, 100);
+    EXPECT_AT_MOST(counts.worst.force, 200);
+  }
+}
+
+TEST(ChainForces, OfChainsOfDyadsAreThoseOfARun) {
+  const Counts counts = compare_many(kDyads, 8, 400);
+  EXPECT_GT(counts.proven, 60);
+  EXPECT_AT_MOST(counts.worst.force, 2000);
+}
+
+// A slider-crank with its pins at (0, 0) and on the x axis, its crank upright; a force presses on the piston.
+struct Press {
+  double r = 0.05, l = 0.17, force = 310;
+
+  [[nodiscard]] Mechanism mechanism() const {
+    Builder b;
+    const double x = std::sqrt(l * l - r * r);
+    const int crank = b.body("crank", {0, 0}, kPi / 2);
+    const int rod = b.body("rod", {0, r}, 0.2);
+    const int piston = b.body("piston", {x, 0}, 0);
+    b.drive(b.revolute(0, crank, {0, 0}));
+    b.revolute(crank, rod, {0, r});
+    b.revolute(rod, piston, {x, 0});
+    b.prismatic(0, piston, {x, 0}, {1, 0}, x);
+    b.mechanism.loads.push_back({"gas", piston, Vector2d(0.02, 0.013), Vector2d(-force, 0), 0, {}});
+    return b.mechanism;
+  }
+};
+
+TEST(ChainForces, HoldAForceOnASliderByTheTorqueOfTheTextbook) {
+  const Press press;
+  const auto rows = turn(kPi / 2, 2 * kPi, 73);
+  const Mechanism mechanism = press.mechanism();
+  auto chain = DyadChain::of(mechanism, *make_plan(mechanism), rows,
+                             {{0, std::nullopt, Quantity::kEffort},
+                              {0, std::nullopt, Quantity::kEffortByPower},
+                              {2, std::nullopt, Quantity::kForceX},
+                              {2, std::nullopt, Quantity::kForceY},
+                              {3, std::nullopt, Quantity::kForceX},
+                              {3, std::nullopt, Quantity::kForceY},
+                              {3, std::nullopt, Quantity::kMoment}});
+  ASSERT_TRUE(chain);
+  ASSERT_TRUE(chain->solve(mechanism));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double theta = rows[k].position;
+    const double phi = std::asin(press.r / press.l * std::sin(theta));
+    const double torque = -press.force * press.r * std::sin(theta + phi) / std::cos(phi);
+    ASSERT_NEAR(chain->values(0)[k], torque, 1e-13);
+    ASSERT_NEAR(chain->values(1)[k], torque, 1e-13);
+    // The rod is a two-force member.
+    ASSERT_NEAR(chain->values(2)[k], press.force, 1e-12);
+    ASSERT_NEAR(chain->values(3)[k], -press.force * std::tan(phi), 1e-12);
+    ASSERT_EQ(chain->values(4)[k], 0);
+    ASSERT_NEAR(chain->values(5)[k], press.force * std::tan(phi), 1e-12);
+    ASSERT_NEAR(chain->values(6)[k], -press.force * 0.013, 1e-13);
+  }
+}
+
+// A crank, or a slide, that carries a rod and a rocker; the driven joint names ground second.
+TEST(ChainForces, OfDriversThatNameGroundSecondAreThoseOfARun) {
+  for (const bool turns : {true, false}) {
+    SCOPED_TRACE(turns);
+    Builder b;
+    const int first = b.body("first", {0.1, 0}, 0.3), rod = b.body("rod", {0.4, 0.6}, 1);
+    const int rocker = b.body("rocker", {2, 0}, -0.7);
+    const int driven = turns ? b.revolute(first, 0, {0, 0}) : b.prismatic(first, 0, {0, 0}, {0.6, 0.8}, 0.4);
+    b.drive(driven);
+    b.revolute(rod, first, {0.4, 0.5});
+    b.revolute(rocker, rod, {1.7, 1.2});
+    b.revolute(0, rocker, {2, 0});
+    Random random(11);
+    add_random_loads(b.mechanism, random);
+    b.mechanism.springs.push_back({"driven", driven, {}, {}, 7, 0.3, 2});
+    const ChainAgreement agrees = agreement(b.mechanism, turn(b.coordinate(driven), 0.4, 40), true);
+    EXPECT_EQ(agrees.outcome, Outcome::kProven);
+    EXPECT_EQ(agrees.broken, "");
+    EXPECT_AT_MOST(agrees.errors.force, 100);
+  }
+}
+
+bool has_forces(const Mechanism& mechanism) {
+  const auto plan = make_plan(mechanism);
+  return plan && DyadChain::of(mechanism, *plan, turn(0, 1, 9), {{0, std::nullopt, Quantity::kEffort}});
+}
+
+TEST(ChainForces, AreOnlyForLoadsThatTheyKnow) {
+  Mechanism mechanism = Press().mechanism();
+  EXPECT_TRUE(has_forces(mechanism));
+  mechanism.springs.push_back({"on the guide", 3, {}, {}, 10, 0, 0});
+  mechanism.springs.push_back({"on the driven pin", 0, {}, {}, 10, 0, 0});
+  EXPECT_TRUE(has_forces(mechanism));
+  mechanism.springs.push_back({"on another pin", 2, {}, {}, 10, 0, 0});
+  EXPECT_FALSE(has_forces(mechanism));
+  const RandomMechanism touching = RandomBuilder(3, 4, std::array{RandomGroup::kTouching}).build();
+  EXPECT_FALSE(has_forces(touching.mechanism));
+}
+
+// Such a spring has no direction but that of rounding.
+TEST(ChainForces, OfASpringWithoutLengthAreNotProven) {
+  const auto rows = turn(kPi / 2, 1, 30);
+  Mechanism mechanism = Press().mechanism();
+  mechanism.springs.push_back({"short", std::nullopt, {1, 1}, {3, 0}, 10, 0.02, 1});
+  EXPECT_EQ(agreement(mechanism, rows, true).outcome, Outcome::kProven);
+  mechanism.springs.push_back({"none", std::nullopt, {1, 1}, {2, 0}, 10, 0.02, 1});
+  EXPECT_EQ(agreement(mechanism, rows, true).outcome, Outcome::kNotProven);
+  EXPECT_EQ(agreement(mechanism, rows, false).outcome, Outcome::kProven);
+}
+
+// What acts may vary as well as dimensions do.
+TEST(ChainForces, OfVariantsFollowTheirLoads) {
+  Press press;
+  const auto rows = turn(kPi / 2, 1, 9);
+  const Mechanism first = press.mechanism();
+  auto chain = DyadChain::of(first, *make_plan(first), rows, {{0, std::nullopt, Quantity::kEffort}});
+  ASSERT_TRUE(chain && chain->solve(first));
+  const double torque = chain->values(0)[3];
+  press.force *= 2;
+  ASSERT_TRUE(chain->solve(press.mechanism()));
+  EXPECT_NEAR(chain->values(0)[3], 2 * torque, 1e-13);
+}
+
+}  // namespace
+}  // namespace higherpair::testing
