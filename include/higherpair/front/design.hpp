@@ -20,6 +20,10 @@ struct DesignSettings {
   int best = 1;        ///< of so many different optima the text is made as well, where there are so many
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const DesignProgress&)> progress;
+  /// As DesignOptions has them: a search goes on where another one was killed. \pre of the same profile and
+  /// seed
+  std::vector<DesignSearchEnd> known;
+  std::function<void(const DesignSearchEnd&)> ended;
 };
 
 /// A design that was found, and the profile with which it was made. All numbers in the units of tables or of
