@@ -17,12 +17,13 @@ using testing::Settings;
 
 // A four-bar whose rocker is in line with its coupler where the crank stands at 30 degrees, to within 2e-14
 // rad.
-constexpr double kCrank = 211.74772024520621, kCoupler = 177.78306280704766, kRocker = 312.54698989395007;
-constexpr double kFrame = 100;
+constexpr double kCrankLength = 211.74772024520621, kCouplerLength = 177.78306280704766,
+                 kRockerLength = 312.54698989395007;
+constexpr double kFrameLength = 100;
 
-RunTable run_with(double rocker, const Settings& settings) {
-  Settings all = {fmt::format("bodies.crank.points.A.0={}", kCrank),
-                  fmt::format("bodies.coupler.points.B.0={}", kCoupler),
+RunTable four_bar_with(double rocker, const Settings& settings) {
+  Settings all = {fmt::format("bodies.crank.points.A.0={}", kCrankLength),
+                  fmt::format("bodies.coupler.points.B.0={}", kCouplerLength),
                   fmt::format("bodies.rocker.points.B.0={}", rocker)};
   all.insert(all.end(), settings.begin(), settings.end());
   return testing::analyze(testing::shipped("design_log_generator", all));
@@ -30,9 +31,10 @@ RunTable run_with(double rocker, const Settings& settings) {
 
 // The rocker's angle by the triangle of the two links and the diagonal. side: +1 on the left of the diagonal
 double rocker_angle(double crank_angle, double side) {
-  const testing::Complex diagonal = std::polar(kCrank, crank_angle) - kFrame;
+  const testing::Complex diagonal = std::polar(kCrankLength, crank_angle) - kFrameLength;
   const double d = std::abs(diagonal);
-  const double open = std::acos((kRocker * kRocker + d * d - kCoupler * kCoupler) / (2 * kRocker * d));
+  const double open = std::acos((kRockerLength * kRockerLength + d * d - kCouplerLength * kCouplerLength) /
+                                (2 * kRockerLength * d));
   return std::arg(diagonal) + side * open;
 }
 
@@ -49,8 +51,8 @@ TEST(TouchedLimits, AStartBesideALimitGoesOnTheBranchOfThePose) {
        {-1e-12, -1e-13, 0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4}) {
     for (const int rows : {7, 13, 61}) {
       SCOPED_TRACE(fmt::format("{} degrees behind the limit, {} rows", beside, rows));
-      const RunTable motion = run_with(kRocker, {fmt::format("driver.start={:.17g}", 30 + beside),
-                                                 fmt::format("driver.samples={}", rows)});
+      const RunTable motion = four_bar_with(kRockerLength, {fmt::format("driver.start={:.17g}", 30 + beside),
+                                                            fmt::format("driver.samples={}", rows)});
       ASSERT_EQ(motion.size(), static_cast<std::size_t>(rows)) << motion.failure();
       EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 0U);
       EXPECT_LE(limits_in(motion), 1);  // the start itself
@@ -67,7 +69,7 @@ TEST(TouchedLimits, AStartBesideALimitGoesOnTheBranchOfThePose) {
 // Angles go on at the turn of the pose, not where unbounded rates at the limit would have taken them.
 TEST(TouchedLimits, AStartBesideALimitKeepsItsTurn) {
   const RunTable motion =
-      run_with(kRocker, {"bodies.rocker.pose.angle=-300", "bodies.coupler.pose.angle=760"});
+      four_bar_with(kRockerLength, {"bodies.rocker.pose.angle=-300", "bodies.coupler.pose.angle=760"});
   ASSERT_EQ(motion.size(), 13U) << motion.failure();
   EXPECT_NEAR(motion.value(0, "rocker.angle"), 51.778 - 360, 0.01);
   EXPECT_NEAR(motion.value(0, "coupler.angle"), 51.778 + 720, 0.01);
@@ -78,7 +80,7 @@ TEST(TouchedLimits, ARowJustBeforeALimitIsReached) {
   for (const double before : {1e-9, 1e-11, 1e-12, 5e-13, 2e-13, 1e-13, 0.0}) {
     SCOPED_TRACE(before);
     const RunTable motion =
-        run_with(kRocker, {fmt::format("driver.positions=[60, {:.17g}, 31, 60]", 30 + before)});
+        four_bar_with(kRockerLength, {fmt::format("driver.positions=[60, {:.17g}, 31, 60]", 30 + before)});
     ASSERT_EQ(motion.size(), 4U) << motion.failure();
     EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 0U);
     EXPECT_NEAR(motion.value(1, "rocker.angle"), 51.7785, 1e-3);
@@ -91,13 +93,15 @@ TEST(TouchedLimits, ARowJustBeforeALimitIsReached) {
 TEST(TouchedLimits, TwoLimitsThatFallTogetherAreFoundOrPassedWhateverTheRows) {
   for (const double off : {0.0, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2}) {
     for (const double sign : {1.0, -1.0}) {
-      const double shortest = (kCrank - kFrame) * (1 + sign * off);
+      const double shortest = (kCrankLength - kFrameLength) * (1 + sign * off);
       const double gap = std::acos(
-          std::min(1.0, (kCrank * kCrank + kFrame * kFrame - shortest * shortest) / (2 * kFrame * kCrank)));
+          std::min(1.0, (kCrankLength * kCrankLength + kFrameLength * kFrameLength - shortest * shortest) /
+                            (2 * kFrameLength * kCrankLength)));
       for (const int rows : {7, 13, 61}) {
         SCOPED_TRACE(fmt::format("{} off, {} rows", sign * off, rows));
-        const RunTable motion = run_with(kCoupler + shortest, {"driver.start=60", "driver.end=-60",
-                                                               fmt::format("driver.samples={}", rows)});
+        const RunTable motion =
+            four_bar_with(kCouplerLength + shortest,
+                          {"driver.start=60", "driver.end=-60", fmt::format("driver.samples={}", rows)});
         ASSERT_EQ(motion.size(), static_cast<std::size_t>(rows)) << motion.failure();
         const bool has_gap = sign > 0 && off > 1e-13;
         std::size_t inside = 0;
