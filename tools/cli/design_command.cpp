@@ -182,6 +182,7 @@ int design_command(const DesignCommandOptions& options) {
   if (!journal.path().empty() && !journal.open(identity_of(options, *model), options.resume, take)) {
     return report_journal(journal);
   }
+  print_notes(design_notes(*model), options.quiet);
   const auto report = search(*model, options, std::move(known), journal);
   const int code = report ? write_report(*model, options, *report) : report_error(report.error());
   end_journal(journal, code == kExitInterrupted || code == kExitMachine);

@@ -104,6 +104,10 @@ struct DesignReport {
 /// (kMechanism).
 [[nodiscard]] Result<DesignReport> design(const Model& model, const DesignSettings& settings = {});
 
+/// What looks like a slip of a task that can be worked on: targets far from what the profile has, but like it
+/// if they were in another unit. None where design() fails before its search.
+[[nodiscard]] Diagnostics design_notes(const Model& model);
+
 /// A page (HTML, nothing else needed) with what was found: the mechanism before and after with the paths of
 /// its points, variables, objectives and constraints. Fails where neither can be drawn.
 /// \param before  the model that the design began with
