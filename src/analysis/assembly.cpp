@@ -44,21 +44,6 @@ public:
 private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
-  // Squared distances of the joint points of a group's bodies from their places in the poses.
-  [[nodiscard]] double cost_of(const Group& group) const {
-    double cost = 0;
-    for (const int index : group.joints) {
-      const Joint& joint = run_.mechanism().joints[static_cast<std::size_t>(index)];
-      for (const PointRef& ref : {joint.first, joint.second}) {
-        const auto body = static_cast<std::size_t>(ref.body);
-        const Vector2d p_B = point_of(run_.mechanism(), ref);
-        cost += (position_.state().bodies[body].X_WB * p_B - position_.posed().bodies[body].X_WB * p_B)
-                    .squaredNorm();
-      }
-    }
-    return cost;
-  }
-
   void search(std::size_t g, double cost) {
     if (cost >= best_cost_ || (all_ && !all_->complete)) {
       return;
@@ -81,7 +66,8 @@ private:
     std::vector<Candidate> candidates;
     for (const int mode : modes) {
       if (position_.place(g, mode)) {
-        candidates.push_back({mode, cost_of(run_.plan().groups[g])});
+        candidates.push_back({mode, distance_from_poses(run_.mechanism(), run_.plan().groups[g],
+                                                        position_.state().bodies, position_.posed().bodies)});
       }
     }
     std::sort(candidates.begin(), candidates.end(),
@@ -110,6 +96,20 @@ private:
 };
 
 }  // namespace
+
+double distance_from_poses(const Mechanism& mechanism, const Group& group,
+                           const std::vector<BodyMotion>& bodies, const std::vector<BodyMotion>& posed) {
+  double distance = 0;
+  for (const int index : group.joints) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    for (const PointRef& ref : {joint.first, joint.second}) {
+      const auto body = static_cast<std::size_t>(ref.body);
+      const Vector2d p_B = point_of(mechanism, ref);
+      distance += (bodies[body].X_WB * p_B - posed[body].X_WB * p_B).squaredNorm();
+    }
+  }
+  return distance;
+}
 
 int branch_count(const Plan& plan) {
   int modes = 0;

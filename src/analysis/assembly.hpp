@@ -9,6 +9,12 @@ namespace higherpair {
                                                           const std::vector<double>& drivers);
 [[nodiscard]] Run planned_run(RunModel model, const std::vector<double>& drivers);
 
+/// Squared distances of the points of a group's joints from their places in the poses [m²]: what makes one
+/// assembly nearer than another.
+[[nodiscard]] double distance_from_poses(const Mechanism& mechanism, const Group& group,
+                                         const std::vector<BodyMotion>& bodies,
+                                         const std::vector<BodyMotion>& posed);
+
 /// Sets run.at.state to the assembly nearest to the poses at run.at.drivers, without rates; says why there is
 /// none.
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);

@@ -29,10 +29,11 @@ constexpr int kHalvingsToLimit = 3;        // refused steps, one after the other
 constexpr double kShareToLimit = 0.5;      // of what is left to a limit: the next step
 constexpr double kAtLimit = 1e-9;          // of the driver's scale: as near as this a limit is reached
 constexpr double kNearLimit = 1e-6;        // of the driver's scale: nearer, rates may be too inexact to go on
-constexpr double kOnLimit = 1e-14;         // of the driver's scale: a row that is at the limit itself
-constexpr double kLongStep = 0.02;         // of the driver's scale: one that may as well end elsewhere
-constexpr double kOpenShare = 0.2;         // of the largest step: while a contact is open
-constexpr double kProbe = kPi / 144;  // of the driver's scale: where a branch that was lost is looked for
+constexpr double kBesideLimit = 1e-12;  // of the driver's scale: as near before a limit a row needs no step
+constexpr double kOnLimit = 1e-14;      // of the driver's scale: a row that is at the limit itself
+constexpr double kLongStep = 0.02;      // of the driver's scale: one that may as well end elsewhere
+constexpr double kOpenShare = 0.2;      // of the largest step: while a contact is open
+constexpr double kProbe = kPi / 144;    // of the driver's scale: where a branch that was lost is looked for
 constexpr double kMostProbes = 1e4;
 constexpr double kMostSteps = 2e5;  // inner steps besides those that the path takes at least
 
@@ -312,6 +313,16 @@ private:
     return Outcome::kArrived;
   }
 
+  // A row just before a limit, to which no step can be judged; run.at.state remains before it.
+  bool rest_beside_limit() {
+    if (std::abs(limit_->s - path_.length) > kBesideLimit * scale_ || !solve_at(run_, path_, s_, rest())) {
+      return false;
+    }
+    run_.at.beside = run_.work.trial;
+    path_.positions(s_, run_.at.drivers);
+    return true;
+  }
+
   // A limit is reached when nothing is left but a rounding of the driver's coordinate.
   Outcome arrives_at_limit() {
     const bool at_limit = limit_ && s_ != path_.length && std::abs(limit_->s - s_) <= kAtLimit * scale_ &&
@@ -336,6 +347,9 @@ private:
       }
     }
     if (h_ < smallest()) {
+      if (exhausted && rest_beside_limit()) {
+        return Outcome::kArrived;
+      }
       return lose(exhausted ? *limit_ : Limit{g, s_ + left_by(g)});
     }
     return Outcome::kGoesOn;

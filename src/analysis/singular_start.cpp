@@ -1,5 +1,6 @@
 #include "singular_start.hpp"
 
+#include "assembly.hpp"
 #include "crossing.hpp"
 #include "group_system.hpp"
 #include "higherpair/contact/finder.hpp"
@@ -130,9 +131,13 @@ double total_acceleration(const Run& run, const State& state) {
   return acceleration;
 }
 
-// How far the bodies of a group are from their poses, squared.
-double distance_from_poses(const Run& run, const Group& group, const State& state) {
+// How far a group is from its poses, squared: as assembling has it, but where contacts choose the mode the
+// joints may stay where they are.
+double distance_of(const Run& run, const Group& group, const State& state) {
   const std::vector<BodyMotion> posed = posed_bodies(run.mechanism());
+  if (group.contacts.empty()) {
+    return distance_from_poses(run.mechanism(), group, state.bodies, posed);
+  }
   double distance = 0;
   for (const int body : group.bodies) {
     const auto i = static_cast<std::size_t>(body);
@@ -164,18 +169,33 @@ struct Departure {
   }
 };
 
+// Rates at a singular start are without bounds: they say nothing of where it leads to, not even of the turn
+// at which angles go on.
+State without_rates(State state) {
+  for (BodyMotion& body : state.bodies) {
+    body.v_WB.setZero();
+    body.a_WB.setZero();
+    body.omega = body.alpha = 0;
+  }
+  for (ContactMotion& contact : state.contacts) {
+    contact.rates.phi_dot = 0;
+  }
+  return state;
+}
+
 // With every combination of modes of the singular groups.
 std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& groups, std::size_t driver,
                                   double reach) {
   std::vector<Departure> found;
   const State start = run.at.state;
+  const State at_rest = without_rates(start);
   std::vector<double> there = run.at.drivers;
   there[driver] += reach;
   Path path;
   set_path(path, run.at.drivers, there);
   const std::size_t chosen = std::min(groups.size(), kMostChosen);
   for (unsigned combination = 0; combination < (1U << chosen); ++combination) {
-    run.at.state = start;
+    run.at.state = at_rest;
     bool taken = true;
     for (std::size_t i = 0; i < chosen && taken; ++i) {
       const bool other = (combination >> i & 1U) != 0;
@@ -195,7 +215,7 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
     bool regular = true;
     for (const std::size_t g : groups) {
       regular = regular && !is_singular(run.work.trial.groups[g]);
-      departure.distance += distance_from_poses(run, run.plan().groups[g], run.work.trial);
+      departure.distance += distance_of(run, run.plan().groups[g], run.work.trial);
     }
     if (regular) {
       found.push_back(std::move(departure));

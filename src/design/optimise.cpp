@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <random>
+#include <unordered_map>
 #include <utility>
 
 namespace higherpair {
@@ -44,11 +46,6 @@ private:
   std::mt19937_64 engine_;
 };
 
-struct StartResult {
-  DesignPoint best;
-  std::int64_t evaluations = 0;
-};
-
 bool holds(const DesignPoint& point) {
   return !point.x.empty() && point.violation <= kConstraintTolerance;
 }
@@ -56,15 +53,19 @@ bool holds(const DesignPoint& point) {
 class Optimiser {
 public:
   Optimiser(const DesignProblem& problem, const DesignOptions& options)
-      : problem_(problem), options_(options), begin_(std::chrono::steady_clock::now()) {}
+      : problem_(problem), options_(options), begin_(std::chrono::steady_clock::now()) {
+    for (const DesignSearchEnd& end : options.known) {
+      const bool fits = end.best.x.empty() || end.best.x.size() == problem.variables.size();
+      if (fits && end.evaluations > 0) known_[end.number] = &end;
+    }
+  }
 
   DesignOutcome run() {
     std::optional<DesignEnd> end;
     for (int first = 0; !end; first += kBatch) {
       const int count = std::min(kBatch, std::max(1, options_.starts) - first);
-      const std::vector<StartResult> results = run_batch(first, count);
-      for (const StartResult& result : results) {
-        take(result);
+      for (const DesignSearchEnd& one : run_batch(first, count)) {
+        take(one);
         end = end ? end : end_after();
         if (end && *end != DesignEnd::kTime && *end != DesignEnd::kStopped) {
           break;  // what a batch has found beyond the end would depend on its size
@@ -76,23 +77,37 @@ public:
   }
 
 private:
-  std::vector<StartResult> run_batch(int first, int count) {
-    std::vector<StartResult> results(static_cast<std::size_t>(count));
+  // Ends of searches in their order; without any evaluations where there was no time.
+  std::vector<DesignSearchEnd> run_batch(int first, int count) {
+    std::vector<DesignSearchEnd> ends(static_cast<std::size_t>(count));
     // More threads than there are would only make oneTBB print a warning.
     const auto most =
         static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     tbb::task_arena arena(options_.threads > 0 ? std::min(options_.threads, most) : most);
     arena.execute([&] {
       tbb::parallel_for(0, count, [&](int k) {
-        if (first + k == 0 || !out_of_time()) {
-          results[static_cast<std::size_t>(k)] = search_from(first + k);
+        const int number = first + k;
+        DesignSearchEnd& end = ends[static_cast<std::size_t>(k)];
+        if (const auto known = known_.find(number); known != known_.end()) {
+          end = *known->second;
+        } else if (number == 0 || !out_of_time()) {
+          end = search_from(number);
+          tell(end);
         }
       });
     });
-    return results;
+    return ends;
   }
 
-  [[nodiscard]] StartResult search_from(int start) const {
+  // A search that was stopped would have ended elsewhere.
+  void tell(const DesignSearchEnd& end) {
+    if (options_.ended && !is_stopped()) {
+      const std::lock_guard lock(telling_);
+      options_.ended(end);
+    }
+  }
+
+  [[nodiscard]] DesignSearchEnd search_from(int start) const {
     Random random(options_.seed, start);
     Search search(problem_, problem_.start_branch, options_.stop);
     Eigen::VectorXd u(search.size());
@@ -107,7 +122,7 @@ private:
       u = best_of_candidates(search, random);
     }
     search_locally(search, u, options_.method, random.number());
-    return {search.best(), search.evaluations()};
+    return {start, search.best(), search.evaluations()};
   }
 
   [[nodiscard]] Eigen::VectorXd near_best(const Search& search, Random& random) const {
@@ -138,12 +153,15 @@ private:
     return search.unit_of(best.x);
   }
 
-  void take(const StartResult& result) {
+  void take(const DesignSearchEnd& result) {
+    if (result.evaluations == 0) {
+      return;
+    }
     ++starts_;
+    evaluations_ += result.evaluations;
     if (result.best.x.empty()) {
       return;
     }
-    evaluations_ += result.evaluations;
     if (best_.x.empty() || is_better(result.best, best_)) {
       best_ = result.best;
     }
@@ -232,6 +250,8 @@ private:
   const DesignProblem& problem_;
   const DesignOptions& options_;
   std::chrono::steady_clock::time_point begin_;
+  std::unordered_map<int, const DesignSearchEnd*> known_;
+  std::mutex telling_;
   DesignPoint best_;
   std::vector<DesignPoint> optima_;
   int starts_ = 0;

@@ -25,6 +25,8 @@ DesignOptions options_of(const DesignTask& task, const DesignSettings& settings)
   options.alternatives = settings.best;
   options.stop = settings.stop;
   options.progress = settings.progress;
+  options.known = settings.known;
+  options.ended = settings.ended;
   return options;
 }
 

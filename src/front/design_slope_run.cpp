@@ -1,6 +1,7 @@
 #include "design_slope_run.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/row_path.hpp"
 

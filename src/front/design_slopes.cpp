@@ -1,6 +1,7 @@
 #include "design_slopes.hpp"
 
 #include "design_slope_run.hpp"
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 

@@ -1,12 +1,10 @@
 #include "fit_motion.hpp"
 
-#include "analysis_impl.hpp"
+#include "fit_candidate.hpp"
 #include "fit_columns.hpp"
-#include "higherpair/analysis/branch_run.hpp"
-#include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "path_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,61 +56,6 @@ std::vector<double> scales_of(const DesignTask& ranges) {
 
 }  // namespace
 
-// A mechanism that stands at its first position, and where its drivers are to be in each row.
-struct FitMotion::Candidate {
-  std::shared_ptr<const Model::Data> data;
-  Run run;
-  ColumnSet columns;
-  std::optional<InverseDynamics> dynamics;
-  std::vector<std::vector<DriverState>> rows;
-  std::vector<double> times;       // in the profile's unit
-  std::vector<std::size_t> slots;  // of FitData::columns
-};
-
-namespace {
-
-// The drivers in every row of the table, less offsets.
-std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& data, const Profile& profile,
-                                                                 std::span<const double> offsets) {
-  const std::size_t count = data.rows();
-  std::vector<std::vector<DriverState>> rows(count, std::vector<DriverState>(profile.programs.size()));
-  Profile other = profile;
-  if (data.in_time()) {
-    double last = 0;
-    for (const double time : data.where[0]) last = std::max(last, time - offsets[0]);
-    for (DriverProgram& program : other.programs) program.duration = last;
-    const auto schedule = DriverSchedule::step(other, 2);
-    if (!schedule) return std::nullopt;
-    const Scaling to_seconds = to_si(dimension::kTime, profile.units);
-    for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t i = 0; i < rows[k].size(); ++i) {
-        rows[k][i].si = schedule->at_time(to_seconds.apply(data.where[0][k] - offsets[0]), i);
-      }
-    }
-    return rows;
-  }
-  for (std::size_t i = 0; i < other.programs.size(); ++i) {
-    other.programs[i].positions.clear();
-    for (const double position : data.where[i]) other.programs[i].positions.push_back(position - offsets[i]);
-  }
-  const auto schedule = DriverSchedule::analyze(other);
-  if (!schedule) return std::nullopt;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t i = 0; i < rows[k].size(); ++i) {
-      rows[k][i] = schedule->state(static_cast<std::int64_t>(k), i);
-    }
-  }
-  return rows;
-}
-
-std::vector<double> first_positions(const Model::Data& data) {
-  // Where the profile's own first row is; of a run in time the same.
-  const auto schedule = first_schedule(data);
-  return schedule ? schedule->first_positions() : std::vector<double>();
-}
-
-}  // namespace
-
 FitMotion::FitMotion(const FitData& data, int branch)
     : data_(data),
       ranges_(ranges_of(*data.variables)),
@@ -120,43 +63,9 @@ FitMotion::FitMotion(const FitData& data, int branch)
       branch_(branch),
       scales_(scales_of(ranges_)) {}
 
-std::optional<FitMotion::Candidate> FitMotion::start(std::span<const double> variables,
-                                                     std::span<const double> offsets) const {
-  auto data = numbers_.data_of(variables);
-  if (!data || !data->plan) return std::nullopt;
-  auto rows = driver_rows(data_, data->profile, offsets);
-  const std::vector<double> first = first_positions(*data);
-  if (!rows || first.empty()) return std::nullopt;
-  auto run = start_on_branch(run_model(*data), first, branch_);
-  if (!run) return std::nullopt;
-  auto columns = columns_of(*data, data_.settings, data->profile.units);
-  if (!columns) return std::nullopt;
-  Candidate candidate{
-      std::move(data), *std::move(run), *std::move(columns), std::nullopt, *std::move(rows), {}, {}};
-  if (data_.settings.forces) candidate.dynamics.emplace(candidate.run);
-  for (std::size_t k = 0; k < data_.rows(); ++k) {
-    candidate.times.push_back(data_.in_time() ? data_.where[0][k] - offsets[0] : 0);
-  }
-  for (const FitColumn& column : data_.columns) {
-    const auto& all = candidate.columns.columns();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Column& own) { return own.name == column.name; });
-    candidate.slots.push_back(static_cast<std::size_t>(found - all.begin()));
-  }
-  return candidate;
-}
-
-// Calls f(row, motions, values).
-template <class F>
-void FitMotion::for_each_row(Candidate& candidate, F f) const {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < candidate.rows.size(); ++k) {
-    const std::vector<DriverMotion> motions = motions_of(candidate.rows[k]);
-    move_to(candidate.run, motions);
-    const Reactions* reactions = candidate.dynamics ? &candidate.dynamics->solve(candidate.run) : nullptr;
-    candidate.columns.fill({candidate.run, candidate.rows[k], candidate.times[k], reactions, false}, values);
-    f(k, motions, values);
-  }
+std::optional<FitCandidate> FitMotion::start(std::span<const double> variables,
+                                             std::span<const double> offsets) const {
+  return fit_candidate(data_, numbers_.data_of(variables), branch_, offsets);
 }
 
 std::optional<FitTable> FitMotion::table(std::span<const double> variables,

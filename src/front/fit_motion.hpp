@@ -12,6 +12,8 @@
 
 namespace higherpair {
 
+struct FitCandidate;
+
 /// Values of the measured columns that a mechanism with given numbers has in the measured rows: one row for
 /// each of the table, one column for each of FitData::columns, in their units; NaN where undefined.
 using FitTable = Eigen::MatrixXd;
@@ -43,11 +45,8 @@ public:
   [[nodiscard]] double scale(std::size_t variable) const { return scales_[variable]; }
 
 private:
-  struct Candidate;
-  [[nodiscard]] std::optional<Candidate> start(std::span<const double> variables,
-                                               std::span<const double> offsets) const;
-  template <class F>
-  void for_each_row(Candidate& candidate, F f) const;
+  [[nodiscard]] std::optional<FitCandidate> start(std::span<const double> variables,
+                                                  std::span<const double> offsets) const;
   [[nodiscard]] std::optional<std::vector<FitTable>> exact_derivatives(std::span<const double> variables,
                                                                        std::span<const double> offsets) const;
   [[nodiscard]] std::optional<std::vector<FitTable>> differences(std::span<const double> variables,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit_measurement.hpp"
 #include "fit_motion.hpp"
 
 #include <optional>
@@ -10,20 +11,6 @@
 
 namespace higherpair {
 
-/// The place in a vector of Eigen.
-[[nodiscard]] inline Eigen::Index place(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
-
-/// The numbers that a fit looks for: the variables of the profile, then what is not known of the measurement.
-struct FitUnknown {
-  enum class Kind { kVariable, kWhere, kOffset, kPlaceX, kPlaceY, kTurn, kScale };
-  Kind kind = Kind::kVariable;
-  std::size_t index = 0;  ///< of DesignTask::variables, FitData::where, columns or frames
-  std::string name;
-  std::string unit;
-};
-
 /// Residuals, measured less fitted, of all values that are there, row by row.
 class FitProblem {
 public:
@@ -31,8 +18,8 @@ public:
 
   [[nodiscard]] const FitData& data() const { return data_; }
   [[nodiscard]] const FitMotion& motion() const { return motion_; }
-  [[nodiscard]] const std::vector<FitUnknown>& unknowns() const { return unknowns_; }
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(unknowns_.size()); }
+  [[nodiscard]] const std::vector<FitUnknown>& unknowns() const { return measurement_.unknowns(); }
+  [[nodiscard]] Eigen::Index size() const { return place(unknowns().size()); }
   /// One for each residual: its row and column.
   struct Value {
     std::size_t row = 0;
@@ -66,20 +53,11 @@ public:
   [[nodiscard]] std::vector<double> unwrapped(std::size_t column, const Eigen::VectorXd& x) const;
 
 private:
-  void add_unknowns();
-  void add(FitUnknown::Kind kind, std::size_t index, std::string name, std::string unit);
-  [[nodiscard]] std::optional<double> at(const Eigen::VectorXd& x, FitUnknown::Kind kind,
-                                         std::size_t index) const;
-  [[nodiscard]] std::vector<double> variables_in(const Eigen::VectorXd& x) const;
-  [[nodiscard]] std::vector<double> offsets_in(const Eigen::VectorXd& x) const;
-  void place_frames(const FitTable& table, Eigen::VectorXd& x) const;
-  void place_offsets(const FitTable& table, Eigen::VectorXd& x) const;
-  void use_measurement(const Eigen::VectorXd& x, FitTable& table) const;
   [[nodiscard]] Eigen::VectorXd residuals_of(const FitTable& fitted, int* missing) const;
 
   const FitData& data_;
   const FitMotion& motion_;
-  std::vector<FitUnknown> unknowns_;
+  FitMeasurement measurement_;
   std::vector<Value> values_;
   Eigen::VectorXd low_, high_;
   std::vector<double> spreads_, largest_;

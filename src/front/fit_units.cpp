@@ -1,7 +1,8 @@
 #include "fit_units.hpp"
 
+#include "other_units.hpp"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -14,36 +15,6 @@ namespace {
 // Misfit, as a share of the values' own size, that is no matter of dimensions, and one that may be.
 constexpr double kFar = 0.5, kNear = 0.25;
 constexpr double kBetter = 0.2;  // of the misfit as it is
-
-struct Candidate {
-  std::string unit;
-  double factor = 1;  // from it to the column's unit
-};
-
-// The unit with another base unit in the place of one of its own.
-std::vector<Candidate> other_units(const std::string& unit, const Units& units) {
-  std::vector<Candidate> candidates;
-  const auto add = [&](const std::string& from, Unit other) {
-    const std::string to(name_of(other));
-    const std::size_t at = unit.find(from);
-    const bool whole = at != std::string::npos &&
-                       (at == 0 || !std::isalpha(static_cast<unsigned char>(unit[at - 1]))) &&
-                       (at + from.size() == unit.size() ||
-                        !std::isalpha(static_cast<unsigned char>(unit[at + from.size()])));
-    if (!whole || from == to) return;
-    const std::string text = std::string(unit).replace(at, from.size(), to);
-    if (const auto factor = factor_between(text, unit, units)) candidates.push_back({text, *factor});
-  };
-  for (const Unit angle : {Unit::kRadian, Unit::kDegree, Unit::kRevolution})
-    add(std::string(name_of(units.angle)), angle);
-  for (const Unit length : {Unit::kMetre, Unit::kMillimetre, Unit::kInch, Unit::kCentimetre,
-                            Unit::kMicrometre, Unit::kKilometre, Unit::kFoot}) {
-    add(std::string(name_of(units.length)), length);
-  }
-  for (const Unit time : {Unit::kSecond, Unit::kMillisecond, Unit::kMinute})
-    add(std::string(name_of(units.time)), time);
-  return candidates;
-}
 
 // Root of the mean square of what is left of `measured` · factor beside `fitted`, over that of `fitted`; of a
 // column whose zero is not known without the means.
@@ -70,7 +41,7 @@ double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted
   return square > 0 ? std::sqrt(square_off / square) : 0;
 }
 
-std::string advice(const std::string& name, const std::string& own, const Candidate& other) {
+std::string advice(const std::string& name, const std::string& own, const OtherUnit& other) {
   const double times = 1 / other.factor;
   return fmt::format(
       "{}: these values are far from the motion of the profile in {}, but near it if they are in {} (a "
@@ -109,9 +80,9 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
     const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
     const double as_it_is = misfit(column.values, fitted, 1, column.offset);
     if (column.unit_given || in_frame || !(as_it_is > kFar)) continue;
-    std::optional<Candidate> best;
+    std::optional<OtherUnit> best;
     double least = std::min(kNear, kBetter * as_it_is);
-    for (const Candidate& other : other_units(column.unit, data.model.units())) {
+    for (const OtherUnit& other : other_units(column.unit, data.model.units())) {
       const double there = misfit(column.values, fitted, other.factor, column.offset);
       if (there < least) {
         least = there;
@@ -124,9 +95,9 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   const auto as_it_is = whole_misfit(problem, variables, data);
   for (std::size_t i = 0; as_it_is && *as_it_is > kFar && i < data.where.size(); ++i) {
     if (data.where_unit_given[i] || data.where_offset[i]) continue;
-    std::optional<Candidate> best;
+    std::optional<OtherUnit> best;
     double least = std::min(kNear, kBetter * *as_it_is);
-    for (const Candidate& other : other_units(data.where_unit(), data.model.units())) {
+    for (const OtherUnit& other : other_units(data.where_unit(), data.model.units())) {
       FitData scaled = data;
       for (double& value : scaled.where[i]) value *= other.factor;
       const auto there = whole_misfit(problem, variables, scaled);

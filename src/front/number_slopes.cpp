@@ -1,5 +1,6 @@
 #include "number_slopes.hpp"
 
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 

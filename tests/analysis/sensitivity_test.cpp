@@ -1,5 +1,5 @@
 // Derivatives by dimensions: against differences between whole runs with other dimensions, and closed forms.
-#include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/analysis/displaced.hpp"
 
 #include "analysis/run_testing.hpp"
 #include "higherpair/contact/details.hpp"

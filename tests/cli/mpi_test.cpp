@@ -39,13 +39,6 @@ fast = { column = "rocker.omega", of = "max", where = true }
     ASSERT_EQ(run_program("sweep four_bar.toml --samples 181 --quiet -o whole.csv").code, 0);
   }
 
-  [[nodiscard]] Outcome run_script(const std::string& script) const {
-    std::ofstream(folder_ / "script.sh") << script;
-    const int status =
-        std::system(fmt::format("cd '{}' && sh script.sh >out 2>err", folder_.string()).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file("out"), file("err")};
-  }
-
   [[nodiscard]] static std::string command(int ranks, const std::string& arguments) {
     return fmt::format("{} -n {} {} four_bar.toml --samples 181 --quiet {}", kRun, ranks,
                        HIGHERPAIR_MPI_PROGRAM, arguments);

@@ -47,6 +47,14 @@ protected:
             read_file(folder_ / "err")};
   }
 
+  /// What a shell makes of these lines in the folder.
+  [[nodiscard]] Outcome run_script(const std::string& script) const {
+    std::ofstream(folder_ / "script.sh") << script;
+    const int status = std::system(("cd '" + folder_.string() + "' && sh script.sh >out 2>err").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out"),
+            read_file(folder_ / "err")};
+  }
+
   /// Copies shipped profiles into the folder, under their own names.
   void copy_profiles(std::initializer_list<const char*> names) const {
     for (const char* name : names) {

@@ -42,14 +42,6 @@ peak = { column = "rocker.alpha", of = "maxabs" }
 
   [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("sweep " + arguments); }
 
-  /// What a shell makes of these lines.
-  [[nodiscard]] Outcome run_script(const std::string& script) const {
-    write("script.sh", script);
-    const int status =
-        std::system(fmt::format("cd '{}' && sh script.sh >out 2>err", folder_.string()).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, table("out"), table("err")};
-  }
-
   [[nodiscard]] std::string table(const std::string& name) const { return read_file(folder_ / name); }
 };
 

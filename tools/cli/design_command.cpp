@@ -1,10 +1,12 @@
 #include "design_command.hpp"
 
+#include "journal.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "search_bytes.hpp"
 #include "status_line.hpp"
 
 #include <filesystem>
@@ -37,6 +39,35 @@ std::vector<FileText> profiles_of(const DesignReport& report, const DesignComman
   return files;
 }
 
+std::vector<NamedFile> outputs_of(const DesignCommandOptions& options) {
+  std::vector<NamedFile> outputs = {{"--output", options.output}};
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.page) outputs.push_back({"--report", *options.page});
+  for (int k = 2; k <= options.best; ++k) {
+    outputs.push_back({fmt::format("--best {}", k), numbered(options.output, k)});
+  }
+  return outputs;
+}
+
+void check_options(const DesignCommandOptions& options) {
+  if (options.output == "-" && options.best > 1) {
+    throw CLI::ValidationError("--best", "several profiles need a file name: --output BETTER.toml");
+  }
+  if (options.resume && is_direct(options.output)) {
+    throw CLI::ValidationError("--resume",
+                               "needs a regular file as --output: only beside it is kept what is done");
+  }
+  refuse_shared_files({{"FILE", options.profile}}, outputs_of(options));
+  for (const NamedFile& output : outputs_of(options)) refuse_missing_folder(output);
+}
+
+// What the ends of searches hang on: how many there are to be makes no difference to any of them.
+RunIdentity identity_of(const DesignCommandOptions& options, const Model& model) {
+  RunIdentity identity = model_identity(options.profile, model);
+  identity["--seed"] = options.seed ? fmt::format("{}", *options.seed) : "-";
+  return identity;
+}
+
 DesignSettings settings_of(const DesignCommandOptions& options, StatusLine& line) {
   DesignSettings settings;
   settings.seed = options.seed;
@@ -48,6 +79,55 @@ DesignSettings settings_of(const DesignCommandOptions& options, StatusLine& line
   settings.stop = &interruption();
   settings.progress = [&line](const DesignProgress& progress) { line.show(best_so_far(progress)); };
   return settings;
+}
+
+// Searches what is not in the journal yet. A full disk does not end the search, only what is kept of it.
+Result<DesignReport> search(const Model& model, const DesignCommandOptions& options,
+                            std::vector<DesignSearchEnd> known, Journal& journal) {
+  StatusLine line(!options.quiet);
+  DesignSettings settings = settings_of(options, line);
+  settings.known = std::move(known);
+  if (!journal.path().empty()) {
+    settings.ended = [&journal](const DesignSearchEnd& end) {
+      if (journal.error().empty()) (void)journal.append(search_bytes(end));
+    };
+  }
+  return design(model, settings);
+}
+
+// Says what becomes of the journal.
+void end_journal(Journal& journal, bool goes_on) {
+  if (!journal.error().empty()) {
+    fmt::print(stderr, "higherpair: {}\n", journal.error());
+  }
+  if (!goes_on || journal.records() == 0) {
+    journal.remove();
+  } else if (!journal.path().empty()) {
+    fmt::print(stderr, "higherpair: {} searches are kept in {}: --resume goes on from there\n",
+               journal.records(), journal.path());
+  }
+}
+
+// Writes what was found; returns the exit code.
+int write_report(const Model& model, const DesignCommandOptions& options, const DesignReport& report) {
+  std::vector<FileText> files = profiles_of(report, options);
+  if (options.json) files.push_back({*options.json, text_of(design_json(report)) + "\n"});
+  if (options.page) {
+    auto page = design_page(model, report);
+    if (!page) return report_error(page.error());
+    files.push_back({*options.page, *std::move(page)});
+  }
+  const bool to_output = options.output == "-" || options.json == "-" || options.page == "-";
+  if (!write_files(files)) {
+    return kExitMachine;
+  }
+  if (!to_output) {
+    fmt::print("{}", design_text(report));
+  }
+  if (report.end == DesignEnd::kStopped) {
+    return kExitInterrupted;
+  }
+  return report.holds ? kExitOk : kExitRows;
 }
 
 }  // namespace
@@ -76,19 +156,10 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
   command
       ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
       ->check(CLI::Range(1, 100'000));
+  command->add_flag("--resume", options.resume,
+                    "go on where an interrupted run of the same search has ended");
   command->add_flag("--quiet", options.quiet, "no notes and progress on standard error");
-  command->final_callback([&options] {
-    std::vector<NamedFile> outputs = {{"--output", options.output}};
-    if (options.json) outputs.push_back({"--json", *options.json});
-    if (options.page) outputs.push_back({"--report", *options.page});
-    if (options.output == "-" && options.best > 1) {
-      throw CLI::ValidationError("--best", "several profiles need a file name: --output BETTER.toml");
-    }
-    for (int k = 2; k <= options.best; ++k) {
-      outputs.push_back({fmt::format("--best {}", k), numbered(options.output, k)});
-    }
-    refuse_shared_files({{"FILE", options.profile}}, outputs);
-  });
+  command->final_callback([&options] { check_options(options); });
   return command;
 }
 
@@ -98,31 +169,24 @@ int design_command(const DesignCommandOptions& options) {
   if (!model) {
     return report_error(model.error());
   }
-  const auto report = [&] {
-    StatusLine line(!options.quiet);
-    return design(*model, settings_of(options, line));
-  }();
-  if (!report) {
-    return report_error(report.error());
+  if (is_read_by(*model, outputs_of(options))) {
+    return kExitInput;
   }
-  std::vector<FileText> files = profiles_of(*report, options);
-  if (options.json) files.push_back({*options.json, text_of(design_json(*report)) + "\n"});
-  if (options.page) {
-    auto page = design_page(*model, *report);
-    if (!page) return report_error(page.error());
-    files.push_back({*options.page, *std::move(page)});
+  Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".searches", "search");
+  std::vector<DesignSearchEnd> known;
+  const auto take = [&](std::string_view record) {
+    auto end = search_of(record);
+    if (end) known.push_back(*std::move(end));
+    return end.has_value();
+  };
+  if (!journal.path().empty() && !journal.open(identity_of(options, *model), options.resume, take)) {
+    return report_journal(journal);
   }
-  const bool to_output = options.output == "-" || options.json == "-" || options.page == "-";
-  if (!write_files(files)) {
-    return kExitMachine;
-  }
-  if (!to_output) {
-    fmt::print("{}", design_text(*report));
-  }
-  if (report->end == DesignEnd::kStopped) {
-    return kExitInterrupted;
-  }
-  return report->holds ? kExitOk : kExitRows;
+  print_notes(design_notes(*model), options.quiet);
+  const auto report = search(*model, options, std::move(known), journal);
+  const int code = report ? write_report(*model, options, *report) : report_error(report.error());
+  end_journal(journal, code == kExitInterrupted || code == kExitMachine);
+  return code;
 }
 
 }  // namespace higherpair::cli

@@ -25,6 +25,7 @@ struct DesignCommandOptions {
   std::optional<std::int64_t> evaluations;
   std::optional<int> starts;
   int threads = 0;
+  bool resume = false;
   bool quiet = false;
 };
 
@@ -33,7 +34,7 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options);
 
 /// Looks for the design that the profile asks for and writes it as a profile; returns the exit code: 4 where
 /// the best found violates a constraint, 130 where the search was interrupted; the best so far is written all
-/// the same.
+/// the same. Searches that are done are kept beside a regular file until it is written, in OUTPUT.searches.
 [[nodiscard]] int design_command(const DesignCommandOptions& options);
 
 /// What was found, as readable text and as JSON.

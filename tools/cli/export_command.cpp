@@ -35,12 +35,7 @@ void check_options(const ExportOptions& options) {
     throw CLI::ValidationError("--output",
                                options.output + ": a curve goes to a file that ends in .csv, .dxf or .svg");
   }
-  const fs::path folder = fs::path(options.output).parent_path();
-  std::error_code code;
-  if (options.output != "-" && !folder.empty() && !fs::is_directory(folder, code)) {
-    throw CLI::ValidationError("--output", options.output + ": there is no folder " + folder.string() +
-                                               "; make it first (mkdir -p), or name another");
-  }
+  refuse_missing_folder({"--output", options.output});
   if (options.points && *format != Format::kCsv) {
     throw CLI::ValidationError("--points", "is for .csv; arcs are as many as --tolerance takes");
   }

@@ -1,13 +1,16 @@
 #include "output_options.hpp"
 
 #include "hdf5_file.hpp"
+#include "higherpair/front/model.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
 
+#include <cstdio>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace higherpair::cli {
 
@@ -42,6 +45,27 @@ void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector
                                    "both name " + output.path + "; give each a file of its own");
       }
     }
+  }
+}
+
+bool is_read_by(const Model& model, const std::vector<NamedFile>& outputs) {
+  for (const std::string& file : model.profile().files) {
+    for (const NamedFile& output : outputs) {
+      if (is_direct(output.path) || !is_same_file(file, output.path)) continue;
+      fmt::print(stderr, "{}: {} is a file that the profile reads; give the output a name of its own\n",
+                 output.name, output.path);
+      return true;
+    }
+  }
+  return false;
+}
+
+void refuse_missing_folder(const NamedFile& output) {
+  const fs::path folder = fs::path(output.path).parent_path();
+  std::error_code code;
+  if (output.path != "-" && !folder.empty() && !fs::is_directory(folder, code)) {
+    throw CLI::ValidationError(output.name, output.path + ": there is no folder " + folder.string() +
+                                                "; make it first (mkdir -p), or name another");
   }
 }
 

@@ -8,6 +8,10 @@ namespace CLI {
 class App;
 }
 
+namespace higherpair {
+class Model;
+}
+
 namespace higherpair::cli {
 
 /// What an option writes, and where to.
@@ -36,6 +40,14 @@ struct NamedFile {
 /// Throws CLI::ValidationError where an output is an input, or two outputs are one, by whatever path or link:
 /// writing would destroy what was to be read. Devices and pipes may be named twice.
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+
+/// Whether one of the outputs is a file that the profile reads (points, tables, outlines), which is said on
+/// standard error.
+[[nodiscard]] bool is_read_by(const Model& model, const std::vector<NamedFile>& outputs);
+
+/// Throws CLI::ValidationError where the folder of a file is not there: before hours are spent on what is to
+/// be written.
+void refuse_missing_folder(const NamedFile& output);
 
 /// Adds --set: keys of the profile that are overridden or added.
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides);

@@ -1,5 +1,7 @@
 #include "picture.hpp"
 
+#include "output_options.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -31,12 +33,7 @@ void check_picture(const std::string& path) {
         "--output", path + ": this higherpair was built without librsvg and cairo, which " + ending +
                         " needs; write an .svg, or install librsvg2-dev and libcairo2-dev and build again");
   }
-  const fs::path folder = fs::path(path).parent_path();
-  std::error_code code;
-  if (path != "-" && !folder.empty() && !fs::is_directory(folder, code)) {
-    throw CLI::ValidationError("--output", path + ": there is no folder " + folder.string() +
-                                               "; make it first (mkdir -p), or name another");
-  }
+  refuse_missing_folder({"--output", path});
 }
 
 CLI::Option* add_picture_option(CLI::App& command, std::string& path) {

@@ -40,11 +40,7 @@ void check_output(const ReportOptions& options) {
     throw CLI::ValidationError("-o",
                                options.output + ": a report is a page; give it a name that ends in .html");
   }
-  const fs::path folder = path.parent_path();
-  if (std::error_code code; !folder.empty() && !fs::is_directory(folder, code)) {
-    throw CLI::ValidationError("-o", "there is no folder " + folder.string() + " for " +
-                                         path.filename().string() + "; make it first");
-  }
+  refuse_missing_folder({"-o", options.output});
   refuse_shared_files({{"FILE", options.profile}}, {{"-o", options.output}});
 }
 

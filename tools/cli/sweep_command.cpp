@@ -2,11 +2,11 @@
 
 #include "hdf5_file.hpp"
 #include "higherpair/higherpair.hpp"
+#include "journal.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
-#include "sweep/checksum.hpp"
-#include "sweep/journal.hpp"
+#include "sweep/block_bytes.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/statistics.hpp"
 #include "sweep/table_file.hpp"
@@ -14,8 +14,6 @@
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -66,11 +64,7 @@ void check_output(const SweepOptions& options) {
     }
     return;
   }
-  const fs::path folder = fs::path(path).parent_path();
-  if (std::error_code code; !folder.empty() && !fs::is_directory(folder, code)) {
-    throw CLI::ValidationError(
-        "--output", fmt::format("{}: there is no folder {}; make it first", path, folder.string()));
-  }
+  refuse_missing_folder({"--output", path});
   if (is_hdf5(path) && !has_hdf5()) {
     throw CLI::ValidationError("--output", path + ": this higherpair was built without HDF5; choose a .csv");
   }
@@ -79,34 +73,14 @@ void check_output(const SweepOptions& options) {
   }
 }
 
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::string sum_of(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) {
-    all += fmt::format("{} {}\n", text.size(), text);
-  }
-  return fmt::format("{:016x}", checksum(all));
-}
-
 // Whatever the table hangs on.
-SweepIdentity identity_of(const SweepOptions& options, const Model& model) {
-  std::vector<std::string> files;
-  for (const std::string& path : model.profile().files) {
-    files.push_back(content_of(path));
-  }
-  return {{"version", HIGHERPAIR_VERSION},
-          {"profile", sum_of({content_of(options.profile)})},
-          {"files", sum_of(files)},
-          {"--set", sum_of(options.overrides)},
-          {"--samples", options.samples ? fmt::format("{}", *options.samples) : "-"},
-          {"--tolerance", fmt::format("{}", options.tolerance)},
-          {"--part", options.part}};
+RunIdentity identity_of(const SweepOptions& options, const Model& model) {
+  RunIdentity identity = model_identity(options.profile, model);
+  identity["--set"] = sum_of(options.overrides);
+  identity["--samples"] = options.samples ? fmt::format("{}", *options.samples) : "-";
+  identity["--tolerance"] = fmt::format("{}", options.tolerance);
+  identity["--part"] = options.part;
+  return identity;
 }
 
 // What can be said before hours are spent.
@@ -122,11 +96,6 @@ void print_forecast(const SweepForecast& forecast) {
   }
 }
 
-int report_journal(const Journal& journal) {
-  fmt::print(stderr, "higherpair: {}\n", journal.error());
-  return journal.is_refused() ? kExitInput : kExitMachine;
-}
-
 std::string kept_text(const Journal& journal, const SweepSummary& summary, const Sweep& sweep) {
   return fmt::format("{} of {} variants are kept in {}: --resume goes on from there", summary.variants(),
                      sweep.size(), journal.path());
@@ -137,8 +106,8 @@ std::optional<int> run_blocks(const SweepOptions& options, const OpenedSweep& op
                               Journal& journal, SweepSummary& summary) {
   const Sweep& sweep = opened.sweep;
   SweepProgress progress(summary.variants(), sweep.size(), !options.quiet);
-  run(opened, journal.blocks(), [&](const SweepBlock& block) {
-    if (!journal.append(block)) {
+  run(opened, journal.records(), [&](const SweepBlock& block) {
+    if (!journal.append(block_bytes(block, sweep.columns().size()))) {
       return false;
     }
     summary.add(block);
@@ -164,11 +133,12 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
   const std::string& title = model.mechanism().title;
   bool all = true;
   const EachBlock each = [&](const std::function<void(const SweepBlock&)>& take) {
-    all = journal.read([&](const SweepBlock& block) {
+    const TakeBlock place = [&](const SweepBlock& block) {
       summary.place(block);
       take(block);
       return !interruption();
-    });
+    };
+    all = journal.read(records_as_blocks(sweep.columns().size(), place));
     return all;
   };
   const auto failure = write_table(options.output, sweep, {title, options.profile}, options.threads, each);
@@ -184,18 +154,6 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
     fmt::print("{}", summary.text(title));
   }
   return summary.good() ? kExitOk : kExitRows;
-}
-
-// A file that the profile names is an input as the profile is.
-bool refuse_inputs(const SweepOptions& options, const Model& model) {
-  for (const std::string& file : model.profile().files) {
-    if (!is_direct(options.output) && is_same_file(file, options.output)) {
-      fmt::print(stderr, "--output: {} is a file that the profile reads; give the output a name of its own\n",
-                 options.output);
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace
@@ -231,7 +189,7 @@ Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const st
   if (!sweep) {
     return tl::unexpected(std::move(sweep.error()));
   }
-  SweepIdentity identity = identity_of(options, *model);
+  RunIdentity identity = identity_of(options, *model);
   return OpenedSweep{*std::move(model), *std::move(sweep), std::move(identity)};
 }
 
@@ -248,15 +206,16 @@ int sweep_command(const SweepOptions& options, const SweepRunner& run) {
     return report_error(opened.error());
   }
   const Sweep& sweep = opened->sweep;
-  if (refuse_inputs(options, opened->model)) {
+  if (is_read_by(opened->model, {{"--output", options.output}})) {
     return kExitInput;
   }
   SweepSummary summary(sweep);
-  Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".blocks");
-  if (!journal.open(opened->identity, sweep.columns().size(), options.resume, [&](const SweepBlock& block) {
-        summary.add(block);
-        return true;
-      })) {
+  Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".blocks", "sweep");
+  const TakeBlock add = [&](const SweepBlock& block) {
+    summary.add(block);
+    return true;
+  };
+  if (!journal.open(opened->identity, options.resume, records_as_blocks(sweep.columns().size(), add))) {
     return report_journal(journal);
   }
   if (!options.quiet) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/front/sweep.hpp"
-#include "sweep/journal.hpp"
+#include "run_identity.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -37,7 +37,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& options);
 struct OpenedSweep {
   Model model;
   Sweep sweep;
-  SweepIdentity identity;
+  RunIdentity identity;
 };
 
 /// Reads the profile; its notes are printed unless `quiet`. \param stop  ends the work on blocks

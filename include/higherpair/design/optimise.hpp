@@ -32,6 +32,21 @@ struct DesignProgress {
   double violation = 0;  ///< its largest constraint; <= 0: all hold
 };
 
+/// A design and what it is worth.
+struct DesignPoint {
+  std::vector<double> x;  ///< of the variables, within their bounds
+  int branch = 0;
+  double objective = 0;
+  double violation = 0;  ///< the largest constraint; <= 0: all hold
+};
+
+/// How one of the searches has ended.
+struct DesignSearchEnd {
+  int number = 0;    ///< 0 … DesignOptions::starts - 1
+  DesignPoint best;  ///< x is empty where no value was finite
+  std::int64_t evaluations = 0;
+};
+
 struct DesignOptions {
   DesignMethod method = DesignMethod::kAuto;
   std::uint64_t seed = 1;
@@ -45,14 +60,11 @@ struct DesignOptions {
   int alternatives = 1;          ///< so many of the optima are given as they can be made
   const std::atomic<bool>* stop = nullptr;              ///< once true, the best so far is returned
   std::function<void(const DesignProgress&)> progress;  ///< called by the caller's thread, from time to time
-};
-
-/// A design and what it is worth.
-struct DesignPoint {
-  std::vector<double> x;  ///< of the variables, within their bounds
-  int branch = 0;
-  double objective = 0;
-  double violation = 0;  ///< the largest constraint; <= 0: all hold
+  /// Ends of searches of the same problem with the same method and seed, in any order: they are not made
+  /// again, and the outcome is the same to the last bit.
+  std::vector<DesignSearchEnd> known;
+  /// Gets the end of every other search, by one thread at a time; not of one that was stopped on its way.
+  std::function<void(const DesignSearchEnd&)> ended;
 };
 
 enum class DesignEnd { kStarts, kEvaluations, kTime, kTarget, kStopped };

@@ -20,6 +20,10 @@ struct DesignSettings {
   int best = 1;        ///< of so many different optima the text is made as well, where there are so many
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const DesignProgress&)> progress;
+  /// As DesignOptions has them: a search goes on where another one was killed. \pre of the same profile and
+  /// seed
+  std::vector<DesignSearchEnd> known;
+  std::function<void(const DesignSearchEnd&)> ended;
 };
 
 /// A design that was found, and the profile with which it was made. All numbers in the units of tables or of
@@ -99,6 +103,10 @@ struct DesignReport {
 /// for variables and objectives that change nothing; and where nothing that was tried can be assembled
 /// (kMechanism).
 [[nodiscard]] Result<DesignReport> design(const Model& model, const DesignSettings& settings = {});
+
+/// What looks like a slip of a task that can be worked on: targets far from what the profile has, but like it
+/// if they were in another unit. None where design() fails before its search.
+[[nodiscard]] Diagnostics design_notes(const Model& model);
 
 /// A page (HTML, nothing else needed) with what was found: the mechanism before and after with the paths of
 /// its points, variables, objectives and constraints. Fails where neither can be drawn.

@@ -3,26 +3,24 @@
 #include "higherpair/front/sweep.hpp"
 
 #include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace higherpair::cli {
 
-/// A block of a sweep as bytes with a checksum, in the order of the machine: what the journal holds, and what
+/// A block of a sweep as bytes, in the order of the machine: what a record of the journal holds, and what
 /// ranks send to each other. \param width  values in each row
 [[nodiscard]] std::string block_bytes(const SweepBlock& block, std::size_t width);
 
-/// The block; none where bytes are missing, too many, changed, or of another width.
+/// The block; none where bytes are missing, too many, or of another width.
 [[nodiscard]] std::optional<SweepBlock> block_of(std::string_view bytes, std::size_t width);
 
-/// So many bytes tell how long a block is.
-inline constexpr std::size_t kBlockHeadSize = 48;
+/// Takes a block; false: no more of them.
+using TakeBlock = std::function<bool(const SweepBlock&)>;
 
-/// How many bytes the block takes whose head these are; none where they are no head, or it takes more than
-/// `most`.
-[[nodiscard]] std::optional<std::size_t> block_size(std::string_view head, std::size_t width,
-                                                    std::size_t most);
+/// Takes records of a journal as the blocks whose numbers they have; refuses one that is no such block.
+[[nodiscard]] std::function<bool(std::string_view)> records_as_blocks(std::size_t width, TakeBlock take);
 
 }  // namespace higherpair::cli

@@ -1,0 +1,78 @@
+#include "fit_candidate.hpp"
+
+#include "higherpair/analysis/branch_run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// The drivers in every row of the table, less offsets.
+std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& data, const Profile& profile,
+                                                                 std::span<const double> offsets) {
+  const std::size_t count = data.rows();
+  std::vector<std::vector<DriverState>> rows(count, std::vector<DriverState>(profile.programs.size()));
+  Profile other = profile;
+  if (data.in_time()) {
+    double last = 0;
+    for (const double time : data.where[0]) last = std::max(last, time - offsets[0]);
+    for (DriverProgram& program : other.programs) program.duration = last;
+    const auto schedule = DriverSchedule::step(other, 2);
+    if (!schedule) return std::nullopt;
+    const Scaling to_seconds = to_si(dimension::kTime, profile.units);
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t i = 0; i < rows[k].size(); ++i) {
+        rows[k][i].si = schedule->at_time(to_seconds.apply(data.where[0][k] - offsets[0]), i);
+      }
+    }
+    return rows;
+  }
+  for (std::size_t i = 0; i < other.programs.size(); ++i) {
+    other.programs[i].positions.clear();
+    for (const double position : data.where[i]) other.programs[i].positions.push_back(position - offsets[i]);
+  }
+  const auto schedule = DriverSchedule::analyze(other);
+  if (!schedule) return std::nullopt;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < rows[k].size(); ++i) {
+      rows[k][i] = schedule->state(static_cast<std::int64_t>(k), i);
+    }
+  }
+  return rows;
+}
+
+std::vector<double> first_positions(const Model::Data& data) {
+  // Where the profile's own first row is; of a run in time the same.
+  const auto schedule = first_schedule(data);
+  return schedule ? schedule->first_positions() : std::vector<double>();
+}
+
+}  // namespace
+
+std::optional<FitCandidate> fit_candidate(const FitData& data, std::shared_ptr<const Model::Data> numbers,
+                                          int branch, std::span<const double> offsets) {
+  if (!numbers || !numbers->plan) return std::nullopt;
+  auto rows = driver_rows(data, numbers->profile, offsets);
+  const std::vector<double> first = first_positions(*numbers);
+  if (!rows || first.empty()) return std::nullopt;
+  auto run = start_on_branch(run_model(*numbers), first, branch);
+  if (!run) return std::nullopt;
+  auto columns = columns_of(*numbers, data.settings, numbers->profile.units);
+  if (!columns) return std::nullopt;
+  FitCandidate candidate{
+      std::move(numbers), *std::move(run), *std::move(columns), std::nullopt, *std::move(rows), {}, {}};
+  if (data.settings.forces) candidate.dynamics.emplace(candidate.run);
+  for (std::size_t k = 0; k < data.rows(); ++k) {
+    candidate.times.push_back(data.in_time() ? data.where[0][k] - offsets[0] : 0);
+  }
+  for (const FitColumn& column : data.columns) {
+    const auto& all = candidate.columns.columns();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Column& own) { return own.name == column.name; });
+    candidate.slots.push_back(static_cast<std::size_t>(found - all.begin()));
+  }
+  return candidate;
+}
+
+}  // namespace higherpair

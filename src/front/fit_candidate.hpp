@@ -1,0 +1,45 @@
+#pragma once
+
+#include "analysis_impl.hpp"
+#include "fit_data.hpp"
+#include "path_columns.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace higherpair {
+
+/// A mechanism with given numbers that stands at its first position, and where its drivers are to be in each
+/// measured row.
+struct FitCandidate {
+  std::shared_ptr<const Model::Data> data;
+  Run run;
+  ColumnSet columns;
+  std::optional<InverseDynamics> dynamics;
+  std::vector<std::vector<DriverState>> rows;
+  std::vector<double> times;       ///< in the profile's unit
+  std::vector<std::size_t> slots;  ///< of FitData::columns among the columns
+};
+
+/// None where it cannot be started. \param numbers  of the candidate \param branch  on which it is assembled
+/// \param offsets  what FitData::where shows more than is there
+[[nodiscard]] std::optional<FitCandidate> fit_candidate(const FitData& data,
+                                                        std::shared_ptr<const Model::Data> numbers,
+                                                        int branch, std::span<const double> offsets);
+
+/// Moves it to all rows and calls f(row, motions of the drivers, values of all columns).
+template <class F>
+void for_each_row(FitCandidate& candidate, F f) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < candidate.rows.size(); ++k) {
+    const std::vector<DriverMotion> motions = motions_of(candidate.rows[k]);
+    move_to(candidate.run, motions);
+    const Reactions* reactions = candidate.dynamics ? &candidate.dynamics->solve(candidate.run) : nullptr;
+    candidate.columns.fill({candidate.run, candidate.rows[k], candidate.times[k], reactions, false}, values);
+    f(k, motions, values);
+  }
+}
+
+}  // namespace higherpair
