@@ -276,7 +276,7 @@ private:
 }  // namespace
 
 bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
-  return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <= kSamePlace * size;
+  return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <= kSameMeeting * size;
 }
 
 bool is_smooth_touch(const NearPlace& place) {

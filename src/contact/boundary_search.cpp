@@ -1,4 +1,5 @@
 #include "higherpair/contact/boundary_contact.hpp"
+#include "polyline_crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,6 @@ namespace {
 
 constexpr double kSameFound = 1e-7;  // of q [rad, or of the size]: two that are one
 constexpr double kFarther = 0.1;     // of the sizes: how far beside a body samples are looked at
-constexpr double kSlack = 0.25;      // of a polyline's part: how far its curve may pass beside it
-
-// Of one boundary: a point of its plane curve, scaled to lengths, and the place that it belongs to.
-struct Feature {
-  Vector2d at;
-  BoundaryPlace place;
-};
-
-using Features = std::vector<Feature>;
 
 // Angles continuous along the boundary.
 class Unwrapped {
@@ -49,70 +41,6 @@ Features features_of(const Boundary& boundary, const Pose<double>& X_WB, const O
     features.push_back({at, place});
   }
   return features;
-}
-
-struct Crossing {
-  BoundaryPlace place1, place2;
-};
-
-BoundaryPlace between(const Feature& a, const Feature& b, double share) {
-  return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};
-}
-
-// Where two short lines cross, or nearly do: shares of both.
-std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da, const Vector2d& b,
-                                           const Vector2d& db) {
-  const double det = cross(da, db);
-  if (det == 0) {
-    return std::nullopt;
-  }
-  const Vector2d d = b - a;
-  const Vector2d shares(cross(d, db) / det, cross(d, da) / det);
-  const bool near = (shares.array() >= -kSlack).all() && (shares.array() <= 1 + kSlack).all();
-  return near ? std::optional(Vector2d(shares.cwiseMax(0).cwiseMin(1))) : std::nullopt;
-}
-
-// Of a box around the part from a to b, widened by its slack.
-struct PieceBox {
-  Vector2d low, high;
-  PieceBox(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
-    const double slack = kSlack * (b - a).norm();
-    low.array() -= slack;
-    high.array() += slack;
-  }
-  [[nodiscard]] bool meets(const PieceBox& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
-
-// The parts between neighbouring samples of one span.
-template <class F>
-void for_each_part(const Features& features, const F& f) {
-  for (std::size_t i = 1; i < features.size(); ++i) {
-    const Feature& a = features[i - 1];
-    const Feature& b = features[i];
-    if (a.place.span == b.place.span) {
-      f(a, b);
-    }
-  }
-}
-
-// \param period  of the first coordinate; 0: none
-template <class F>
-void for_each_crossing(const Features& features1, const Features& features2, double period, const F& found) {
-  for_each_part(features1, [&](const Feature& a1, const Feature& b1) {
-    const PieceBox box1(a1.at, b1.at);
-    for_each_part(features2, [&](const Feature& a2, const Feature& b2) {
-      const double turns = period == 0 ? 0 : std::round((a1.at.x() - a2.at.x()) / period);
-      const Vector2d shift(turns * period, 0);
-      if (!box1.meets(PieceBox(a2.at + shift, b2.at + shift))) {
-        return;
-      }
-      if (const auto shares = shares_of_crossing(a1.at, b1.at - a1.at, a2.at + shift, b2.at - a2.at)) {
-        found(between(a1, b1, shares->x()), between(a2, b2, shares->y()));
-      }
-    });
-  });
 }
 
 // The follower's coordinate that puts a place of body 2 onto one of body 1.
@@ -196,6 +124,9 @@ Depth depth_in(const Boundary& boundary, const Vector2d& p_B) {
     const auto next = boundary.advance(place, stretch > 0.1 ? along / stretch : along,
                                        corner ? std::atan2(along, std::max(out, 0.0)) : 0);
     stopped = next.at_end;
+    if (next.place.span == place.span && next.place.t == place.t) {
+      break;  // it goes no farther
+    }
     place = next.place;
   }
   const SpanPoint point = boundary.at(place);

@@ -19,6 +19,10 @@ using Bound = CheckFigures::Bound;
 constexpr double kFlat = 1e-9;     // of the curvature 1/size: straight but for rounding
 constexpr double kAtRest = 1e-9;   // of the speed along a contact: rounding
 constexpr double kNoSpeed = 1e-9;  // of the largest entrainment speed: 0 but for rounding
+// Extremes of rounding are not looked for: they lie at places without meaning, thousands of steps away.
+constexpr double kNoAngle = 1e-13;          // [rad]
+constexpr double kNoCurvature = 1e-13;      // of the curvature 1/size
+constexpr double kSlidingRounding = 1e-13;  // of what the drivers' speed makes of the size
 
 bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
@@ -66,8 +70,26 @@ public:
   }
 
   // In the order of Quantity.
-  [[nodiscard]] static std::vector<Sought> sought() {
-    return {kGreatest, kGreatest, kGreatest, kGreatest, kBoth, kBoth, kBoth, kBoth, kLeast, kBoth, kBoth};
+  // \param speed  that the drivers make of the size
+  [[nodiscard]] std::vector<Sought> sought(double speed) const {
+    const auto above = [](Sought sought, double noise) {
+      sought.noise = noise;
+      return sought;
+    };
+    const Sought angle = above(kGreatest, kNoAngle);
+    const Sought curvature = above(kBoth, kNoCurvature / size_);
+    const double rounding = kSlidingRounding * speed;
+    return {angle,
+            angle,
+            angle,
+            angle,
+            curvature,
+            curvature,
+            above(kBoth, rounding),
+            above(kBoth, rounding),
+            above(kLeast, rounding),
+            kBoth,
+            kBoth};
   }
 
   void fill(const Run& run, std::span<double> out) const {
@@ -244,10 +266,11 @@ private:
 
 }  // namespace
 
-ContactCheck contact_check(const Run& start, std::size_t index, bool split) {
+ContactCheck contact_check(const CheckedPath& checked, std::size_t index, bool split) {
+  const Run& start = checked.start;
   const auto contact = std::make_shared<CheckedContact>(start, index, split);
   ContactCheck check;
-  check.quantities = {CheckedContact::sought(),
+  check.quantities = {contact->sought(driver_rate(checked) * start.plan().size),
                       [contact](const Run& run, double, std::span<double> out) { contact->fill(run, out); }};
   check.read = [contact, index, places = touching_places(start, index)](const PathRanges& ranges,
                                                                         CheckFigures& figures) {

@@ -53,15 +53,10 @@ public:
   explicit CheckedJoints(const CheckedPath& checked)
       : outputs_(checked.start.at.outputs),
         jerks_(checked.profile, checked.schedule),
-        size_(checked.start.plan().size) {
+        size_(checked.start.plan().size),
+        rate_(driver_rate(checked)) {
     for (const OutputJoint& output : outputs_) {
       names_.push_back(checked.start.mechanism().joints[static_cast<std::size_t>(output.joint)].name);
-    }
-    for (std::size_t i = 0; i < checked.schedule.driver_count(); ++i) {
-      const auto joint = static_cast<std::size_t>(checked.start.mechanism().drivers[i].joint);
-      const double velocity = std::abs(checked.schedule.state(0, i).si.velocity);
-      rate_ = std::max(rate_,
-                       has_angle(checked.start.mechanism().joints[joint].type) ? velocity : velocity / size_);
     }
   }
 
@@ -117,11 +112,22 @@ private:
   std::vector<OutputJoint> outputs_;
   std::vector<std::string> names_;
   DriverJerks jerks_;
-  double size_;      // of the mechanism
-  double rate_ = 0;  // largest of the drivers, sliding ones relative to the size
+  double size_;  // of the mechanism
+  double rate_;  // largest of the drivers
 };
 
 }  // namespace
+
+double driver_rate(const CheckedPath& checked) {
+  double rate = 0;
+  for (std::size_t i = 0; i < checked.schedule.driver_count(); ++i) {
+    const auto joint = static_cast<std::size_t>(checked.start.mechanism().drivers[i].joint);
+    const double velocity = std::abs(checked.schedule.state(0, i).si.velocity);
+    const bool turns = has_angle(checked.start.mechanism().joints[joint].type);
+    rate = std::max(rate, turns ? velocity : velocity / checked.start.plan().size);
+  }
+  return rate;
+}
 
 JointCheck joint_check(const CheckedPath& checked) {
   const auto joints = std::make_shared<CheckedJoints>(checked);

@@ -68,6 +68,10 @@ struct CheckedPath {
   const ContactForceReport* forces = nullptr;  ///< none where nothing presses or moves the bodies
 };
 
+/// The largest speed of a driver where the path begins, that of a slide relative to the mechanism's size
+/// [1/s].
+[[nodiscard]] double driver_rate(const CheckedPath& checked);
+
 using PathRanges = std::vector<PathRange>;
 
 inline constexpr Sought kGreatest = {false, true, 0};
@@ -88,7 +92,7 @@ struct ContactCheck {
   std::function<void(const PathRanges&, CheckFigures&)> read_curves;  ///< radii and faces
 };
 /// \param split  whether pressure angles of the return have a limit of their own
-[[nodiscard]] ContactCheck contact_check(const Run& start, std::size_t index, bool split);
+[[nodiscard]] ContactCheck contact_check(const CheckedPath& checked, std::size_t index, bool split);
 
 /// The mean number of places at which the two bodies of a contact touch, from one beginning to touch to the
 /// last: of gears their contact ratio. None where that happens once at most, or the driver turns back. \param

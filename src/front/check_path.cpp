@@ -32,7 +32,7 @@ void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
   std::vector<PathQuantities> blocks;
   for (std::size_t i = 0; i < checked.start.mechanism().contacts.size(); ++i) {
     const bool split = figures.of_contact(i, LimitKey::kMaxReturnPressureAngle) != nullptr;
-    contacts.push_back(contact_check(checked.start, i, split));
+    contacts.push_back(contact_check(checked, i, split));
     blocks.push_back(contacts.back().quantities);
   }
   const JointCheck joints = joint_check(checked);

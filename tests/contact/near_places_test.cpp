@@ -1,5 +1,7 @@
 #include "higherpair/contact/near_places.hpp"
 
+#include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/gear_outline.hpp"
 #include "higherpair/geometry/spline_span.hpp"
 
 #include <algorithm>
@@ -145,6 +147,96 @@ TEST(NearPlaces, AnEndOfAFaceStandsOverTheOtherBody) {
   const auto exchanged = near_places(disc, {}, face, {}, 0.004);
   ASSERT_EQ(exchanged.size(), 2U);
   EXPECT_EQ(exchanged[0].end, 2);
+}
+
+// Two gears of module 2 mm whose teeth are thinner by these backlashes, a tooth of the first in the middle of
+// a space of the second.
+struct Mesh {
+  static constexpr int kTeeth1 = 20, kTeeth2 = 40;
+  static constexpr double kModule = 0.002, kPressureAngle = 20 * kPi / 180;
+  static constexpr double kBacklash1 = 0.00005, kBacklash2 = 0.00003;
+
+  Boundary first = gear(kTeeth1, kBacklash1, 0), second = gear(kTeeth2, kBacklash2, kPi + kPi / kTeeth2);
+
+  static Boundary gear(int teeth, double backlash, double angle) {
+    GearShape shape;
+    shape.tooth = {kModule, static_cast<double>(teeth), kPressureAngle, 0, backlash};
+    shape.angle = angle;
+    return *Boundary::make(gear_outline(shape), true, 1e-12);
+  }
+  static Pose<double> X_W1(double turn) { return {Rotation<double>::from_angle(turn), Vector2d::Zero()}; }
+  static Pose<double> X_W2(double turn) {
+    return {Rotation<double>::from_angle(-turn * kTeeth1 / kTeeth2),
+            Vector2d(kModule * (kTeeth1 + kTeeth2) / 2, 0)};
+  }
+};
+
+// Along both lines of action the flanks are apart by half of both backlashes, as the base circles see them.
+// On the mean they are as many on either side as the contact ratio, 1.635185964, and by the gap more: so much
+// longer is the way between the tips along the line of action.
+TEST(NearPlaces, OfTwoGearsAreTheFlanksOnTheirLinesOfAction) {
+  const Mesh mesh;
+  const double gap = (Mesh::kBacklash1 + Mesh::kBacklash2) / 2 * std::cos(Mesh::kPressureAngle);
+  constexpr int kCount = 200;
+  int seen = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const double turn = 1.7 + 2 * kPi / Mesh::kTeeth1 * (i + 0.5) / kCount;
+    const auto places = near_places(mesh.first, Mesh::X_W1(turn), mesh.second, Mesh::X_W2(turn), 1.5 * gap);
+    for (const NearPlace& place : places) {
+      const bool flanks = place.at.rho1 != 0 && place.at.rho2 != 0;
+      if (flanks) {
+        EXPECT_NEAR(place.at.gap(), gap, 1e-15);
+        const double lean = std::abs(place.at.n_W.x()) - std::sin(Mesh::kPressureAngle);
+        EXPECT_NEAR(lean, 0, 1e-11);
+        ++seen;
+      }
+    }
+  }
+  const double base_pitch = kPi * Mesh::kModule * std::cos(Mesh::kPressureAngle);
+  EXPECT_NEAR(seen / (2.0 * kCount), 1.635185964 + gap / base_pitch, 1.0 / kCount);
+}
+
+// However the outline is numbered round, the same places are found.
+TEST(NearPlaces, OfTwoGearsDoNotDependOnWhichTeethMesh) {
+  const Mesh mesh;
+  const double pitch = 2 * kPi / Mesh::kTeeth1;
+  const auto gaps = [&](double turn, double reach) {
+    return gaps_of(near_places(mesh.first, Mesh::X_W1(turn), mesh.second, Mesh::X_W2(turn), reach));
+  };
+  const auto expected = gaps(0.0413, 0.0031);
+  EXPECT_GT(expected.size(), 6U);
+  for (const int tooth : {1, 7, 13, 19, 33}) {
+    const auto found = gaps(0.0413 + tooth * pitch, 0.0031);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_NEAR(found[k], expected[k], 1e-12);
+    }
+  }
+}
+
+TEST(NearestPlaces, AreTheSamplesThatFaceEachOtherBest) {
+  const Mesh mesh;
+  const Boundary cam = wavy_cam();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(-1, 1);
+  for (int i = 0; i < 20; ++i) {
+    const Pose<double> X_W1{Rotation<double>::from_angle(3 * share(random)), Vector2d(0.1, -0.2)};
+    const Pose<double> X_W2{Rotation<double>::from_angle(3 * share(random)),
+                            Vector2d(0.1 + 0.06 * share(random), -0.2 + 0.06 * share(random))};
+    const double scale = std::max(cam.size(), mesh.first.size());
+    const auto measure = [&](const SpanPoint& one, const SpanPoint& two) {
+      return (X_W1 * one.p_B - X_W2 * two.p_B).squaredNorm() +
+             scale * scale * (X_W1.R_WB * one.n_B + X_W2.R_WB * two.n_B).squaredNorm();
+    };
+    double least = INFINITY;
+    for (const auto& one : cam.samples()) {
+      for (const auto& two : mesh.first.samples()) {
+        least = std::min(least, measure(one.point, two.point));
+      }
+    }
+    const auto [place1, place2] = nearest_places(cam, X_W1, mesh.first, X_W2);
+    EXPECT_NEAR(measure(cam.at(place1), mesh.first.at(place2)), least, 1e-12 * scale * scale);
+  }
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ between = ["ground.O", "crank.O"]
 joint = "O"
 )";
 
-PathRange range_of(const std::function<double(double)>& f, double from, double to,
-                   const PathLook& look = {}) {
+PathRange range_of(const std::function<double(double)>& f, double from, double to, const PathLook& look = {},
+                   double noise = 0) {
   const Analysis analysis(kCrank);
-  const PathQuantities quantity{{{true, true, 0}},
+  const PathQuantities quantity{{{true, true, noise}},
                                 [&](const higherpair::Run& run, double, std::span<double> out) {
                                   out[0] = f(run.row.bodies[1].theta);
                                 }};
@@ -75,6 +75,19 @@ TEST(PathExtremes, LeaveOutWhereAQuantityIsNotDefined) {
   EXPECT_NEAR(range.least->value, std::cos(2.5), 1e-11);
   const auto nowhere = range_of([&](double) { return none; }, 0, 3);
   EXPECT_FALSE(nowhere.greatest || nowhere.least);
+}
+
+// Rounding has a peak at every other place; each place is asked for once.
+TEST(PathExtremes, AreNotLookedForInRounding) {
+  int calls = 0;
+  const auto rounding = [&](double x) {
+    ++calls;
+    return 1e-16 * std::sin(1e15 * x);
+  };
+  const auto range = range_of(rounding, 0, 1, {}, 1e-13);
+  EXPECT_EQ(range.greatest->value, 0);
+  EXPECT_EQ(range.least->value, 0);
+  EXPECT_LE(calls, 130);  // two for each degree
 }
 
 TEST(PathExtremes, OfAConstantAreItsFirstPlace) {

@@ -411,6 +411,12 @@ TEST(Check, OfAParallelogramFindsNoAcceleration) {
   EXPECT_NEAR(value(report, "joints.right_pivot", "jerk"), 0, 0.1);
 }
 
+// Over a slide that moves along the normal there is no pressure angle, and what rolls does not slide.
+TEST(Check, SaysZeroOfWhatIsZeroButForRounding) {
+  EXPECT_EQ(value(checked(shipped_model("four_arc_cam")), "contacts.touch", "pressure_angle"), 0);
+  EXPECT_EQ(value(checked(shipped_model("rolling_ellipses")), "contacts.roll", "sliding_speed"), 0);
+}
+
 TEST(Check, FailsAsARunDoes) {
   const auto report = check(shipped_model("cam_with_return_spring", {"contacts.touch.rolling=true"}));
   ASSERT_FALSE(report);
