@@ -2,10 +2,12 @@
 #include "higherpair/contact/extreme_gap.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/gap_scale.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace higherpair {
@@ -163,6 +165,19 @@ BoundaryPlace predicted_place(const Boundary& boundary, const BoundaryPlace& pla
   return boundary.advance(place, along, turn).place;
 }
 
+// The body and its contact where that has been found.
+void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
+                        const BoundaryPair& pair, const BoundaryContact& found, double phi, State& to) {
+  move_contact(touching, found, phi, to.contacts[static_cast<std::size_t>(touching.contact)]);
+  body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
+  GroupState& group = to.groups[g];
+  group.held = false;
+  group.sine = found.gap_q;
+  group.lever = velocity_per_q(pair.motion2, found.at.p2_W).norm() +
+                (pair.motion2.turns ? kLeastLever * model.plan.size : 0);
+  group.noise = kGapQIsZero * group.lever;
+}
+
 GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                                 const Guess& guess, State& to) {
   const BoundaryPair pair = standing_boundaries(model, touching, guess.placed);
@@ -186,16 +201,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   if (result.status != ContactStatus::kOk) {
     return status_of(result.status);
   }
-  const BoundaryContact& found = result.contact;
-  ContactMotion& motion = to.contacts[static_cast<std::size_t>(touching.contact)];
-  move_contact(touching, found, before.phi + h * before.rates.phi_dot, motion);
-  body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
-  GroupState& group = to.groups[g];
-  group.held = false;
-  group.sine = found.gap_q;
-  group.lever = velocity_per_q(pair.motion2, found.at.p2_W).norm() +
-                (pair.motion2.turns ? kLeastLever * model.plan.size : 0);
-  group.noise = kGapQIsZero * group.lever;
+  hold_on_boundaries(model, touching, g, pair, result.contact, before.phi + h * before.rates.phi_dot, to);
   return GroupStatus::kOk;
 }
 
@@ -248,6 +254,40 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
       contact_motion(at, phi, touching.follower_is_second);
   body_in(to, follower.body) = motion_at(placed.pair.motion2, at.q, 0, 0);
   set_sine(placed.pair, at, to.groups[g]);
+  return GroupStatus::kOk;
+}
+
+GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
+                                const State& from, State& to) {
+  const GroupStatus status = place_touching(model, touching, g, from, 0, to);
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const auto has_ends = [&](const CurveRef& ref) { return !boundary_of(model.mechanism, ref).is_closed(); };
+  if (status == GroupStatus::kOk || !contact.by_boundary || contact.both_sides ||
+      !(has_ends(contact.first) || has_ends(contact.second))) {
+    return status;
+  }
+  const StandingPair placed = standing_pair(model, touching, to);
+  const BoundaryPair pair = standing_boundaries(model, touching, placed);
+  const CarriedBody& follower = touching.follower;
+  const double lost =
+      carried_coordinate(follower, body_in(from, follower.carrier), body_in(from, follower.body)) +
+      (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
+  std::optional<BoundaryContact> nearest;
+  for (BoundaryContact& found : find_boundary_contacts(pair, placed.u, {-kInf, kInf})) {
+    found.q = pair.motion2.turns ? nearest_turn(found.q, lost) : found.q;
+    if (to.groups[g].mode * found.gap_q > 0 &&
+        (!nearest || std::abs(found.q - lost) < std::abs(nearest->q - lost)) &&
+        deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
+                            pose_at(pair.motion2, found.q), kOverlapOfBoundaries * model.plan.size)
+                .depth == 0) {
+      nearest = found;
+    }
+  }
+  if (!nearest) {
+    return status;
+  }
+  hold_on_boundaries(model, touching, g, pair, *nearest,
+                     from.contacts[static_cast<std::size_t>(touching.contact)].phi, to);
   return GroupStatus::kOk;
 }
 

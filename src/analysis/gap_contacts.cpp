@@ -3,6 +3,7 @@
 #include "events.hpp"
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/edges.hpp"
 #include "joint_ends.hpp"
 #include "meetings.hpp"
 #include "other_place.hpp"
@@ -19,9 +20,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kCapture = 1e-3;      // of the size: how far beside an end a curve still meets the other one
-constexpr double kStartsApart = 1e-4;  // of the size: a pose that touches only by that much is open
-constexpr double kFirstNudge = 1e-13;  // of a step: a contact that closes beside an end begins farther in
+constexpr double kCapture = 1e-3;  // of the size: how far beside an end a curve still meets the other one
+constexpr double kFarthestShift = 5e-3;  // of the size: of a body that is moved onto its contact
+constexpr double kStartsApart = 1e-4;    // of the size: a pose that touches only by that much is open
+constexpr double kFirstNudge = 1e-13;    // of a step: a contact that closes beside an end begins farther in
 constexpr int kMostNudges = 24;
 
 const TouchingBody& touching_of(const Run& run, std::size_t g) {
@@ -48,11 +50,15 @@ std::vector<BoundaryPlace> facing_places(const Boundary& boundary, const Vector2
   return found;
 }
 
+// The ends over which the other curve may come in; onto an edge it comes by touching it.
 std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
   std::vector<Passing> all;
   const auto add = [&](const CurveRef& own, const CurveRef& other) {
     const Boundary& boundary = boundary_of(run.mechanism(), own);
     for (int span = 0; span < static_cast<int>(boundary.spans().size()); ++span) {
+      if (is_edge(boundary, span)) {
+        continue;
+      }
       const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
       if (boundary.joint_after(span) == SpanJoint::kEnd) {
         all.push_back({own, other, {span, range.high}, 1});
@@ -97,8 +103,14 @@ std::vector<BoundaryPlace> facing_places(const Run& run, const Passing& passing)
   return facing_places(boundary_of(run.mechanism(), passing.other), X_WC.R_WB.inverse() * Vector2d(-n_W));
 }
 
-// Closes a contact in a state in which it is open; false where the curves do not meet.
-bool close_contact(const Run& run, const Engagement& at, State& state) {
+enum class Closing {
+  kClosed,
+  kNone,  // the curves do not meet
+  kFar,   // they do, but where the body would have to jump to
+};
+
+// Closes a contact in a state in which it is open.
+Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const TouchingBody& touching = touching_of(run, at.group);
   const Planned model = model_of(run);
   const StandingPair placed = standing_pair(model, touching, state);
@@ -112,9 +124,15 @@ bool close_contact(const Run& run, const Engagement& at, State& state) {
   const BoundaryResult result =
       solve_boundary_contact(pair, placed.u, state.groups[at.group].held_at + turned, place1, place2, 0);
   if (result.status != ContactStatus::kOk || result.contact.gap_q == 0) {
-    return false;
+    return Closing::kNone;
   }
   const BoundaryContact& found = result.contact;
+  const double lever =
+      follower.freedom.turns ? pair.boundary2->size() + pair.boundary2->middle_B().norm() : 1;
+  const double shift = std::abs(found.q - state.groups[at.group].held_at - turned) * lever;
+  if (!(shift <= kFarthestShift * run.plan().size)) {
+    return Closing::kFar;
+  }
   ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
   const double phi = motion.phi;
   motion = {};
@@ -123,7 +141,7 @@ bool close_contact(const Run& run, const Engagement& at, State& state) {
   GroupState& group = state.groups[at.group];
   group.held = false;
   group.mode = found.gap_q < 0 ? -1 : 1;
-  return true;
+  return Closing::kClosed;
 }
 
 // Places all bodies at s as the contacts of `state` have them, into run.at.state; false, and nothing done,
@@ -147,6 +165,29 @@ void report(Run& run, EventType type, const Path& path, double s, int contact, s
 
 const std::string& follower_name(const Run& run, const TouchingBody& touching) {
   return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
+}
+
+// Lets run.at.state, now at s, go on with the contact open, though the bodies get into each other.
+void report_strike(Run& run, const Path& path, double s, const TouchingBody& touching) {
+  run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = true;
+  report(run, EventType::kOverlap, path, s, touching.contact,
+         fmt::format("the bodies strike each other at the end of a curve that is no edge there: the contact "
+                     "cannot hold {}",
+                     follower_name(run, touching)));
+}
+
+// Which of the two curves of a contact touches with the edge at its end, for the sentence of an event.
+std::string edge_text(const Run& run, const TouchingBody& touching) {
+  const Contact& contact = contact_of(run, touching);
+  const auto& places = run.at.state.contacts[static_cast<std::size_t>(touching.contact)].place;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const CurveRef& ref = ref_of(contact, side);
+    if (is_edge(boundary_of(run.mechanism(), ref), places[side].span)) {
+      return fmt::format(" at the edge at the end of the curve of {}",
+                         run.mechanism().bodies[static_cast<std::size_t>(ref.body)].name);
+    }
+  }
+  return "";
 }
 
 }  // namespace
@@ -173,11 +214,12 @@ std::optional<Engagement> engagement_within(Run& run, const Path& path, double s
         take(entry(run, path, g, s, h, passing, near));
       }
     }
-    if (!contact.both_sides) {
-      const auto closing =
-          meeting_within(run, path, static_cast<std::size_t>(touching_of(run, g).contact), s, h).first;
+    const auto index = static_cast<std::size_t>(touching_of(run, g).contact);
+    if (!contact.both_sides && !run.at.watches[index].overlaps) {
+      const auto closing = meeting_within(run, path, index, s, h).first;
       if (closing) {
-        take(Engagement{g, closing->x, {closing->place.place1, closing->place.place2}});
+        take(Engagement{
+            g, closing->x, {closing->place.place1, closing->place.place2}, closing->place.end != 0});
       }
     }
   }
@@ -193,18 +235,24 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
       return std::nullopt;
     }
     State closed = run.work.trial;
-    if (!close_contact(run, engagement, closed)) {
+    const Closing closing = engagement.strikes ? Closing::kFar : close_contact(run, engagement, closed);
+    if (closing == Closing::kNone) {
       continue;
     }
     note_events(run, path, s, x);
     std::swap(run.at.state, run.work.trial);
+    if (closing == Closing::kFar) {
+      report_strike(run, path, s + x, touching);
+      return x;
+    }
     if (!settle(run, path, s + x, std::move(closed))) {
       std::swap(run.at.state, run.work.trial);
       return std::nullopt;
     }
+    run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
     report(run, EventType::kEngage, path, s + x, touching.contact,
-           "the two bodies begin to touch" +
-               rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)}));
+           fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
+                       rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));
     return x;
   }
   return std::nullopt;
@@ -220,6 +268,9 @@ std::optional<std::string> why_parting(const Run& run, std::size_t g) {
   }
   if (joint_at_end(model_of(run), g, run.at.state)) {
     return fmt::format("{} comes to the end of its guide", follower_name(run, *touching));
+  }
+  if (slipped_off(run, g)) {
+    return "the contact slips off the edge at the end of a curve";
   }
   return std::nullopt;
 }

@@ -7,8 +7,9 @@
 #include <string>
 
 // Contacts that may part (Keep::kGap). While one is open, its body stays where it is on its joint. It parts
-// where it comes to the end of a curve, or its body to the end of its guide; it closes where the bodies
-// would get into each other, or the other curve passes an end of an open one, as a pin enters a slot.
+// where it comes to the end of a curve or slips off the edge there, or its body comes to the end of its
+// guide; it closes where the bodies would get into each other, or the other curve passes an end of an open
+// one, as a pin enters a slot.
 
 namespace higherpair {
 
@@ -20,6 +21,7 @@ struct Engagement {
   std::size_t group = 0;
   double x = 0;                        ///< beyond run.at.state on the path
   std::array<BoundaryPlace, 2> place;  ///< on the contact's first and second curve
+  bool strikes = false;  ///< at the end of a curve that is no edge there, so that it cannot hold
 };
 
 /// The first contact that closes between run.at.state, which is at s, and run.work.trial, h beyond it.
@@ -27,7 +29,8 @@ struct Engagement {
 [[nodiscard]] std::optional<Engagement> engagement_within(Run& run, const Path& path, double s, double h);
 
 /// Moves run.at.state to where a contact closes, and closes it there; the way that this takes, or nothing
-/// where the curves do not meet. Adds an event.
+/// where the curves do not meet. Where it cannot hold it stays open, and the bodies are marked as in each
+/// other. Adds an event.
 [[nodiscard]] std::optional<double> engage(Run& run, const Path& path, double s, const Engagement& at);
 
 /// Why a contact of group g that may part does so in run.at.state, where its motion cannot go on; none if it

@@ -86,6 +86,10 @@ void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t 
                   const std::vector<DriverMotion>& drivers, State& state);
 [[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                                          const State& from, double h, State& to);
+/// The same without a motion to go by. Where an open boundary has been left, of all contacts of the group's
+/// branch whose bodies are free of each other the one nearest to where it was lost.
+[[nodiscard]] GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching,
+                                              std::size_t g, const State& from, State& to);
 /// Moves a contact of boundaries to where it has been found, seen from the contact's first body; its rates
 /// are left as they are. \param phi  of its normal, to within whole turns
 inline void move_contact(const TouchingBody& touching, const BoundaryContact& found, double phi,

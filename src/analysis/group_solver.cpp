@@ -156,10 +156,12 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
                              const std::vector<double>& drivers, State& to) {
   const auto* tracked = std::get_if<TrackedPair>(&model.plan.groups[g].kind);
-  if (tracked == nullptr) {
+  const auto* touching = std::get_if<TouchingBody>(&model.plan.groups[g].kind);
+  if (tracked == nullptr && touching == nullptr) {
     return place_group(model, g, from, 0, drivers, to);
   }
-  const GroupStatus status = place_tracked_anew(*tracked, g, from, drivers, to);
+  const GroupStatus status = tracked != nullptr ? place_tracked_anew(*tracked, g, from, drivers, to)
+                                                : place_touching_anew(model, *touching, g, from, to);
   return status == GroupStatus::kOk && joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : status;
 }
 

@@ -39,6 +39,9 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
     event.contact.reset();
     event.cause =
         fmt::format("joint {} comes to the end of its line, `{}`", joint.name, at_end->upper ? "to" : "from");
+  } else if (auto slip = slipped_off(run, g)) {
+    event.type = EventType::kEnd;
+    event.cause = *std::move(slip);
   }
   return event;
 }

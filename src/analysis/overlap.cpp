@@ -194,10 +194,11 @@ void renew_overlaps(Run& run) {
 void watch_overlaps(Run& run, const Path& path, double s, double h) {
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
     OverlapWatch& watch = run.at.watches[i];
-    if (!watch.needed || !run.work.trial.contacts[i].touches) {
+    const Contact& contact = run.mechanism().contacts[i];
+    // An open contact is looked at while its bodies are in each other.
+    if (run.work.trial.contacts[i].touches ? !watch.needed : !watch.overlaps) {
       continue;
     }
-    const Contact& contact = run.mechanism().contacts[i];
     if (contact.by_boundary) {
       watch.overlaps =
           watch.overlaps && overlap_in(run, contact, run.work.trial) > kOverlap * run.plan().size;

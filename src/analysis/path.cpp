@@ -217,6 +217,10 @@ private:
     s_ += passage.x;
     passed_ = passage;
     passed_.x = s_;
+    // At an edge another place at which the bodies touch takes over, if there is one.
+    if (hand_over(group_of_contact(passage.contact))) {
+      return Outcome::kGoesOn;
+    }
     if (!lies_flat_behind(run_, passage)) {
       go_over_joint(run_, path_, s_, passage);
       return Outcome::kGoesOn;
@@ -571,7 +575,9 @@ bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<dou
   Path path;
   set_path(path, from, drivers);
   for (RunEvent& event : back.events) {
-    if (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) {
+    // Where a curve ends the motion may have gone on over the edge.
+    const bool is_last = &event == &back.events.back();
+    if (event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last)) {
       event.share = 1 - event.share;
       report_limit(run, path, std::move(event));
     }

@@ -167,7 +167,8 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
   }
   const auto i = static_cast<std::size_t>(touching->contact);
   const Contact& contact = run.mechanism().contacts[i];
-  if (!contact.by_boundary || !contact.jump || contact.both_sides || !end_reached(run, g)) {
+  if (!contact.by_boundary || !contact.jump || contact.both_sides ||
+      !(end_reached(run, g) || is_at_edge(run, g) || slipped_off(run, g))) {
     return false;
   }
   const auto places = shared_places(bodies_in(run, i, run.at.state), kOverlapOfBoundaries * run.plan().size);

@@ -1,6 +1,7 @@
 #include "span_joints.hpp"
 
 #include "group_solver.hpp"
+#include "higherpair/geometry/edges.hpp"
 #include "higherpair/geometry/newton_root.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -18,7 +19,8 @@ namespace {
 
 constexpr double kFartherAlong =
     2;  // than its speeds at both ends of a step make likely: what a contact runs at most
-constexpr double kAtBoundaryEnd = 1e-6;  // of the length of a boundary: a contact that its end has stopped
+constexpr double kAtBoundaryEnd = 1e-6;  // of the length of a boundary, or rad: a contact that its end has
+                                         // stopped
 
 const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
@@ -173,9 +175,9 @@ double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
   return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
 }
 
-std::string name_of(const Run& run, const JointPassage& passage) {
+const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
   return run.mechanism()
-      .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[passage.contact], passage.side).body)]
+      .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[contact], side).body)]
       .name;
 }
 
@@ -311,16 +313,18 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, run.at.state);
   const bool onto_corner = boundary.is_corner(passage.after);
+  const bool over_end = is_edge(boundary, passage.before.span) || is_edge(boundary, passage.after.span);
   const int span = passage.before.t == range_of(boundary, passage.before.span).high ? passage.before.span
                                                                                     : passage.after.span;
   if (!onto_corner && boundary.joint_after(span) == SpanJoint::kSmooth) {
     return;
   }
-  RunEvent event = event_at(
-      onto_corner || boundary.is_corner(passage.before) ? EventType::kCorner : EventType::kCurvatureJump,
-      path, s, "");
+  const EventType type = over_end                                            ? EventType::kEnd
+                         : onto_corner || boundary.is_corner(passage.before) ? EventType::kCorner
+                                                                             : EventType::kCurvatureJump;
+  RunEvent event = event_at(type, path, s, "");
   event.contact = static_cast<int>(passage.contact);
-  const std::string body = name_of(run, passage);
+  const std::string& body = body_of_side(run, passage.contact, passage.side);
   const std::string jump =
       joint ? fmt::format(
                   "; for a unit rate of the driver the acceleration of joint {} jumps from {:.6g} to {:.6g} "
@@ -328,7 +332,13 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
                   run.mechanism().joints[static_cast<std::size_t>(*joint)].name, before,
                   acceleration_of(run, *joint))
             : "";
-  if (event.type == EventType::kCorner) {
+  if (over_end) {
+    event.cause =
+        onto_corner
+            ? fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there{}",
+                          body, jump)
+            : fmt::format("the contact leaves the edge at the end of the curve of {}{}", body, jump);
+  } else if (event.type == EventType::kCorner) {
     event.cause =
         fmt::format("the contact {} a corner of {}{}", onto_corner ? "goes onto" : "leaves", body, jump);
   } else {
@@ -339,38 +349,83 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   run.events.push_back(std::move(event));
 }
 
-std::optional<std::string> end_reached(const Run& run, std::size_t g) {
+namespace {
+
+// The first that `of` says of a side of the contacts of a group that touch.
+template <class F>
+auto first_of_sides(const Run& run, std::size_t g, const F& of)
+    -> decltype(of(std::size_t{}, std::size_t{})) {
   for (const int index : run.plan().groups[g].contacts) {
     const auto i = static_cast<std::size_t>(index);
     if (!run.mechanism().contacts[i].by_boundary || !run.at.state.contacts[i].touches) {
       continue;
     }
     for (std::size_t side = 0; side < 2; ++side) {
-      const Boundary& boundary = boundary_at(run, i, side);
-      const BoundaryPlace& place = run.at.state.contacts[i].place[side];
-      for (const bool high : {false, true}) {
-        const int span = high ? place.span : boundary.next_span(place.span, false);
-        const SpanJoint joint = boundary.joint_after(span);
-        const double left = std::abs(arc_between(boundary, place, end_of(boundary, place.span, high).t));
-        if (left > kAtBoundaryEnd * boundary.size() ||
-            (joint != SpanJoint::kEnd && joint != SpanJoint::kNotch)) {
-          continue;
-        }
-        const std::string& body =
-            run.mechanism()
-                .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[i], side).body)]
-                .name;
-        return joint == SpanJoint::kEnd
-                   ? fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it",
-                                 body)
-                   : fmt::format(
-                         "the contact reaches a concave corner of {} here, where it would need a second "
-                         "contact to go on",
-                         body);
+      if (auto found = of(i, side)) {
+        return found;
       }
     }
   }
+  return {};
+}
+
+// What a contact has come to.
+enum class Stop { kEnd, kEdge, kNotch };
+
+std::optional<Stop> stop_at(const Run& run, std::size_t contact, std::size_t side) {
+  const Boundary& boundary = boundary_at(run, contact, side);
+  const BoundaryPlace& place = run.at.state.contacts[contact].place[side];
+  const double near = boundary.is_corner(place) ? kAtBoundaryEnd : kAtBoundaryEnd * boundary.size();
+  for (const bool high : {false, true}) {
+    if (std::abs(arc_between(boundary, place, end_of(boundary, place.span, high).t)) > near) {
+      continue;
+    }
+    const int next = boundary.next_span(place.span, high);
+    const SpanJoint joint = boundary.joint_after(high ? place.span : next);
+    if (joint == SpanJoint::kNotch || (joint == SpanJoint::kEnd && !is_edge(boundary, place.span))) {
+      return joint == SpanJoint::kEnd ? Stop::kEnd : Stop::kNotch;
+    }
+    if (joint != SpanJoint::kEnd && is_edge(boundary, next)) {
+      return Stop::kEdge;
+    }
+  }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> end_reached(const Run& run, std::size_t g) {
+  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
+    const auto stop = stop_at(run, i, side);
+    // Two corners, of which an edge is one, have no common normal to go on with.
+    const bool blunt = !boundary_at(run, i, 1 - side).is_corner(run.at.state.contacts[i].place[1 - side]);
+    if (!stop || (stop == Stop::kEdge && blunt)) {
+      return std::nullopt;
+    }
+    const std::string& body = body_of_side(run, i, side);
+    return stop == Stop::kNotch
+               ? fmt::format(
+                     "the contact reaches a concave corner of {} here, where it would need a second contact "
+                     "to go on",
+                     body)
+               : fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it",
+                             body);
+  });
+}
+
+bool is_at_edge(const Run& run, std::size_t g) {
+  return first_of_sides(
+      run, g, [&](std::size_t i, std::size_t side) { return stop_at(run, i, side) == Stop::kEdge; });
+}
+
+std::optional<std::string> slipped_off(const Run& run, std::size_t g) {
+  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
+    return is_edge(boundary_at(run, i, side), run.at.state.contacts[i].place[side].span)
+               ? std::optional(fmt::format("the contact slips off the edge at the end of the curve of {} "
+                                           "here and is lost beyond it",
+                                           body_of_side(run, i, side)))
+               : std::nullopt;
+  });
 }
 
 void set_local_curves(Run& run) {

@@ -39,9 +39,16 @@ void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPla
 /// Lets run.at.state, which is at the joint at s, go on with the span after it. An event says what jumps.
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage);
 
-/// Whether the contact of group g is at an end or a concave corner of a boundary; the sentence that says
-/// so.
+/// Whether the contact of group g is at an end or a concave corner of a boundary, beyond which it cannot go;
+/// the sentence that says so.
 [[nodiscard]] std::optional<std::string> end_reached(const Run& run, std::size_t g);
+
+/// Whether it is where a curve goes over into the edge at its end.
+[[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
+
+/// Where the motion cannot go on with the contact of group g: whether it is on the edge at an end of a curve;
+/// the sentence that says so.
+[[nodiscard]] std::optional<std::string> slipped_off(const Run& run, std::size_t g);
 
 /// Gives the curves of contacts by_boundary the shape that they have where the row's contact is.
 void set_local_curves(Run& run);

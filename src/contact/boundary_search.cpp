@@ -102,6 +102,27 @@ struct Depth {
   BoundaryPlace place;
 };
 
+// Where the foot of a point is looked for from the sample next to it. At a corner what lies in front of none
+// of its normals belongs to the neighbour on that side, whose own samples may be far.
+BoundaryPlace first_guess(const Boundary& boundary, const Boundary::Sample& nearest, const Vector2d& p_B) {
+  const int span = nearest.place.span;
+  if (!boundary.is_corner(nearest.place)) {
+    return nearest.place;
+  }
+  const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
+  const double middle = (range.low + range.high) / 2;
+  const double turn = nearest_turn(angle_of(p_B - nearest.point.p_B) - middle, 0);
+  if (std::abs(turn) <= range.width() / 2) {
+    return {span, middle + turn};
+  }
+  const int before = boundary.next_span(span, false);
+  const bool forward = boundary.joint_after(before) == SpanJoint::kEnd ||
+                       (turn > 0 && boundary.joint_after(span) != SpanJoint::kEnd);
+  const int next = forward ? boundary.next_span(span, true) : before;
+  const Bounds beyond = boundary.spans()[static_cast<std::size_t>(next)]->range();
+  return {next, forward ? beyond.low : beyond.high};
+}
+
 Depth depth_in(const Boundary& boundary, const Vector2d& p_B) {
   const Boundary::Sample* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -112,7 +133,7 @@ Depth depth_in(const Boundary& boundary, const Vector2d& p_B) {
       nearest = &sample;
     }
   }
-  BoundaryPlace place = nearest->place;
+  BoundaryPlace place = first_guess(boundary, *nearest, p_B);
   bool stopped = false;
   for (int pass = 0; pass < 8; ++pass) {
     const SpanPoint point = boundary.at(place);

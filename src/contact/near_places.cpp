@@ -203,6 +203,15 @@ std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d&
   return place;
 }
 
+// Whether an end is an edge on which an outward normal lies: then it is touched at a common normal.
+bool is_on_edge(const Boundary& boundary, const BoundaryPlace& end, const Vector2d& n_B) {
+  if (!boundary.is_corner(end)) {
+    return false;
+  }
+  const Bounds range = boundary.spans()[static_cast<std::size_t>(end.span)]->range();
+  return std::abs(nearest_turn(angle_of(n_B) - (range.low + range.high) / 2, 0)) <= range.width() / 2;
+}
+
 // An end of boundary `end` over the other boundary.
 struct EndOver {
   const Boundary* own;
@@ -219,6 +228,9 @@ std::optional<NearPlace> end_near(const EndOver& over, const BoundaryPlace& end,
     return std::nullopt;
   }
   const SpanPoint point = over.other->at(*foot);
+  if (is_on_edge(*over.own, end, over.X_WO->R_WB.inverse() * Vector2d(-(over.X_WC->R_WB * point.n_B)))) {
+    return std::nullopt;
+  }
   const double rho = over.other->is_corner(*foot) ? 0
                      : point.kappa == 0           ? std::numeric_limits<double>::infinity()
                                                   : 1 / point.kappa;

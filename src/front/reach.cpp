@@ -53,11 +53,12 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
     return tl::unexpected(interrupted(model));
   }
   Reached reached{analysis->impl().run, at, std::nullopt};
+  // The last one: before it a contact may have gone on over the edge at the end of a curve.
   const auto limit =
-      std::find_if(analysis->events().begin(), analysis->events().end(), [](const Event& event) {
+      std::find_if(analysis->events().rbegin(), analysis->events().rend(), [](const Event& event) {
         return event.type == EventType::kLimitPosition || event.type == EventType::kEnd;
       });
-  if (limit != analysis->events().end()) {
+  if (limit != analysis->events().rend()) {
     reached.limit = *limit;
   }
   return reached;

@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/boundaries.hpp"
 
+#include "higherpair/geometry/edges.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
@@ -26,31 +27,42 @@ double size_with_boundaries(const Mechanism& mechanism) {
   return size;
 }
 
-std::shared_ptr<const Boundary> boundary_of(const NamedCurve& curve, double reach) {
-  return curve.boundary ? curve.boundary
-                        : std::make_shared<const Boundary>(higherpair::boundary_of(curve.curve, reach));
+// How the curves of a contact become boundaries.
+struct BoundaryRules {
+  double reach = 0;  // how far what is unbounded is followed [m]
+  // A middle line with a wall on either side has no side on which there is material: it just ends.
+  bool has_edges = true;
+};
+
+std::shared_ptr<const Boundary> boundary_of(const NamedCurve& curve, const BoundaryRules& rules) {
+  if (!curve.boundary) {
+    return std::make_shared<const Boundary>(higherpair::boundary_of(curve.curve, rules.reach));
+  }
+  return rules.has_edges && !curve.boundary->is_closed()
+             ? std::make_shared<const Boundary>(with_edges(*curve.boundary))
+             : curve.boundary;
 }
 
 // Several curves of a body as one.
-Boundary joined(const Body& body, const std::vector<int>& curves, double reach) {
+Boundary joined(const Body& body, const std::vector<int>& curves, const BoundaryRules& rules) {
   std::vector<Boundary> parts;
   for (const int index : curves) {
-    parts.push_back(*boundary_of(body.curves[static_cast<std::size_t>(index)], reach));
+    parts.push_back(*boundary_of(body.curves[static_cast<std::size_t>(index)], rules));
   }
   return Boundary::of_parts(parts);
 }
 
-void make_own(Mechanism& mechanism, CurveRef& ref, double reach) {
+void make_own(Mechanism& mechanism, CurveRef& ref, const BoundaryRules& rules) {
   Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
   NamedCurve own = named(mechanism, ref);
   if (!own.parts.empty()) {
-    own.boundary = std::make_shared<const Boundary>(joined(body, own.parts, reach));
+    own.boundary = std::make_shared<const Boundary>(joined(body, own.parts, rules));
     body.curves[static_cast<std::size_t>(ref.curve)] = std::move(own);
     return;
   }
   own.name.clear();
   own.copy_of = ref.curve;
-  own.boundary = boundary_of(own, reach);
+  own.boundary = boundary_of(own, rules);
   ref.curve = static_cast<int>(body.curves.size());
   body.curves.push_back(std::move(own));
 }
@@ -70,9 +82,9 @@ void use_boundaries(Mechanism& mechanism) {
     if (contact.by_boundary || is_of_whole_curves(mechanism, contact)) {
       continue;
     }
-    const double reach = kReach * size_with_boundaries(mechanism);
-    make_own(mechanism, contact.first, reach);
-    make_own(mechanism, contact.second, reach);
+    const BoundaryRules rules{kReach * size_with_boundaries(mechanism), !contact.both_sides};
+    make_own(mechanism, contact.first, rules);
+    make_own(mechanism, contact.second, rules);
     contact.by_boundary = true;
   }
 }

@@ -1,6 +1,7 @@
 #include "higherpair/contact/near_places.hpp"
 
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/edges.hpp"
 #include "higherpair/geometry/gear_outline.hpp"
 #include "higherpair/geometry/spline_span.hpp"
 
@@ -236,6 +237,48 @@ TEST(NearestPlaces, AreTheSamplesThatFaceEachOtherBest) {
     }
     const auto [place1, place2] = nearest_places(cam, X_W1, mesh.first, X_W2);
     EXPECT_NEAR(measure(cam.at(place1), mesh.first.at(place2)), least, 1e-12 * scale * scale);
+  }
+}
+
+TEST(NearPlaces, AnEdgeIsTouchedAtACommonNormalWhereItsNormalsFaceTheOtherBody) {
+  // It faces downwards and ends at (0.013, 0.029); the normals of the edge there turn on until they face
+  // along x.
+  const Boundary face =
+      with_edges(*Boundary::make({face_span(Vector2d(0.002, 0.029), Vector2d(0.013, 0.029))}, false, 0));
+  const auto place_over = [&](const Vector2d& to_center) {
+    const Boundary disc = boundary_of(*make_circle(Vector2d(0.013, 0.029) + to_center, 0.0047), 1);
+    const auto places = near_places(face, {}, disc, {}, 0.004);
+    EXPECT_EQ(places.size(), 1U);
+    EXPECT_TRUE(is_edge(face, places.at(0).place1.span));
+    EXPECT_NEAR(places[0].at.gap(), to_center.norm() - 0.0047, 1e-15);
+    EXPECT_NEAR((places[0].at.n_W - to_center.normalized()).norm(), 0, 1e-12);
+    return places[0];
+  };
+  EXPECT_EQ(place_over({0.004, -0.006}).end, 0);
+  EXPECT_EQ(place_over({0.0031, -0.0031}).end, 0);
+  EXPECT_EQ(place_over({0.004, 0.003}).end, 1);
+}
+
+// Of a long face only the ends are samples, which are corners.
+TEST(Penetration, OfADiscOverTheMiddleOfALongFaceIsWhatItIsInIt) {
+  const Boundary block =
+      *Boundary::make({face_span({0.04, 0}, {-0.04, 0}), face_span({-0.04, 0}, {-0.04, -0.05}),
+                       face_span({-0.04, -0.05}, {0.04, -0.05}), face_span({0.04, -0.05}, {0.04, 0})},
+                      true, 0);
+  const Boundary face = with_edges(*Boundary::make({face_span({0.04, 0}, {-0.04, 0})}, false, 0));
+  for (const Boundary* boundary : {&block, &face}) {
+    for (const double depth : {-0.001, 0.0, 0.0003}) {
+      const Boundary disc = boundary_of(*make_circle({0, 0.01 - depth}, 0.01), 1);
+      for (const double turned : {0.0, kPi / 2, 0.3}) {
+        const Pose<double> X_WD{
+            Rotation<double>::from_angle(turned),
+            Vector2d(0, 0.01 - depth) - Rotation<double>::from_angle(turned) * Vector2d(0, 0.01 - depth)};
+        EXPECT_NEAR(deepest_penetration(disc, X_WD, *boundary, {}, 1e-12).depth, std::max(depth, 0.0), 1e-15)
+            << turned;
+        EXPECT_NEAR(deepest_penetration(*boundary, {}, disc, X_WD, 1e-12).depth, std::max(depth, 0.0), 1e-15)
+            << turned;
+      }
+    }
   }
 }
 

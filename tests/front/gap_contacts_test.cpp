@@ -325,12 +325,13 @@ TEST(MistakesInGaps, AreSaidWithPlaceAndRemedy) {
   EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"can\", ")), HasSubstr("there is no body `can`"));
 }
 
-// The disc touches the tappet's face at x = 10 cos θ: within the face between 60° and 120°, and 240° and
-// 300°.
-TEST(FaceWithEnds, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
+// Like the middle line of a slot, whose ends are no edges. The disc touches it at x = 10 cos θ: between 60°
+// and 120°, and 240° and 300°.
+TEST(FaceOfBothSides, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
   std::string text = replaced(kTappet, "{ type = \"line\", point = [0, 0], normal = [0, -1] }",
                               "{ type = \"segment\", from = [-5, 0], to = [5, 0] }");
-  text = replaced(replaced(replaced(text, "keep = \"gap\"", ""), "from = 25", ""), "start = 0", "start = 90");
+  text = replaced(replaced(text, "keep = \"gap\"", "both_sides = true"), "from = 25", "");
+  text = replaced(text, "start = 0", "start = 90");
   const Motion motion = motion_of(model_of(text, {"driver.end=450", "driver.samples=73"}));
   EXPECT_FALSE(motion.good());
   const auto y = motion.column("guide.position");

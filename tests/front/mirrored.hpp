@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/geometry/edges.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <algorithm>
@@ -30,13 +31,15 @@ private:
   SpanPtr span_;
 };
 
-/// Chain by chain, each run through the other way; corners come about again.
+/// Chain by chain, each run through the other way; corners and edges at ends come about again.
 inline Boundary mirrored(const Boundary& boundary) {
   std::vector<Boundary> chains;
   std::vector<SpanPtr> spans;
   int first = 0;
+  bool has_edges = false;
   for (int i = 0; i < static_cast<int>(boundary.spans().size()); ++i) {
     const SpanPtr& span = boundary.spans()[static_cast<std::size_t>(i)];
+    has_edges = has_edges || is_edge(boundary, i);
     if (!span->is_corner()) {
       spans.push_back(std::make_shared<MirroredSpan>(span));
     }
@@ -50,6 +53,7 @@ inline Boundary mirrored(const Boundary& boundary) {
                          : Boundary::make(std::exchange(spans, {}),
                                           boundary.joint_after(i) != SpanJoint::kEnd, 1e-5 * boundary.size())
                                .value());
+    chains.back() = std::exchange(has_edges, false) ? with_edges(chains.back()) : chains.back();
     first = i + 1;
   }
   return Boundary::of_parts(chains);

@@ -1,0 +1,334 @@
+#include "mirrored.hpp"
+#include "sliding_cam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+// Ends of open curves: they are edges, on which a contact goes on.
+
+namespace higherpair::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Position, velocity and acceleration of a tappet at dθ/dt = 1.
+struct Lift {
+  double s = 0, v = 0, a = 0;
+};
+
+// A disc of radius R, e off its pivot, under a tappet whose flat face ends at x = -w and w: y = R + e sin θ
+// while the disc's centre stands under the face, and then that of a point on a circle.
+struct NarrowTappet {
+  double R = 20, e = 10, w = 5;
+
+  [[nodiscard]] Lift at(double theta) const {
+    const double c = e * std::cos(theta), s = e * std::sin(theta);
+    if (std::abs(c) <= w) {
+      return {R + s, c, -s};
+    }
+    const double side = c > 0 ? 1 : -1;
+    const double d = side * c - w, d1 = -side * s, d2 = -side * c;
+    const double y = std::sqrt(R * R - d * d);
+    return {s + y, c - d * d1 / y, -s - (d1 * d1 + d * d2) / y - d * d1 * d * d1 / (y * y * y)};
+  }
+
+  [[nodiscard]] std::string profile(const std::string& contact = "", const std::string& guide = "") const {
+    return profile_of(
+        {fmt::format("curves.disc = {{ type = \"circle\", center = [{}, 0], radius = {} }}", e, R),
+         fmt::format(
+             "pose = {{ y = {} }}\ncurves.face = {{ type = \"segment\", from = [{}, 0], to = [{}, 0] }}",
+             R + e, -w, w),
+         "direction = [0, 1]\n" + guide, "between = [\"cam.disc\", \"follower.face\"]\n" + contact,
+         "start = 90\nend = 450\nvelocity = \"1 rad/s\""});
+  }
+};
+
+void expect_events(const std::vector<Event>& events, const std::vector<double>& drivers, double near) {
+  ASSERT_EQ(events.size(), drivers.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_NEAR(events[i].driver, drivers[i], near) << i;
+  }
+}
+
+TEST(EndsOfFaces, AreEdgesOnWhichAnEccentricDiscGoesOnInClosedForm) {
+  const NarrowTappet tappet;
+  const Model model = model_of(tappet.profile());
+  for (const int samples : {7, 61, 601}) {
+    const Motion motion = motion_of(model, samples);
+    EXPECT_FALSE(motion.good()) << "a face that is left";
+    const auto driver = motion.column("driver");
+    const auto y = motion.column("guide.position");
+    const auto v = motion.column("guide.velocity");
+    const auto a = motion.column("guide.acceleration");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      ASSERT_EQ(motion.statuses()[k], RowStatus::kOk) << driver[k];
+      const double theta = driver[k] * kDegree;
+      const Lift wanted = tappet.at(theta);
+      EXPECT_NEAR(y[k], wanted.s, 1e-12) << driver[k];
+      EXPECT_NEAR(v[k], wanted.v, 1e-11) << driver[k];
+      if (std::abs(std::abs(10 * std::cos(theta)) - 5) > 1e-9) {
+        EXPECT_NEAR(a[k], wanted.a, 1e-10) << driver[k];
+      }
+    }
+    const auto ends = events_of(motion, EventType::kEnd);
+    expect_events(ends, {120, 240, 300, 420}, 1e-10);
+    EXPECT_EQ(ends[0].item, "touch");
+    // On the edge -s - d'²/R with d' = s = 8.66.
+    EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower and goes on at the edge"));
+    EXPECT_THAT(ends[0].cause, HasSubstr("jumps from -0.00866025 to -0.0124103 (SI units)"));
+    EXPECT_THAT(ends[1].cause, HasSubstr("leaves the edge at the end of the curve of follower"));
+    EXPECT_THAT(ends[1].cause, HasSubstr("jumps from 0.00491025 to 0.00866025 (SI units)"));
+    EXPECT_TRUE(events_of(motion, EventType::kCorner).empty());
+  }
+}
+
+TEST(EndsOfFaces, AreTheSameBackwardsMirroredAndInOtherUnits) {
+  const NarrowTappet tappet;
+  const std::string text = tappet.profile();
+  const std::vector<std::string> back{"driver.start=450", "driver.end=90"};
+  expect_events(events_of(motion_of(model_of(text, back), 7), EventType::kEnd), {420, 300, 240, 120}, 1e-10);
+  expect_events(events_of(motion_of(mirrored(model_of(text)), 7), EventType::kEnd), {-120, -240, -300, -420},
+                1e-10);
+  for (const char* unit : {"um", "m"}) {
+    const Motion motion = motion_of(model_of(text, {fmt::format("units.length=\"{}\"", unit)}), 61);
+    expect_events(events_of(motion, EventType::kEnd), {120, 240, 300, 420}, 1e-10);
+    const auto a = motion.column("guide.acceleration");
+    EXPECT_NEAR(a[15], tappet.at(180 * kDegree).a, 1e-10) << unit;
+  }
+}
+
+// What a whole conic and a point say in closed form of their own.
+TEST(EndsOfFaces, MoveALeverAsAKnifeEdgeAtTheSamePlaceDoes) {
+  const auto lever = [](const std::string& curve) {
+    return R"([bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [60, 5]
+[bodies.cam]
+points.O = [0, 0]
+curves.oval = { type = "ellipse", center = [3, 1], semi_axes = [21, 13] }
+[bodies.follower]
+pose = { x = 60, y = 5, angle = 165 }
+points.O = [0, 0]
+)" + curve +
+           R"(
+[joints]
+cam_pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+lever_pivot = { type = "revolute", between = ["ground.O2", "follower.O"] }
+[contacts.touch]
+between = ["cam.oval", "follower.tip"]
+approach = "+"
+[driver]
+joint = "cam_pivot"
+end = 360
+samples = 41
+velocity = "1 rad/s"
+)";
+  };
+  // The face runs up and away from the cam, which its edge alone touches.
+  const Motion edge =
+      motion_of(model_of(lever("curves.tip = { type = \"segment\", from = [74.94, -28.77], to = [52, 4] }")));
+  const Motion knife = motion_of(model_of(lever("curves.tip = { type = \"point\", at = [52, 4] }")));
+  for (const char* column : {"lever_pivot.position", "lever_pivot.velocity", "lever_pivot.acceleration",
+                             "touch.x", "touch.y", "touch.normal", "touch.rho1", "touch.rho2"}) {
+    const auto one = edge.column(column);
+    const auto other = knife.column(column);
+    for (std::size_t k = 0; k < edge.size(); ++k) {
+      ASSERT_EQ(edge.statuses()[k], RowStatus::kOk) << k;
+      EXPECT_NEAR(one[k], other[k], 1e-9 * (1 + std::abs(other[k]))) << column << ' ' << k;
+    }
+  }
+  EXPECT_TRUE(edge.good());
+}
+
+// Its radius is 5 and the face ends 2 beside the middle: where the centre is 7 beside that, at cos θ = 0.7,
+// the edge stands beside the disc.
+TEST(EndsOfFaces, AreLeftWhereTheCurveOfTheOtherBodyPassesBesideThem) {
+  const NarrowTappet tappet{5, 10, 2};
+  const double slip = std::acos(0.7) / kDegree;
+  const double off = std::acos(0.2) / kDegree;  // the face
+  for (const int samples : {7, 61, 601}) {
+    const Motion motion = motion_of(model_of(tappet.profile()), samples);
+    const auto ends = events_of(motion, EventType::kEnd);
+    EXPECT_TRUE(events_of(motion, EventType::kLimitPosition).empty());
+    expect_events(
+        ends, {180 - off, 180 - slip, 180 + slip, 180 + off, 360 - off, 360 - slip, 360 + slip, 360 + off},
+        1e-9);
+    EXPECT_THAT(ends[1].cause, HasSubstr("slips off the edge at the end of the curve of follower here"));
+    const auto driver = motion.column("driver");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double c = std::abs(std::cos(driver[k] * kDegree));
+      if (std::abs(c - 0.7) > 3e-3) {
+        EXPECT_EQ(motion.statuses()[k] == RowStatus::kOk, c < 0.7) << driver[k];
+      }
+    }
+  }
+}
+
+TEST(EndsOfFaces, AreWhereAContactThatMayPartDoesSoInTheEnd) {
+  const NarrowTappet tappet{5, 10, 2};
+  const double slip = std::acos(0.7) / kDegree;
+  for (const int samples : {7, 61, 601}) {
+    const Motion motion = motion_of(model_of(tappet.profile("keep = \"gap\"")), samples);
+    const auto released = events_of(motion, EventType::kRelease);
+    ASSERT_GE(released.size(), 1U);
+    EXPECT_NEAR(released[0].driver, 180 - slip, 1e-9) << samples;
+    EXPECT_THAT(released[0].cause, HasSubstr("slips off the edge at the end of a curve"));
+    // There it stands at the height of the disc's centre; going down the disc never comes back to it.
+    const double rest = 10 * std::sin(slip * kDegree);
+    const auto driver = motion.column("driver");
+    const auto y = motion.column("guide.position");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      if (driver[k] > 181 - slip && driver[k] < 359) {
+        EXPECT_NEAR(y[k], rest, 1e-5) << driver[k];
+      }
+    }
+  }
+}
+
+TEST(EndsOfFaces, EndAContactThatTheCornerOfTheOtherBodyReachesThem) {
+  // The nose (20, 0) of a triangle lifts the face by 20 sin θ, until it is 6 beside the middle.
+  const Model model = model_of(profile_of(
+      {R"(curves.tip = { type = "chain", spans = [{ type = "segment", from = [20, 0], to = [-10, 2] }, { type = "segment", from = [-10, 2], to = [-10, -2] }, { type = "segment", from = [-10, -2], to = [20, 0] }] })",
+       "pose = { y = 20 }\ncurves.face = { type = \"segment\", from = [-6, 0], to = [6, 0] }",
+       "direction = [0, 1]", "between = [\"cam.tip\", \"follower.face\"]", "start = 90\nend = 150"}));
+  for (const int samples : {4, 31}) {
+    const Motion motion = motion_of(model, samples);
+    const auto ends = events_of(motion, EventType::kEnd);
+    ASSERT_EQ(ends.size(), 1U);
+    EXPECT_NEAR(ends[0].driver, 90 + std::asin(0.3) / kDegree, 1e-9);
+    EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower here and is lost"));
+  }
+}
+
+// The cam of profiles/tangent_cam.toml, whose tappet rests on a seat 0.3 above the base circle and faces it
+// with 15 on either side.
+const char* const kStruck = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+[bodies.cam.curves.outline]
+type = "chain"
+spans = [
+  { type = "arc", center = [20, 0], radius = 8, from = -53.13010235415598, to = 53.13010235415598 },
+  { type = "segment", from = [24.8, 6.4], to = [12, 16] },
+  { type = "arc", center = [0, 0], radius = 20, from = 53.13010235415598, to = 306.86989764584402 },
+  { type = "segment", from = [12, -16], to = [24.8, -6.4] },
+]
+[bodies.tappet]
+pose = { y = 20.3 }
+points.P = [0, 0]
+curves.face = { type = "segment", from = [15, 0], to = [-15, 0], material = "right" }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "tappet.P"], direction = [0, 1], from = 20.3 }
+[contacts.touch]
+between = ["cam.outline", "tappet.face"]
+keep = "gap"
+[driver]
+joint = "pivot"
+start = 0
+end = 360
+velocity = "1 rad/s"
+)";
+
+// How high that cam reaches where |x| <= 15, as soon as that is above its base circle: the top of its nose,
+// or else at x = 15 its nose, as far as that goes, or its flank, whose normal leads the nose by acos 0.6.
+double reach_of_struck_cam(double turned) {
+  const double theta = turned < kPi / 2 ? turned : kPi - turned;
+  const double x = 20 * std::cos(theta) - 15;
+  if (x <= 0) {
+    return 20 * std::sin(theta) + 8;
+  }
+  const double lead = std::acos(0.6);
+  if (x < 8 && kPi / 2 + std::asin(x / 8) - theta <= lead) {
+    return 20 * std::sin(theta) + std::sqrt(64 - x * x);
+  }
+  return theta > 0.2 ? (20 - 15 * std::cos(lead + theta)) / std::sin(lead + theta) : 20;
+}
+
+void expect_struck(const Motion& motion) {
+  double low = 0.3, high = std::acos(0.75);
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (low + high) / 2;
+    (reach_of_struck_cam(middle) < 20.3 ? low : high) = middle;
+  }
+  const double begins = low / kDegree, face = std::acos(0.75) / kDegree;
+  const auto driver = motion.column("driver");
+  const auto y = motion.column("guide.position");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    ASSERT_EQ(motion.statuses()[k], RowStatus::kOk) << driver[k];
+    EXPECT_NEAR(y[k], std::max(20.3, reach_of_struck_cam(driver[k] * kDegree)), 1e-9) << driver[k];
+  }
+  const auto engaged = events_of(motion, EventType::kEngage);
+  const auto released = events_of(motion, EventType::kRelease);
+  const auto ends = events_of(motion, EventType::kEnd);
+  expect_events(engaged, {begins}, 1e-9);
+  expect_events(released, {180 - begins}, 1e-9);
+  expect_events(ends, {face, 180 - face}, 1e-9);
+  EXPECT_THAT(engaged[0].cause, HasSubstr("touch at the edge at the end of the curve of tappet; for a unit"));
+  EXPECT_THAT(released[0].cause, HasSubstr("comes to the end of its guide"));
+  EXPECT_TRUE(events_of(motion, EventType::kOverlap).empty());
+}
+
+TEST(StruckEnds, LiftATappetFromItsSeatAndLowerItAgain) {
+  const Model model = model_of(kStruck);
+  for (const int samples : {7, 61, 73, 601}) {
+    expect_struck(motion_of(model, samples));
+  }
+  expect_struck(motion_of(model_of(kStruck, {"units.length=\"um\""}), 61));
+}
+
+TEST(StruckEnds, DoTheSameBackwardsAndMirrored) {
+  // The cam is symmetrical: turned back its angles are 360° - θ.
+  const Motion back = motion_of(model_of(kStruck, {"driver.start=360", "driver.end=0"}), 61);
+  const Motion motion = motion_of(model_of(kStruck), 61);
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    EXPECT_NEAR(back.column("guide.position")[k], motion.column("guide.position")[60 - k], 1e-9) << k;
+  }
+  for (const EventType type : {EventType::kEngage, EventType::kRelease, EventType::kEnd}) {
+    const EventType other = type == EventType::kEngage    ? EventType::kRelease
+                            : type == EventType::kRelease ? EventType::kEngage
+                                                          : type;
+    const auto one = events_of(motion, type);
+    const auto two = events_of(back, other);
+    ASSERT_EQ(one.size(), two.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_NEAR(one[i].driver, two[two.size() - 1 - i].driver, 1e-9);
+    }
+  }
+  const Motion image = motion_of(mirrored(model_of(kStruck)), 61);
+  const auto engaged = events_of(image, EventType::kEngage);
+  ASSERT_EQ(engaged.size(), 1U);
+  EXPECT_NEAR(engaged[0].driver, -events_of(motion, EventType::kEngage)[0].driver, 1e-9);
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    EXPECT_NEAR(image.column("guide.position")[k], motion.column("guide.position")[k], 1e-9) << k;
+  }
+}
+
+// The flank of a tooth ends where the next tooth takes over: a disc that strikes its tip gets into it.
+TEST(StruckEnds, ThatAreNoEdgesAreSaidAndDoNotMoveTheirBody) {
+  const Model model = model_of(
+      profile_of({R"(curves.disc = { type = "circle", center = [10, 0], radius = 20 })",
+                  R"(pose = { y = 25 }
+curves.flank = { type = "involute", center = [0, -6], base_radius = 10, start = 0, hand = "right", roll = [0.6, 1] })",
+                  "direction = [0, 1]\nfrom = 25",
+                  "between = [\"cam.disc\", \"follower.flank\"]\nkeep = \"gap\"", "start = -90\nend = 270"}));
+  for (const int samples : {7, 61, 601}) {
+    const Motion motion = motion_of(model, samples);
+    EXPECT_FALSE(motion.good());
+    for (const double y : motion.column("guide.position")) {
+      EXPECT_EQ(y, 25) << samples;
+    }
+    EXPECT_EQ(events_of(motion, EventType::kOverlap).size(), 1U);
+  }
+}
+
+}  // namespace
+}  // namespace higherpair::testing
