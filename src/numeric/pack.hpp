@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include <Eigen/Core>
+
 // Several doubles at once, for the kernels that are templates over their scalar (geometry/scalar.hpp).
 // Every operation is the one on doubles in each lane, rounded in the same way: what a kernel gives for a pack
 // is bit for bit what it gives for its lanes, whatever their number, as long as nothing is contracted
@@ -12,33 +14,23 @@ namespace higherpair {
 
 namespace pack_detail {
 
-// Eigen aligns what it holds to 16 bytes; Clang refuses that for numbers that ask for more.
-#ifdef __clang__
-inline constexpr std::size_t kMostAligned = 16;
-#else
-inline constexpr std::size_t kMostAligned = 64;
-#endif
-constexpr std::size_t aligned_as(std::size_t lanes) {
-  return lanes * sizeof(double) < kMostAligned ? lanes * sizeof(double) : kMostAligned;
-}
-
 // The attribute is lost where it depends on a template's argument.
 template <int W>
 struct Lanes;
 template <>
 struct Lanes<2> {
-  typedef double Doubles __attribute__((vector_size(2 * sizeof(double)), aligned(aligned_as(2))));
-  typedef long long Bits __attribute__((vector_size(2 * sizeof(double)), aligned(aligned_as(2))));
+  typedef double Doubles __attribute__((vector_size(2 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(2 * sizeof(double))));
 };
 template <>
 struct Lanes<4> {
-  typedef double Doubles __attribute__((vector_size(4 * sizeof(double)), aligned(aligned_as(4))));
-  typedef long long Bits __attribute__((vector_size(4 * sizeof(double)), aligned(aligned_as(4))));
+  typedef double Doubles __attribute__((vector_size(4 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(4 * sizeof(double))));
 };
 template <>
 struct Lanes<8> {
-  typedef double Doubles __attribute__((vector_size(8 * sizeof(double)), aligned(aligned_as(8))));
-  typedef long long Bits __attribute__((vector_size(8 * sizeof(double)), aligned(aligned_as(8))));
+  typedef double Doubles __attribute__((vector_size(8 * sizeof(double))));
+  typedef long long Bits __attribute__((vector_size(8 * sizeof(double))));
 };
 
 // GCC fills lanes one by one in whatever way but this one. Not returned: how vectors are depends on the
@@ -180,3 +172,9 @@ template <int W>
 }
 
 }  // namespace higherpair
+
+// Eigen would align vectors of packs to 16 bytes, which Clang refuses where a pack asks for more.
+template <int W, int Size>
+struct Eigen::internal::compute_default_alignment<higherpair::Pack<W>, Size> {
+  enum { value = 0 };
+};
