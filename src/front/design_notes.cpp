@@ -15,20 +15,20 @@ namespace {
 
 constexpr double kApart =
     20;  // times: a target so much larger or smaller than what the profile has is looked at
-constexpr double kAlike = 3;  // times: in another unit it would be no farther off than this
+constexpr double kAsMuch = 3;  // times: in another unit it would be no farther off than this
 
-bool within(double a, double b, double times) {
+bool is_within(double a, double b, double times) {
   return a <= times * b && b <= times * a;
 }
 
 // The unit in which a target is like what the profile has, where it is far from it as it is.
 std::optional<OtherUnit> meant_unit(double wanted, double present, const std::string& unit,
                                     const Units& units) {
-  if (!(wanted > 0) || !(present > 0) || within(wanted, present, kApart)) {
+  if (!(wanted > 0) || !(present > 0) || is_within(wanted, present, kApart)) {
     return std::nullopt;
   }
   std::optional<OtherUnit> meant;
-  double least = kAlike;
+  double least = kAsMuch;
   for (const OtherUnit& other : other_units(unit, units)) {
     const double times = std::max(wanted * other.factor / present, present / (wanted * other.factor));
     if (times < least) {

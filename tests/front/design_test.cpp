@@ -2,6 +2,7 @@
 #include "front/cam_profile.hpp"
 #include "higherpair/io/design_task.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -91,6 +92,17 @@ INSTANTIATE_TEST_SUITE_P(Paths, PublishedTasks,
                                            Published{"design_ellipse_path", 4.0199e-4, 8},
                                            Published{"design_arch_path", 2.84271, 24}));
 
+// Of the rocker from y = log2 x over the whole range [deg], at 601 places.
+double largest_error_of_log(const std::string& text) {
+  const Motion motion = model_of(text, {"driver.samples=601"}).run().value();
+  double largest = 0;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const double wanted = 60 + 60 * std::log2(1 + (motion.column("driver")[i] - 30) / 60);
+    largest = std::max(largest, std::abs(motion.column("rocker.angle")[i] - wanted));
+  }
+  return largest;
+}
+
 // Freudenstein's three-point solution at the Chebyshev points: K1 = d/a, K2 = d/c, K3 = (a² - b² + c² +
 // d²)/(2ac).
 TEST(Design, AFunctionGeneratorMeetsThreePointsAsFreudensteinsEquationDoes) {
@@ -110,6 +122,13 @@ TEST(Design, AFunctionGeneratorMeetsThreePointsAsFreudensteinsEquationDoes) {
   EXPECT_NEAR(d / a, 0.28379611, 1e-7);
   EXPECT_NEAR(d / c, 0.33079518, 1e-7);
   EXPECT_NEAR((a * a - b * b + c * c + d * d) / (2 * a * c), 1.00878664, 1e-7);
+  EXPECT_NEAR(largest_error_of_log(report.text), 0.4055847, 1e-6);
+}
+
+TEST(Design, AFunctionGeneratorIsBetterOverTheWholeRangeThanThroughThreePoints) {
+  const DesignReport report = designed(shipped_model("design_log_generator"));
+  EXPECT_TRUE(report.holds);
+  EXPECT_LT(largest_error_of_log(report.text), 0.4);  // 0.4055847 through the three points
 }
 
 // A measure with limits: follower = 30 + e sin θ, so that its range is 2 e and its largest acceleration e ω².

@@ -82,8 +82,8 @@ DesignSettings settings_of(const DesignCommandOptions& options, StatusLine& line
 }
 
 // Searches what is not in the journal yet. A full disk does not end the search, only what is kept of it.
-Result<DesignReport> search(const Model& model, const DesignCommandOptions& options,
-                            std::vector<DesignSearchEnd> known, Journal& journal) {
+Result<DesignReport> find_design(const Model& model, const DesignCommandOptions& options,
+                                 std::vector<DesignSearchEnd> known, Journal& journal) {
   StatusLine line(!options.quiet);
   DesignSettings settings = settings_of(options, line);
   settings.known = std::move(known);
@@ -183,7 +183,7 @@ int design_command(const DesignCommandOptions& options) {
     return report_journal(journal);
   }
   print_notes(design_notes(*model), options.quiet);
-  const auto report = search(*model, options, std::move(known), journal);
+  const auto report = find_design(*model, options, std::move(known), journal);
   const int code = report ? write_report(*model, options, *report) : report_error(report.error());
   end_journal(journal, code == kExitInterrupted || code == kExitMachine);
   return code;

@@ -40,14 +40,14 @@ bool read_at(int file, std::int64_t place, char* to, std::size_t count) {
   return true;
 }
 
-std::int64_t size_of(int file) {
+std::int64_t length_of(int file) {
   struct stat status {};
   return ::fstat(file, &status) == 0 ? status.st_size : 0;
 }
 
 // The record that is whole at a place of the file, head and checksum with it, else empty.
 std::string record_at(int file, std::int64_t place, std::int64_t number) {
-  const std::int64_t most = size_of(file) - place - kHeadSize - kSumSize;
+  const std::int64_t most = length_of(file) - place - kHeadSize - kSumSize;
   std::string bytes(static_cast<std::size_t>(kHeadSize), '\0');
   if (most < 0 || !read_at(file, place, bytes.data(), bytes.size())) {
     return "";
@@ -67,7 +67,7 @@ std::string record_at(int file, std::int64_t place, std::int64_t number) {
   return take<std::uint64_t>(sum) == checksum(text) ? bytes : "";
 }
 
-std::string differences(const RunIdentity& there, const RunIdentity& here) {
+std::string unequal_names(const RunIdentity& there, const RunIdentity& here) {
   std::string names;
   for (const auto& [name, value] : here) {
     const auto found = there.find(name);
@@ -104,7 +104,7 @@ std::string Journal::magic() const {
 // What stands at the beginning of the file up to the empty line; empty where there is no header.
 std::string Journal::read_header() const {
   constexpr std::int64_t kLongest = std::int64_t{1} << 20;
-  std::string text(static_cast<std::size_t>(std::min(size_of(file_), kLongest)), '\0');
+  std::string text(static_cast<std::size_t>(std::min(length_of(file_), kLongest)), '\0');
   if (!read_at(file_, 0, text.data(), text.size()) || !text.starts_with(magic())) {
     return "";
   }
@@ -115,7 +115,7 @@ std::string Journal::read_header() const {
 // Whether it ends before its first record.
 bool Journal::holds_nothing() const {
   const std::string header = read_header();
-  return size_of(file_) == 0 ||
+  return length_of(file_) == 0 ||
          (!header.empty() && record_at(file_, static_cast<std::int64_t>(header.size()), 0).empty());
 }
 
@@ -159,7 +159,7 @@ bool Journal::check_header(const RunIdentity& identity, const std::string& heade
   if (found != header) {
     return refuse(fmt::format(
         "this is of another {}: not the same {}; remove it to begin anew, or give the output another name",
-        run_, differences(identity_in(std::string_view(found).substr(magic().size())), identity)));
+        run_, unequal_names(identity_in(std::string_view(found).substr(magic().size())), identity)));
   }
   return resume || refuse(fmt::format("this holds what an interrupted run of this {} has done: --resume goes "
                                       "on from there; remove it to begin anew",

@@ -36,7 +36,7 @@ std::string causes_of(const SweepBlock& block) {
 }
 
 // Whether so many bytes follow the head.
-bool is_whole(const BlockHead& head, std::size_t rest, std::size_t width) {
+bool has_all_of(const BlockHead& head, std::size_t rest, std::size_t width) {
   const auto bytes = static_cast<std::int64_t>(rest);
   const auto row = static_cast<std::int64_t>(width * sizeof(double));
   return head.width == static_cast<std::int64_t>(width) && head.rows >= 0 && head.cause_bytes >= 0 &&
@@ -60,7 +60,7 @@ std::optional<SweepBlock> block_of(std::string_view bytes, std::size_t width) {
     return std::nullopt;
   }
   const auto head = take<BlockHead>(bytes);
-  if (!is_whole(head, bytes.size(), width)) {
+  if (!has_all_of(head, bytes.size(), width)) {
     return std::nullopt;
   }
   SweepBlock block;
