@@ -13,9 +13,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kApart =
-    20;  // times: a target so much larger or smaller than what the profile has is looked at
-constexpr double kAsMuch = 3;  // times: in another unit it would be no farther off than this
+constexpr double kApart = 20;  // times what the profile has, or a part of it: a target that may be a slip
+constexpr double kAsMuch = 3;  // the same: where it is in the unit that is meant
 
 bool is_within(double a, double b, double times) {
   return a <= times * b && b <= times * a;

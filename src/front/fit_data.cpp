@@ -1,12 +1,12 @@
 #include "fit_data.hpp"
 
 #include "analysis_impl.hpp"
+#include "fit_request.hpp"
 #include "higherpair/front/measure.hpp"
 #include "higherpair/io/suggestion.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ public:
               {}} {}
 
   Result<FitData> read() {
-    apply_settings();
+    data_.task = with_settings(std::move(data_.task), settings_, mistakes_);
     read_where();
     std::vector<const MeasuredColumn*> used = used_columns();
     if (!mistakes_.empty()) return refuse();
@@ -56,9 +56,10 @@ public:
       return tl::unexpected(std::move(settings.error()));
     }
     read_columns(used);
-    if (mistakes_.empty()) read_frames();
-    check_tasks();
-    check_count();
+    const bool read = mistakes_.empty();
+    apply_columns(data_, mistakes_);
+    if (read) find_frames(data_, mistakes_);
+    if (mistakes_.empty()) check_count(data_, table(), mistakes_);
     if (!mistakes_.empty()) return refuse();
     return std::move(data_);
   }
@@ -67,25 +68,6 @@ private:
   tl::unexpected<Error> refuse() { return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes_)}); }
   void fail(const Place& place, std::string message) { mistakes_.push_back({place, std::move(message)}); }
   [[nodiscard]] Place table() const { return {measured_.source, 0, 0}; }
-
-  void apply_settings() {
-    FitTask& task = data_.task;
-    task.loss = settings_.loss.value_or(task.loss);
-    task.confidence = settings_.confidence.value_or(task.confidence);
-    if (settings_.starts) task.starts = settings_.starts;
-    if (settings_.seed) task.seed = settings_.seed;
-    if (!settings_.columns.empty()) task.use = settings_.columns;
-    for (const std::string& name : settings_.offsets) {
-      FitTask::Column column;
-      column.column = name;
-      column.offset = true;
-      column.place = {"--offset " + name, 0, 0};
-      task.columns.push_back(std::move(column));
-    }
-    if (!(task.confidence > 0 && task.confidence < 1)) {
-      fail(task.place, fmt::format("confidence = {}: must be between 0 and 1", task.confidence));
-    }
-  }
 
   [[nodiscard]] const MeasuredColumn* column_of(const std::string& name) const {
     const auto found = std::find_if(measured_.columns.begin(), measured_.columns.end(),
@@ -219,75 +201,6 @@ private:
           break;
         }
       }
-      for (const FitTask::Column& task : data_.task.columns) {
-        if (!matches(task.column, fitted.name)) continue;
-        if (task.deviation) fitted.deviation = task.deviation;
-        fitted.weight *= task.weight;
-        fitted.offset = fitted.offset || task.offset;
-      }
-    }
-  }
-
-  void read_frames() {
-    const auto place_of_column = [&](const std::string& name) {
-      const auto found = std::find_if(data_.columns.begin(), data_.columns.end(),
-                                      [&](const FitColumn& column) { return column.name == name; });
-      return static_cast<std::size_t>(found - data_.columns.begin());
-    };
-    for (const FitTask::Frame& frame : data_.task.frames) {
-      const std::size_t x = place_of_column(frame.point + ".x"), y = place_of_column(frame.point + ".y");
-      if (x == data_.columns.size() || y == data_.columns.size()) {
-        fail(frame.place,
-             fmt::format("{}: both {}.x and {}.y have to be measured", frame.path, frame.point, frame.point));
-        continue;
-      }
-      for (const std::size_t column : {x, y}) {
-        if (frame.position && data_.columns[column].offset) {
-          fail(frame.place, fmt::format("{}: `position` is free, and so is the offset of {}: one of the two",
-                                        frame.path, data_.columns[column].name));
-        }
-      }
-      data_.frames.push_back({frame, x, y});
-    }
-  }
-
-  // [[fit.columns]] that mean nothing that was measured; unknown zeros of drivers and of time.
-  void check_tasks() {
-    std::vector<std::string> names = data_.where_names;
-    for (const FitColumn& column : data_.columns) names.push_back(column.name);
-    for (const FitTask::Column& task : data_.task.columns) {
-      bool found = false;
-      for (const std::string& name : names) found = found || matches(task.column, name);
-      if (!found) {
-        fail(task.place, fmt::format("{}`{}` is no measured column; {}",
-                                     task.path.empty() ? "" : task.path + ".column: ", task.column,
-                                     suggestion(task.column, names)));
-      }
-      for (std::size_t i = 0; i < data_.where_names.size(); ++i) {
-        if (!matches(task.column, data_.where_names[i])) continue;
-        data_.where_offset[i] = data_.where_offset[i] || task.offset;
-        if (task.column == data_.where_names[i] && (task.deviation || task.weight != 1)) {
-          fail(task.place,
-               fmt::format("{}: {} says where each row is and counts as exact: only `offset` has a meaning",
-                           task.path, task.column));
-        }
-      }
-    }
-  }
-
-  void check_count() {
-    if (!mistakes_.empty()) return;
-    auto unknowns = static_cast<int>(data_.variables->variables.size());
-    for (const bool offset : data_.where_offset) unknowns += offset ? 1 : 0;
-    for (const FitColumn& column : data_.columns) unknowns += column.offset ? 1 : 0;
-    for (const FitFrame& frame : data_.frames) {
-      unknowns += (frame.task.position ? 2 : 0) + (frame.task.turn ? 1 : 0) + (frame.task.scale ? 1 : 0);
-    }
-    if (data_.values() < unknowns) {
-      fail(table(),
-           fmt::format("{} measured values in {} rows cannot say what {} numbers are: measure more, or "
-                       "look for fewer",
-                       data_.values(), data_.rows(), unknowns));
     }
   }
 

@@ -123,6 +123,39 @@ TEST(Optimise, ResultsAreTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(Optimise, SearchesThatAreKnownAreNotMadeAgainAndChangeNothing) {
+  DesignOptions options = few(50);
+  options.seed = 31;
+  std::vector<DesignSearchEnd> ends;
+  options.ended = [&](const DesignSearchEnd& end) { ends.push_back(end); };
+  const DesignOutcome whole = optimise(rastrigin(), options);
+  ASSERT_EQ(ends.size(), 50U);
+  for (const std::size_t known : {1U, 17U, 40U, 50U}) {
+    options.known.assign(ends.rbegin(), ends.rbegin() + static_cast<std::ptrdiff_t>(known));
+    std::size_t made = 0;
+    options.ended = [&](const DesignSearchEnd&) { ++made; };
+    const DesignOutcome outcome = optimise(rastrigin(), options);
+    EXPECT_EQ(made, 50 - known);
+    EXPECT_EQ(outcome.best.x, whole.best.x);
+    EXPECT_EQ(outcome.best.objective, whole.best.objective);
+    EXPECT_EQ(outcome.evaluations, whole.evaluations);
+    EXPECT_EQ(outcome.starts, whole.starts);
+    EXPECT_EQ(outcome.different, whole.different);
+  }
+}
+
+TEST(Optimise, ASearchThatWasStoppedIsNotTold) {
+  std::atomic<bool> stop = false;
+  DesignOptions options = few(1000);
+  options.threads = 1;
+  options.stop = &stop;
+  int told = 0;
+  options.ended = [&](const DesignSearchEnd&) { stop = ++told == 5; };
+  const DesignOutcome outcome = optimise(rastrigin(), options);
+  EXPECT_EQ(outcome.end, DesignEnd::kStopped);
+  EXPECT_EQ(told, 5);
+}
+
 TEST(Optimise, EndsWhereItsTargetIsReached) {
   DesignOptions options = few(1000);
   options.target = 1e-20;
