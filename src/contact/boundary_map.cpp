@@ -66,11 +66,15 @@ public:
     }
     map_.status = MapStatus::kOk;
     for (const bool opposed : {true, false}) {
-      const SheetCurves found = sheet_curves(trace_->sheet(opposed));
+      const SheetCurves found = sheet_curves(trace_->sheet(opposed), range_);
       map_.complete = map_.complete && found.complete;
       for (const SheetCurve& curve : found.curves) {
         cut(curve, opposed);
       }
+    }
+    if (is_stopped(range_)) {
+      map_.status = MapStatus::kStopped;
+      return map_;
     }
     if (idle_ && drafts_.empty()) {
       map_.status = MapStatus::kTouchesNowhere;
@@ -78,6 +82,10 @@ public:
     }
     sort_events();
     for (Draft& draft : drafts_) {
+      if (is_stopped(range_)) {
+        map_.status = MapStatus::kStopped;
+        return map_;
+      }
       finish(draft);
     }
     std::sort(drafts_.begin(), drafts_.end(), [](const Draft& a, const Draft& b) {
@@ -138,6 +146,9 @@ private:
     const TangencySheet& sheet = trace_->sheet(opposed);
     std::vector<Bit> bits;
     for (const SheetStep& step : curve.steps) {
+      if (is_stopped(range_)) {
+        return;
+      }
       add_bits(sheet, step, bits);
     }
     // Where faces or corners meet u stands still: they belong to no branch.
@@ -378,6 +389,9 @@ private:
       add(branch.begin.u, std::nullopt);
     }
     for (const SampleTarget& target : sample_targets(branch, range_, cyclic_, map_.size)) {
+      if (is_stopped(range_)) {
+        break;
+      }
       add(target.u, target.sample);
     }
     if (has_point(branch.end)) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -103,7 +104,7 @@ void add_free_changes(ContactMap& map) {
   for (std::size_t b = 0; b < map.branches.size(); ++b) {
     std::vector<MapPoint> changes;
     const std::vector<MapPoint>& points = map.branches[b].points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < points.size() && !is_stopped(map.range); ++i) {
       if (points[i].free == points[i + 1].free) {
         continue;
       }
@@ -118,6 +119,17 @@ void add_free_changes(ContactMap& map) {
     }
     map.branches[b].free_changes = std::move(changes);
   }
+}
+
+// What is left of a map that was stopped.
+ContactMap finished(ContactMap map) {
+  if (is_stopped(map.range)) {
+    map.status = MapStatus::kStopped;
+    map.complete = false;
+    map.branches.clear();
+    map.events.clear();
+  }
+  return map;
 }
 
 }  // namespace
@@ -139,7 +151,7 @@ ContactMap map_contacts(const ContactPair& pair, const MapRange& range) {
     map.events = std::move(network.events);
     add_free_changes(map);
   }
-  return map;
+  return finished(std::move(map));
 }
 
 ContactMap map_contacts(const BoundaryPair& pair, const MapRange& range,
@@ -148,7 +160,7 @@ ContactMap map_contacts(const BoundaryPair& pair, const MapRange& range,
   if (map.status == MapStatus::kOk) {
     add_free_changes(map);
   }
-  return map;
+  return finished(std::move(map));
 }
 
 std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
@@ -237,6 +249,9 @@ std::optional<Neighbour> nearest_neighbour(const ContactMap& map, int index) {
   }
   std::optional<Neighbour> nearest;
   for (const MapPoint& point : branch.points) {
+    if (is_stopped(map.range)) {
+      return std::nullopt;
+    }
     const auto here = neighbour_at(map, index, point.u);
     if (here && (!nearest || here->distance < nearest->distance)) {
       nearest = here;
@@ -284,6 +299,8 @@ std::string_view describe(MapStatus status) {
              "counts";
     case MapStatus::kTooManyParts:
       return "the curves have too many parts for a map: give those that may touch as curves of their own";
+    case MapStatus::kStopped:
+      return "the map was stopped";
     case MapStatus::kLimitEverywhere:
       break;
   }

@@ -28,7 +28,7 @@ public:
     std::vector<MapBranch> branches;
     const int intervals = static_cast<int>(network_.intervals.size());
     for (const bool closed : {false, true}) {
-      for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
+      for (std::size_t i = 0; i < network_.nodes.size() && !is_stopped(range_); ++i) {
         // A closed one from the last interval, which holds the start of the range.
         const bool first = closed ? node(static_cast<int>(i)).interval + 1 == intervals
                                   : node(static_cast<int>(i)).before.node < 0;
@@ -36,6 +36,9 @@ public:
           branches.push_back(branch_from(static_cast<int>(i)));
         }
       }
+    }
+    if (is_stopped(range_)) {
+      return {};
     }
     std::sort(branches.begin(), branches.end(), [](const MapBranch& a, const MapBranch& b) {
       return a.begin.u != b.begin.u ? a.begin.u < b.begin.u : a.points.front().q < b.points.front().q;
@@ -164,7 +167,7 @@ private:
     ContactTrack track = middle;
     for (auto target = split; target != targets.begin();) {
       --target;
-      if (!walk_to(track, target->u, false)) {
+      if (is_stopped(range_) || !walk_to(track, target->u, false)) {
         break;
       }
       found.emplace_back(track, *target);
@@ -172,12 +175,15 @@ private:
     std::reverse(found.begin(), found.end());
     track = middle;
     for (auto target = split; target != targets.end(); ++target) {
-      if (!walk_to(track, target->u, false)) {
+      if (is_stopped(range_) || !walk_to(track, target->u, false)) {
         break;
       }
       found.emplace_back(track, *target);
     }
     for (const auto& [at, target] : found) {
+      if (is_stopped(range_)) {
+        return;
+      }
       add_point(branch, point_of(pair_, range_, branch.opposed, at.at), target);
       tracks.push_back(at);
     }

@@ -28,7 +28,7 @@ std::vector<SampleTarget> sample_targets(const MapBranch& branch, const MapRange
   const double b = ((spacing > 0 ? high : low) - range.start) / spacing;
   std::vector<SampleTarget> targets;
   const auto last = static_cast<std::int64_t>(std::floor(b));
-  for (auto k = static_cast<std::int64_t>(std::ceil(a)); k <= last; ++k) {
+  for (auto k = static_cast<std::int64_t>(std::ceil(a)); k <= last && !is_stopped(range); ++k) {
     const double u = range.start + static_cast<double>(k) * spacing;
     targets.push_back({std::clamp(u, branch.begin.u, branch.end.u), k});
   }
@@ -40,8 +40,9 @@ std::vector<SampleTarget> sample_targets(const MapBranch& branch, const MapRange
       targets.push_back({low + share * (high - low), std::nullopt});
     }
   }
-  std::sort(targets.begin(), targets.end(),
-            [](const SampleTarget& l, const SampleTarget& r) { return l.u < r.u; });
+  if (!targets.empty() && targets.back().u < targets.front().u) {
+    std::reverse(targets.begin(), targets.end());
+  }
   return targets;
 }
 

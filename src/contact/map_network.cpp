@@ -29,13 +29,17 @@ MapStatus status_of(ContactsStatus status) {
 class NetworkBuilder {
 public:
   NetworkBuilder(const ContactPair& pair, const MapRange& range)
-      : pair_(pair), other_(with_other_side(pair)) {
+      : pair_(pair), other_(with_other_side(pair)), range_(range) {
     static_cast<MapCuts&>(network_) = cuts_of(pair, range);
     unit1_ = network_.cyclic ? 1 : network_.size;
   }
 
   [[nodiscard]] MapNetwork run() {
     for (std::size_t i = 0; i < network_.intervals.size() && network_.status == MapStatus::kOk; ++i) {
+      if (is_stopped(range_)) {
+        network_.status = MapStatus::kStopped;
+        return network_;
+      }
       list(static_cast<int>(i));
     }
     if (network_.status != MapStatus::kOk) {
@@ -220,6 +224,7 @@ private:
 
   const ContactPair& pair_;
   ContactPair other_;
+  const MapRange& range_;
   double unit1_ = 1;
   MapNetwork network_;
 };

@@ -41,11 +41,12 @@ struct Link {
 
 class CurveFinder {
 public:
-  explicit CurveFinder(const TangencySheet& sheet) : sheet_(sheet), grid_(sheet) {}
+  CurveFinder(const TangencySheet& sheet, const MapRange& range)
+      : sheet_(sheet), range_(range), grid_(sheet, range) {}
 
   [[nodiscard]] SheetCurves run() {
     for (int i = 0; i < grid_.count1(); ++i) {
-      for (int j = 0; j < grid_.count2(); ++j) {
+      for (int j = 0; j < grid_.count2() && !is_stopped(range_); ++j) {
         if (grid_.has_cell(i, j)) {
           enter(i, j);
         }
@@ -135,7 +136,7 @@ private:
   }
 
   void connect(const Rect& cell, std::vector<Zero> zeros, double split1, double split2, int depth) {
-    if (links_.size() > kMostSheetSteps) {
+    if (links_.size() > kMostSheetSteps || is_stopped(range_)) {
       found_.complete = false;
     } else if (zeros.size() == 2 && (depth == kDeepest || is_straight(zeros[0], zeros[1]))) {
       const Zero& a = zeros[0];
@@ -244,6 +245,7 @@ private:
   }
 
   const TangencySheet& sheet_;
+  const MapRange& range_;
   SheetGrid grid_;
   int span1_ = 0, span2_ = 0;  // of the cell
   Vector2d width_;             // of the cell
@@ -255,8 +257,8 @@ private:
 
 }  // namespace
 
-SheetCurves sheet_curves(const TangencySheet& sheet) {
-  return CurveFinder(sheet).run();
+SheetCurves sheet_curves(const TangencySheet& sheet, const MapRange& range) {
+  return CurveFinder(sheet, range).run();
 }
 
 std::optional<SheetPlaces> place_on(const TangencySheet& sheet, const SheetStep& step, double share) {

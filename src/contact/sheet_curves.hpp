@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/contact_map.hpp"
 #include "tangency_sheet.hpp"
 
 #include <optional>
@@ -33,7 +34,8 @@ struct SheetCurves {
 /// slope; cells are halved until each is crossed by one nearly straight curve. A closed curve within one cell
 /// is found where F has an extreme value of the other sign there; a smaller one may be missed.
 /// Normals that are equal do not pass corners: such curves end there.
-[[nodiscard]] SheetCurves sheet_curves(const TangencySheet& sheet);
+/// \param range  where is_stopped(range) some are missing
+[[nodiscard]] SheetCurves sheet_curves(const TangencySheet& sheet, const MapRange& range);
 
 /// A place on a step: on the line that crosses its chord at right angles (in widths of the cell) at `share`
 /// (0: from, 1: to) the zero of F, to within rounding. None where Newton's method finds none near.

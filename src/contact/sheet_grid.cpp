@@ -29,14 +29,14 @@ const std::vector<SheetGrid::Zero>& found_at(
 
 }  // namespace
 
-SheetGrid::SheetGrid(const TangencySheet& sheet)
+SheetGrid::SheetGrid(const TangencySheet& sheet, const MapRange& range)
     : sheet_(sheet),
       lifted_(kLifted * sheet.size()),
       side1_(side_of(*sheet.pair().boundary1, sheet.size())),
       side2_(side_of(*sheet.pair().boundary2, sheet.size())) {
   place_nodes(side1_, true);
   place_nodes(side2_, false);
-  find_zeros();
+  find_zeros(range);
 }
 
 void SheetGrid::add_parts(const Boundary& boundary, int span, const Bounds& t, double length, int halvings,
@@ -127,11 +127,11 @@ double SheetGrid::level(const SheetPlace& one, const SheetPlace& two) const {
   return sheet_.value(one, two) - lifted_;
 }
 
-void SheetGrid::find_zeros() {
+void SheetGrid::find_zeros(const MapRange& range) {
   const std::size_t n1 = side1_.nodes.size();
   const std::size_t n2 = side2_.nodes.size();
   std::vector<double> values(n1 * n2);
-  for (std::size_t a = 0; a < n1; ++a) {
+  for (std::size_t a = 0; a < n1 && !is_stopped(range); ++a) {
     for (std::size_t b = 0; b < n2; ++b) {
       values[a * n2 + b] = level(side1_.nodes[a], side2_.nodes[b]);
     }
@@ -139,7 +139,7 @@ void SheetGrid::find_zeros() {
   const auto value = [&](int a, int b) {
     return values[static_cast<std::size_t>(a) * n2 + static_cast<std::size_t>(b)];
   };
-  for (std::size_t a = 0; a < n1; ++a) {
+  for (std::size_t a = 0; a < n1 && !is_stopped(range); ++a) {
     for (std::size_t j = 0; j < side2_.parts.size(); ++j) {
       const Part& part = side2_.parts[j];
       const auto node = static_cast<int>(a);
@@ -149,7 +149,7 @@ void SheetGrid::find_zeros() {
            ends_at(side1_, a) ? 1 : 0);
     }
   }
-  for (std::size_t i = 0; i < side1_.parts.size(); ++i) {
+  for (std::size_t i = 0; i < side1_.parts.size() && !is_stopped(range); ++i) {
     const Part& part = side1_.parts[i];
     for (std::size_t b = 0; b < n2; ++b) {
       const auto node = static_cast<int>(b);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/contact_map.hpp"
 #include "tangency_sheet.hpp"
 
 #include <cstdint>
@@ -25,7 +26,8 @@ public:
     double t = 0;  ///< parameter along the line
   };
 
-  explicit SheetGrid(const TangencySheet& sheet);
+  /// \param range  where is_stopped(range) zeros are missing
+  SheetGrid(const TangencySheet& sheet, const MapRange& range);
 
   [[nodiscard]] int count1() const { return static_cast<int>(side1_.parts.size()); }
   [[nodiscard]] int count2() const { return static_cast<int>(side2_.parts.size()); }
@@ -62,7 +64,7 @@ private:
   static void add_parts(const Boundary& boundary, int span, const Bounds& t, double length, int halvings,
                         std::vector<Part>& parts);
   void place_nodes(Side& side, bool is_first);
-  void find_zeros();
+  void find_zeros(const MapRange& range);
   // Whether curves end at a node: normals that are equal do not pass corners.
   [[nodiscard]] bool ends_at(const Side& side, std::size_t node) const {
     return side.ends[node] || (!sheet_.opposed() && side.at_corner[node]);

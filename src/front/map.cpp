@@ -191,6 +191,7 @@ MapRange range_of(const MappedContact& mapped, const DriverSchedule& schedule, c
   MapRange range;
   range.start = mapped.u;
   range.tolerance = settings.tolerance;
+  range.stop = settings.stop;
   range.samples = settings.samples.value_or(schedule.size() > 1 ? schedule.size() : kDefaultSamples);
   if (mapped.pair.motion1.turns) {
     return range;
@@ -260,6 +261,11 @@ Result<MapReport> map_of(const Model& model, const MapSettings& settings) {
   report.not_started = mapped->not_started;
   for (const MappedContact& contact : mapped->contacts) {
     report.contacts.push_back(report_of(data.profile, contact, *schedule, settings));
+  }
+  report.stopped = settings.stop != nullptr && settings.stop->load();
+  if (report.stopped) {
+    report.contacts.clear();
+    return report;
   }
   if (std::all_of(report.contacts.begin(), report.contacts.end(),
                   [](const ContactMapReport& contact) { return !contact.refusal.empty(); })) {

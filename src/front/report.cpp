@@ -137,12 +137,14 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
   report.good = data.good;
   report.size = data.size;
   report.every = stride_of(data.size, settings);
-  report.stopped = analysis->stopped();
-  if (!data.rows.empty()) {
+  report.stopped = settings.stop != nullptr && settings.stop->load();
+  if (!data.rows.empty() && !report.stopped) {
     if (auto error = nothing_to_draw(model, data.motions)) {
       return tl::unexpected(*std::move(error));
     }
-    report.html = filled(report_page(), json_of(model, data, settings.source));
+    const std::string json = json_of(model, data, settings.source, settings.stop);
+    report.stopped = settings.stop != nullptr && settings.stop->load();
+    report.html = report.stopped ? "" : filled(report_page(), json);
   }
   return report;
 }

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/front/model.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -57,8 +58,9 @@ struct Fact {
                                                                 const ReportData& data);
 
 /// Everything that the page needs, as one object of JSON that may stand within HTML.
-/// \param source  text of the profile
-[[nodiscard]] std::string json_of(const Model& model, const ReportData& data, const std::string& source);
+/// \param source  text of the profile \param stop  once true, what is long is left out
+[[nodiscard]] std::string json_of(const Model& model, const ReportData& data, const std::string& source,
+                                  const std::atomic<bool>* stop = nullptr);
 
 /// The column of the position of a driver.
 [[nodiscard]] std::string driver_name(const Driver& driver);

@@ -128,7 +128,8 @@ double largest_residual(const ReportData& data) {
 
 }  // namespace
 
-std::string json_of(const Model& model, const ReportData& data, const std::string& source) {
+std::string json_of(const Model& model, const ReportData& data, const std::string& source,
+                    const std::atomic<bool>* stop) {
   const Mechanism& mechanism = model.mechanism();
   const Units& units = model.units();
   JsonWriter json;
@@ -146,8 +147,9 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   write_events(json, model, data);
   write_columns(json, data);
   write_scene(json, model, data);
-  write_polygons(json, model, data);
-  write_maps(json, model, data);
+  const auto go_on = [&] { return stop == nullptr || !stop->load(); };
+  if (go_on()) write_polygons(json, model, data);
+  if (go_on()) write_maps(json, model, data, stop);
   return json.close('}').take();
 }
 

@@ -121,9 +121,9 @@ void write_map(JsonWriter& json, const Model& model, const ReportData& data, con
 
 }  // namespace
 
-void write_maps(JsonWriter& json, const Model& model, const ReportData& data) {
+void write_maps(JsonWriter& json, const Model& model, const ReportData& data, const std::atomic<bool>* stop) {
   json.key("maps").open('[');
-  if (auto maps = map_of(model, {kMapSamples, 1e-9})) {
+  if (auto maps = map_of(model, {kMapSamples, 1e-9, stop}); maps && !maps->stopped) {
     maps->title.clear();
     const std::vector<PlotData> plots = plots_of(*maps);
     std::size_t drawn = 0;

@@ -16,7 +16,8 @@ void write_scene(JsonWriter& json, const Model& model, const ReportData& data);
 /// `polygons`: those of velocities, accelerations and forces in every row.
 void write_polygons(JsonWriter& json, const Model& model, const ReportData& data);
 
-/// `maps`: the configuration spaces of the contacts as pictures, and where in them every row is.
-void write_maps(JsonWriter& json, const Model& model, const ReportData& data);
+/// `maps`: the configuration spaces of the contacts as pictures, and where in them every row is; none once
+/// `stop` is true.
+void write_maps(JsonWriter& json, const Model& model, const ReportData& data, const std::atomic<bool>* stop);
 
 }  // namespace higherpair

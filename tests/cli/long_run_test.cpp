@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class LongRun : public ProgramTest {
@@ -143,6 +144,31 @@ TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(file("err"), IsEmpty());
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+}
+
+// Of conics, of curves of many parts, and of a page that holds a map: each would take long.
+TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
+  copy_profiles({"lock_up", "four_arc_cam", "gear_teeth"});
+  const std::string gears =
+      "gear_teeth.toml --set bodies.pinion.curves.teeth.teeth=10 --set bodies.wheel.curves.teeth.teeth=10 "
+      "--set bodies.pinion.curves.teeth.profile_shift=0.5 --set bodies.wheel.curves.teeth.profile_shift=0.5 "
+      "--set bodies.ground.points.O2='[22,0]' --set bodies.wheel.pose.x=22 --set bodies.wheel.pose.angle=18 "
+      "--samples 7";
+  for (const std::string signal : {"INT", "TERM"}) {
+    for (const std::string& command : {std::string("map lock_up.toml --samples 10000000 --csv t.csv"),
+                                       std::string("map four_arc_cam.toml --samples 10000000 --json t.json"),
+                                       "map " + gears + " --csv t.csv", "report " + gears + " -o t.html"}) {
+      const int status =
+          std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} 0.5 {} {} 2>err",
+                                  folder_.string(), signal, HIGHERPAIR_PROGRAM, command)
+                          .c_str());
+      EXPECT_EQ(WEXITSTATUS(status), 130) << signal << " " << command;
+      EXPECT_THAT(file("err"), Not(HasSubstr("error"))) << command;
+      for (const auto& entry : fs::directory_iterator(folder_)) {
+        EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
+      }
+    }
+  }
 }
 
 }  // namespace

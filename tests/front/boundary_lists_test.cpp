@@ -1,6 +1,7 @@
 #include "higherpair/front/branches.hpp"
 #include "higherpair/front/map.hpp"
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,20 @@ TEST(BoundaryLists, WholeGearsHaveNoMap) {
   const auto map = map_of(*gears);
   ASSERT_FALSE(map);
   EXPECT_THAT(to_string(map.error()), HasSubstr("too many parts for a map"));
+}
+
+TEST(BoundaryLists, OfAMapThatIsStoppedHaveNothing) {
+  const std::atomic<bool> stop = true;
+  MapSettings settings;
+  settings.stop = &stop;
+  const Model conic =
+      Model::open(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/ellipse_cam_roller.toml").value();
+  for (const Model& model : {tangent_cam(), conic}) {
+    const auto map = map_of(model, settings);
+    ASSERT_TRUE(map);
+    EXPECT_TRUE(map->stopped);
+    EXPECT_TRUE(map->contacts.empty());
+  }
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "map_command.hpp"
 
 #include "higherpair/front/plot.hpp"
-#include "json_text.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -22,10 +21,10 @@ bool write_all(const MapOptions& options, const MapReport& report) {
   if (options.output) {
     pictures.push_back({*options.output, picture_for(*options.output, plots_svg(plots_of(report)))});
   }
-  return write_forms(options.csv, options.json,
-                     {[&] { return map_csv(report); }, [&] { return text_of(map_json(report), -1) + "\n"; },
-                      [&] { return map_text(report); }},
-                     pictures);
+  return write_forms(
+      options.csv, options.json,
+      {[&] { return map_csv(report); }, [&] { return map_json(report); }, [&] { return map_text(report); }},
+      pictures);
 }
 
 void print_remarks(const MapOptions& options, const MapReport& report) {
@@ -70,15 +69,20 @@ CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
 }
 
 int map_command(const MapOptions& options) {
-  const auto report =
-      open_model(options.profile, options.overrides, options.quiet).and_then([&](const Model& model) {
-        return map_of(model, {options.samples, options.tolerance});
-      });
+  listen_to_signals();
+  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  if (!model) {
+    return report_error(model.error());
+  }
+  const auto report = map_of(*model, {options.samples, options.tolerance, &interruption()});
   if (!report) {
     return report_error(report.error());
   }
+  if (report->stopped) {
+    return kExitInterrupted;
+  }
   if (!write_all(options, *report)) {
-    return kExitMachine;
+    return interruption() ? kExitInterrupted : kExitMachine;
   }
   print_remarks(options, *report);
   const bool complete = std::all_of(report->contacts.begin(), report->contacts.end(),

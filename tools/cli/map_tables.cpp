@@ -1,4 +1,6 @@
+#include "json_text.hpp"
 #include "map_report.hpp"
+#include "run_command.hpp"
 #include "unit_columns.hpp"
 
 #include <fmt/format.h>
@@ -108,6 +110,9 @@ std::string map_csv(const MapReport& report) {
     for (std::size_t i = 0; i < contact.branches.size(); ++i) {
       const MapBranchReport& branch = contact.branches[i];
       for (const MapRow& row : branch.rows) {
+        if (interruption()) {
+          return "";
+        }
         text += fmt::format("{},{}{}{},{},{},{},{},{}\n", contact.contact, i + 1,
                             drivers.cells(contact.driver_unit, row.driver),
                             positions.cells(contact.position_unit, row.position), row.x, row.y, row.normal,
@@ -118,16 +123,21 @@ std::string map_csv(const MapReport& report) {
   return text;
 }
 
-nlohmann::ordered_json map_json(const MapReport& report) {
+std::string map_json(const MapReport& report) {
   Json contacts = Json::array();
-  Json rows = Json::array();
+  std::string rows;
   for (const ContactMapReport& contact : report.contacts) {
     contacts.push_back(json_of(contact));
     for (std::size_t i = 0; i < contact.branches.size(); ++i) {
       const MapBranchReport& branch = contact.branches[i];
       for (const MapRow& row : branch.rows) {
-        rows.push_back({contact.contact, i + 1, row.driver, row.position, row.x, row.y, row.normal,
-                        branch.opposed, row.free});
+        if (interruption()) {
+          return "";
+        }
+        rows += rows.empty() ? "" : ",";
+        rows += text_of(Json::array({contact.contact, i + 1, row.driver, row.position, row.x, row.y,
+                                     row.normal, branch.opposed, row.free}),
+                        -1);
       }
     }
   }
@@ -141,8 +151,10 @@ nlohmann::ordered_json map_json(const MapReport& report) {
                         {{"name", "normal"}, {"unit", report.angle_unit}},
                         {{"name", "opposed"}, {"unit", nullptr}},
                         {{"name", "free"}, {"unit", nullptr}}};
-  return {
-      {"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}, {"rows", rows}};
+  std::string text =
+      text_of(Json{{"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}}, -1);
+  text.pop_back();  // the rows follow one by one: of a long map they are nearly all of it
+  return text + ",\"rows\":[" + rows + "]}\n";
 }
 
 }  // namespace higherpair::cli

@@ -1,5 +1,7 @@
 #include "output_file.hpp"
 
+#include "run_command.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -163,7 +165,7 @@ bool write_forms(const std::optional<std::string>& csv, const std::optional<std:
     files.push_back({"-", forms.text()});
   }
   files.insert(files.end(), pictures.begin(), pictures.end());
-  return write_files(files);
+  return !interruption() && write_files(files);
 }
 
 }  // namespace higherpair::cli

@@ -75,7 +75,7 @@ struct Forms {
 };
 
 /// Writes CSV and JSON to the files named, readable text to standard output where neither is, and the
-/// pictures; as write_files.
+/// pictures; as write_files. False as well where interruption() came while a long form was made.
 [[nodiscard]] bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
                                const Forms& forms, const std::vector<FileText>& pictures = {});
 

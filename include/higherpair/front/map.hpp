@@ -2,6 +2,7 @@
 
 #include "higherpair/front/model.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ namespace higherpair {
 struct MapSettings {
   std::optional<std::int64_t> samples;  ///< rows over the range, >= 2; none: as many as the profile's run has
   double tolerance = 1e-9;              ///< largest overlap of a contact that counts as free, of the size
+  const std::atomic<bool>* stop = nullptr;  ///< once true, the map is given up
 };
 
 struct MapRow {
@@ -80,6 +82,7 @@ struct MapReport {
   std::string title;
   std::string length_unit, angle_unit;
   std::string not_started;  ///< why the mechanism is on no branch; empty: it is
+  bool stopped = false;     ///< by MapSettings::stop: there are no contacts
   std::vector<ContactMapReport> contacts;
 };
 

@@ -18,16 +18,16 @@ struct ReportSettings {
   double tolerance = 1e-9;              ///< largest closure error of an ok row, of the size of the mechanism
   std::int64_t most_rows = 1441;        ///< >= 2; of a longer run the page holds every n-th row and the last
   std::string source;                   ///< text of the profile, shown at the foot; empty: none
-  const std::atomic<bool>* stop = nullptr;  ///< once true, the run ends and the report is made of its rows
+  const std::atomic<bool>* stop = nullptr;  ///< once true, the run ends and there is no page
   std::function<void(std::int64_t row, std::int64_t size)>
       progress;  ///< called after every row; may be empty
 };
 
 /// An interactive page about a run, and how the run went.
 struct Report {
-  std::string html;           ///< one self-contained file; asks nothing of any network
+  std::string html;           ///< one self-contained file; asks nothing of any network; empty once stopped
   bool good = true;           ///< as Analysis::good
-  bool stopped = false;       ///< rows are missing
+  bool stopped = false;       ///< by ReportSettings::stop
   std::int64_t size = 0;      ///< rows of the run
   std::int64_t every = 1;     ///< the page holds one row in so many of them, and the last
   Diagnostics notes;          ///< as Analysis::notes

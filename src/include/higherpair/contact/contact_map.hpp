@@ -5,6 +5,7 @@
 #include "higherpair/contact/critical_positions.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -24,7 +25,13 @@ struct MapRange {
   double end = 0;              ///< of a sliding driver [m], either side of start; ignored where it turns
   double tolerance = 1e-9;     ///< of the bodies' size: overlap up to which a contact still counts as free
   std::int64_t samples = 361;  ///< points over the range, both ends included, >= 2
+  const std::atomic<bool>* stop = nullptr;  ///< once true, the map is given up: MapStatus::kStopped
 };
+
+/// Whether whoever asked for a map wants it no longer.
+[[nodiscard]] inline bool is_stopped(const MapRange& range) {
+  return range.stop != nullptr && range.stop->load(std::memory_order_relaxed);
+}
 
 /// One position on a branch.
 struct MapPoint : TangentPosition {    ///< q is continuous along the branch
@@ -79,6 +86,7 @@ enum class MapStatus {
   kLimitEverywhere,    ///< the driver does not move the follower, which is at a limit position
   kOnlyRelative,       ///< boundaries of bodies on one pivot, or on parallel slides
   kTooManyParts,       ///< boundaries of so many spans that a map would take minutes
+  kStopped,            ///< by MapRange::stop
 };
 
 /// What the status means, as a sentence.
