@@ -4,6 +4,7 @@
 #include "step.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,11 +26,8 @@ const TouchingBody* touching_body(const Run& run, std::size_t contact) {
   return nullptr;
 }
 
-// The place behind the flat span that a passage leads onto.
-std::optional<BoundaryPlace> place_behind(const Boundary& boundary, const JointPassage& passage) {
-  const int span = passage.after.span;
-  const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
-  const bool forward = passage.after.t == range.low;
+// The place behind a flat span that is gone along in one sense; none at an end of the curve.
+std::optional<BoundaryPlace> place_behind(const Boundary& boundary, int span, bool forward) {
   const int next = boundary.next_span(span, forward);
   const SpanJoint joint = boundary.joint_after(forward ? span : next);
   if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
@@ -37,6 +35,22 @@ std::optional<BoundaryPlace> place_behind(const Boundary& boundary, const JointP
   }
   const Bounds behind = boundary.spans()[static_cast<std::size_t>(next)]->range();
   return BoundaryPlace{next, forward ? behind.low : behind.high};
+}
+
+// The end of the other flat span that comes before that of the own one does, or with it: the place behind it,
+// and how far it is from the other one's place [m].
+struct OtherEnd {
+  BoundaryPlace behind;
+  double way = 0;
+};
+
+std::optional<OtherEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
+                                     double way) {
+  const Bounds range = other.spans()[static_cast<std::size_t>(place.span)]->range();
+  const double left = std::abs((forward ? range.high : range.low) - place.t) * other.at(place).speed;
+  const auto behind = place_behind(other, place.span, forward);
+  return behind && left < way && !is_flat(other, *behind) ? std::optional(OtherEnd{*behind, left})
+                                                          : std::nullopt;
 }
 
 }  // namespace
@@ -49,37 +63,41 @@ bool lies_flat_behind(const Run& run, const JointPassage& passage) {
          is_flat(other, run.at.state.contacts[passage.contact].place[1 - passage.side]);
 }
 
-bool go_over_flat(Run& run, const Path& path, double s, const JointPassage& passage) {
+std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, const JointPassage& passage) {
   const Contact& contact = run.mechanism().contacts[passage.contact];
   const Boundary& own = boundary_of(run.mechanism(), ref_of(contact, passage.side));
   const Boundary& other = boundary_of(run.mechanism(), ref_of(contact, 1 - passage.side));
-  const auto behind = place_behind(own, passage);
+  const int flat = passage.after.span;
+  const bool forward = passage.after.t == own.spans()[static_cast<std::size_t>(flat)]->range().low;
+  const auto behind = place_behind(own, flat, forward);
   if (!behind || is_flat(own, *behind)) {
-    return false;
+    return std::nullopt;
   }
   State over = run.at.state;
   ContactMotion& motion = over.contacts[passage.contact];
-  // Along t of the other curve, which runs against t of this one.
-  const Vector2d along = own.at(*behind).p_B - own.at(passage.before).p_B;
-  const double way = along.dot(perp(own.at(passage.after).n_B));
-  motion.place[passage.side] = *behind;
-  motion.place[1 - passage.side] = other.advance(motion.place[1 - passage.side], -way, 0).place;
-  if (!is_flat(other, motion.place[1 - passage.side])) {
-    const double phi = motion.phi;
-    if (!place_contact(run.mechanism(), contact, over.bodies, motion)) {
-      return false;
-    }
-    motion.phi = nearest_turn(motion.phi, phi);
-  } else {
-    // The normal stays. No search: rounding would decide to which end it leads.
-    const auto point = [&](const Boundary& boundary, std::size_t side) {
-      const BodyMotion& body = over.bodies[static_cast<std::size_t>(ref_of(contact, side).body)];
-      return Vector2d(body.X_WB * boundary.at(motion.place[side]).p_B);
-    };
-    (passage.side == 0 ? motion.at.p1_W : motion.at.p2_W) = point(own, passage.side);
-    (passage.side == 0 ? motion.at.p2_W : motion.at.p1_W) = point(other, 1 - passage.side);
+  const BoundaryPlace from = motion.place[1 - passage.side];
+  // t of the other curve runs against t of this one.
+  const double way = (own.at(*behind).p_B - own.at(passage.before).p_B).norm();
+  JointPassage rests = passage;
+  rests.before = passage.after;
+  BoundaryPlace place = *behind;
+  BoundaryPlace opposite = other.advance(from, forward ? -way : way, 0).place;
+  if (const auto end = end_of_other(other, from, !forward, way)) {
+    place = own.advance(passage.after, forward ? end->way : -end->way, 0).place;
+    opposite = end->behind;
+    rests.side = 1 - passage.side;
+    rests.before = from;
   }
-  set_place_of(run, passage, *behind, over);
+  // The normal stays. No search: rounding would decide to which end it leads.
+  const auto set = [&](std::size_t side, const Boundary& boundary, const BoundaryPlace& at) {
+    const BodyMotion& body = over.bodies[static_cast<std::size_t>(ref_of(contact, side).body)];
+    (side == 0 ? motion.at.p1_W : motion.at.p2_W) = body.X_WB * boundary.at(at).p_B;
+    JointPassage there = passage;
+    there.side = side;
+    set_place_of(run, there, at, over);
+  };
+  set(passage.side, own, place);
+  set(1 - passage.side, other, opposite);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);
   RunEvent event = event_at(EventType::kSecondContact, path, s, "");
@@ -93,7 +111,8 @@ bool go_over_flat(Run& run, const Path& path, double s, const JointPassage& pass
   run.at.watches[passage.contact].jumped = true;
   std::swap(run.at.state, over);
   run.events.push_back(std::move(event));
-  return true;
+  note_edge(run, path, s, passage.contact, over.contacts[passage.contact].place);
+  return rests;
 }
 
 }  // namespace higherpair

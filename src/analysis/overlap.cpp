@@ -7,6 +7,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "other_place.hpp"
+#include "span_joints.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -242,13 +243,17 @@ void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bo
   const auto g = may_go_over && !at_end && run.mechanism().contacts[i].jump
                      ? touching_group(run, static_cast<int>(i))
                      : std::nullopt;
+  const auto before = run.at.state.contacts[i].place;
   const auto change = g ? go_on_at(run, path, *g, s, meeting.place) : std::nullopt;
   run.at.watches[i].overlaps = true;
   if (change && jump_size(run, std::get<TouchingBody>(run.plan().groups[*g].kind), *change) <= kSameRates) {
     report_change_of_place(run, path, s, i);
-    return;
+  } else {
+    report(run, i, path, s + (meeting.at - meeting.x), change);
   }
-  report(run, i, path, s + (meeting.at - meeting.x), change);
+  if (change) {
+    note_edge(run, path, s, i, before);
+  }
 }
 
 }  // namespace higherpair

@@ -218,17 +218,20 @@ private:
     passed_ = passage;
     passed_.x = s_;
     // At an edge another place at which the bodies touch takes over, if there is one.
-    if (hand_over(group_of_contact(passage.contact))) {
+    if (is_on_edge(run_, passage.contact, passage.side, passage.after) &&
+        hand_over(group_of_contact(passage.contact))) {
       return Outcome::kGoesOn;
     }
     if (!lies_flat_behind(run_, passage)) {
       go_over_joint(run_, path_, s_, passage);
       return Outcome::kGoesOn;
     }
-    if (!go_over_flat(run_, path_, s_, passage)) {
+    const auto rests = go_over_flat(run_, path_, s_, passage);
+    if (!rests) {
       return lose({group_of_contact(passage.contact), s_});
     }
-    passed_.before = passage.after;  // it rests on the joint at the other end
+    passed_ = *rests;
+    passed_.x = s_;
     go_on_anew();
     return Outcome::kGoesOn;
   }

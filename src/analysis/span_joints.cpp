@@ -313,7 +313,8 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, run.at.state);
   const bool onto_corner = boundary.is_corner(passage.after);
-  const bool over_end = is_edge(boundary, passage.before.span) || is_edge(boundary, passage.after.span);
+  const bool over_end = is_on_edge(run, passage.contact, passage.side, passage.before) ||
+                        is_on_edge(run, passage.contact, passage.side, passage.after);
   const int span = passage.before.t == range_of(boundary, passage.before.span).high ? passage.before.span
                                                                                     : passage.after.span;
   if (!onto_corner && boundary.joint_after(span) == SpanJoint::kSmooth) {
@@ -418,9 +419,27 @@ bool is_at_edge(const Run& run, std::size_t g) {
       run, g, [&](std::size_t i, std::size_t side) { return stop_at(run, i, side) == Stop::kEdge; });
 }
 
+bool is_on_edge(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place) {
+  return is_edge(boundary_at(run, contact, side), place.span);
+}
+
+void note_edge(Run& run, const Path& path, double s, std::size_t contact,
+               const std::array<BoundaryPlace, 2>& before) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (is_on_edge(run, contact, side, run.at.state.contacts[contact].place[side]) &&
+        !is_on_edge(run, contact, side, before[side])) {
+      RunEvent event = event_at(EventType::kEnd, path, s,
+                                fmt::format("the contact goes on at the edge at the end of the curve of {}",
+                                            body_of_side(run, contact, side)));
+      event.contact = static_cast<int>(contact);
+      run.events.push_back(std::move(event));
+    }
+  }
+}
+
 std::optional<std::string> slipped_off(const Run& run, std::size_t g) {
   return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
-    return is_edge(boundary_at(run, i, side), run.at.state.contacts[i].place[side].span)
+    return is_on_edge(run, i, side, run.at.state.contacts[i].place[side])
                ? std::optional(fmt::format("the contact slips off the edge at the end of the curve of {} "
                                            "here and is lost beyond it",
                                            body_of_side(run, i, side)))

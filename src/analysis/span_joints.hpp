@@ -2,6 +2,7 @@
 
 #include "path.hpp"
 
+#include <array>
 #include <optional>
 
 namespace higherpair {
@@ -45,6 +46,15 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
 
 /// Whether it is where a curve goes over into the edge at its end.
 [[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
+
+/// Whether a place of a contact's curve on side 0 or 1 is on the edge at its end.
+[[nodiscard]] bool is_on_edge(const Run& run, std::size_t contact, std::size_t side,
+                              const BoundaryPlace& place);
+
+/// Where a contact has gone over to another place at s, in run.at.state: an event if that is on the edge at
+/// an end of a curve, and the place before it was not.
+void note_edge(Run& run, const Path& path, double s, std::size_t contact,
+               const std::array<BoundaryPlace, 2>& before);
 
 /// Where the motion cannot go on with the contact of group g: whether it is on the edge at an end of a curve;
 /// the sentence that says so.

@@ -191,6 +191,44 @@ TEST(EndsOfFaces, AreWhereAContactThatMayPartDoesSoInTheEnd) {
   }
 }
 
+// How high the cam of profiles/tangent_cam.toml reaches where |x| <= w, where that is above its base
+// circle: the top of its nose, or else at x = w its nose, as far as that goes, or its flank, whose normal
+// leads the nose by acos 0.6.
+double reach_of_tangent_cam(double turned, double w) {
+  const double theta = turned < kPi / 2 ? turned : kPi - turned;
+  const double x = 20 * std::cos(theta) - w;
+  if (x <= 0) {
+    return 20 * std::sin(theta) + 8;
+  }
+  const double lead = std::acos(0.6);
+  if (x < 8 && kPi / 2 + std::asin(x / 8) - theta <= lead) {
+    return 20 * std::sin(theta) + std::sqrt(64 - x * x);
+  }
+  return theta > 0.2 ? (20 - w * std::cos(lead + theta)) / std::sin(lead + theta) : 0;
+}
+
+// At 36.87° the flank lies flat on a face of 2 × 8, from its middle on, and reaches beyond it.
+TEST(EndsOfFaces, AreGoneOntoWhereAFlankComesToLieOnTheFace) {
+  const Model model = shipped_model(
+      "tangent_cam", {R"(bodies.follower.curves.roller={ type = "segment", from = [-8, 0], to = [8, 0] })",
+                      "bodies.follower.pose.y=20"});
+  const double flat = std::asin(0.6) / kDegree;
+  const double off = std::acos(0.4) / kDegree;
+  for (const int samples : {7, 61, 361}) {
+    const Motion motion = motion_of(model, samples);
+    const auto driver = motion.column("driver");
+    const auto y = motion.column("follower.y");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      ASSERT_EQ(motion.statuses()[k], RowStatus::kOk) << driver[k];
+      const bool lifted = driver[k] > flat && driver[k] < 180 - flat;
+      EXPECT_NEAR(y[k], lifted ? reach_of_tangent_cam(driver[k] * kDegree, 8) : 20, 1e-12) << driver[k];
+    }
+    expect_events(events_of(motion, EventType::kSecondContact), {flat, 180 - flat}, 1e-9);
+    expect_events(events_of(motion, EventType::kEnd), {flat, off, 180 - off}, 1e-9);
+    expect_events(events_of(motion, EventType::kRelease), {}, 0);
+  }
+}
+
 TEST(EndsOfFaces, EndAContactThatTheCornerOfTheOtherBodyReachesThem) {
   // The nose (20, 0) of a triangle lifts the face by 20 sin θ, until it is 6 beside the middle.
   const Model model = model_of(profile_of(
@@ -238,33 +276,18 @@ end = 360
 velocity = "1 rad/s"
 )";
 
-// How high that cam reaches where |x| <= 15, as soon as that is above its base circle: the top of its nose,
-// or else at x = 15 its nose, as far as that goes, or its flank, whose normal leads the nose by acos 0.6.
-double reach_of_struck_cam(double turned) {
-  const double theta = turned < kPi / 2 ? turned : kPi - turned;
-  const double x = 20 * std::cos(theta) - 15;
-  if (x <= 0) {
-    return 20 * std::sin(theta) + 8;
-  }
-  const double lead = std::acos(0.6);
-  if (x < 8 && kPi / 2 + std::asin(x / 8) - theta <= lead) {
-    return 20 * std::sin(theta) + std::sqrt(64 - x * x);
-  }
-  return theta > 0.2 ? (20 - 15 * std::cos(lead + theta)) / std::sin(lead + theta) : 20;
-}
-
 void expect_struck(const Motion& motion) {
   double low = 0.3, high = std::acos(0.75);
   for (int i = 0; i < 80; ++i) {
     const double middle = (low + high) / 2;
-    (reach_of_struck_cam(middle) < 20.3 ? low : high) = middle;
+    (reach_of_tangent_cam(middle, 15) < 20.3 ? low : high) = middle;
   }
   const double begins = low / kDegree, face = std::acos(0.75) / kDegree;
   const auto driver = motion.column("driver");
   const auto y = motion.column("guide.position");
   for (std::size_t k = 0; k < motion.size(); ++k) {
     ASSERT_EQ(motion.statuses()[k], RowStatus::kOk) << driver[k];
-    EXPECT_NEAR(y[k], std::max(20.3, reach_of_struck_cam(driver[k] * kDegree)), 1e-9) << driver[k];
+    EXPECT_NEAR(y[k], std::max(20.3, reach_of_tangent_cam(driver[k] * kDegree, 15)), 1e-9) << driver[k];
   }
   const auto engaged = events_of(motion, EventType::kEngage);
   const auto released = events_of(motion, EventType::kRelease);

@@ -21,11 +21,11 @@ TEST(Edges, GoOnFromTheNormalsAtBothEndsAwayFromTheMaterial) {
   EXPECT_FALSE(is_edge(edged, 2));
   EXPECT_TRUE(is_edge(edged, 3));
   const Bounds first = edged.spans()[0]->range();
-  EXPECT_NEAR(first.low, -kPi / 2, 1e-15);
+  EXPECT_NEAR(first.low, -kEdgeTurn, 1e-15);
   EXPECT_NEAR(first.high, 0, 1e-15);
   const Bounds last = edged.spans()[3]->range();
   EXPECT_NEAR(last.low, 1.1, 1e-15);
-  EXPECT_NEAR(last.high, 1.1 + kPi / 2, 1e-15);
+  EXPECT_NEAR(last.high, 1.1 + kEdgeTurn, 1e-15);
   EXPECT_NEAR((edged.at({0, -1}).p_B - Vector2d(0.03, -0.02)).norm(), 0, 1e-17);
   EXPECT_NEAR((edged.at({3, 2}).p_B - open.at({1, 1.1}).p_B).norm(), 0, 1e-17);
   EXPECT_EQ(edged.joint_after(3), SpanJoint::kEnd);

@@ -43,7 +43,7 @@ enum class EventType {
   kCurvatureJump,  ///< the contact goes over a joint of two spans with different curvatures: accelerations
                    ///< jump
   kCorner,         ///< the contact goes onto a corner, or leaves it
-  kEnd,            ///< the contact comes to the end of a curve: a limit position
+  kEnd,            ///< of a curve that a contact comes to: it is lost, or on the edge there
   kEngage,         ///< a contact that may part begins to touch
   kRelease,        ///< a contact that may part ends: its body is held from there on
   kLawJump,        ///< velocity or acceleration of a driver's law jumps
