@@ -58,7 +58,7 @@ std::vector<double> scales_of(const DesignTask& ranges) {
 
 }  // namespace
 
-// A mechanism that stands at its first position, and where its drivers are to be in each row.
+// A mechanism at its first position, and the positions of its drivers in each row.
 struct FitMotion::Candidate {
   std::shared_ptr<const Model::Data> data;
   Run run;
@@ -199,7 +199,7 @@ void FitMotion::choose_derivatives(std::span<const double> variables, std::span<
 }
 
 // Where numbers of the mechanism are not all linear functions of the variables, by differences of these
-// numbers; none where what drivers do hangs on the variable.
+// numbers; none where what drivers do depends on the variable.
 std::optional<Mechanism> FitMotion::mechanism_by(std::size_t variable,
                                                  std::span<const double> variables) const {
   if (numbers_.is_linear()) return numbers_.derivative(variable);

@@ -148,7 +148,7 @@ std::optional<Eigen::MatrixXd> FitProblem::jacobian(const Eigen::VectorXd& x) co
   if (!table || !by_motion) return std::nullopt;
   const double radians = to_si(dimension::kAngle, data_.model.units()).apply(1);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(place(values_.size()), size());
-  std::size_t moved = 0;  // unknowns that the motion hangs on come first
+  std::size_t moved = 0;  // unknowns that the motion depends on come first
   for (std::size_t p = 0; p < unknowns_.size(); ++p) {
     const FitUnknown& unknown = unknowns_[p];
     FitTable by;
