@@ -1,7 +1,9 @@
 #pragma once
 
 #include "chain_kernel.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "numeric/pack.hpp"
+#include "tolerances.hpp"
 
 #include <array>
 #include <cmath>
@@ -16,7 +18,7 @@
 
 namespace higherpair {
 
-/// The row before those that are to be worked out; rates for a unit velocity of the driver.
+/// The row before the rows of a block; rates for a unit velocity of the driver.
 struct OvalRow {
   double position = 0;               ///< of the driver
   Rotation<double> turn;             ///< of a turning body
@@ -36,10 +38,6 @@ inline constexpr int kMostPasses = 10;
 // Of the size: a gap from which the next pass leads to rounding, with the curvature known as well as that.
 inline constexpr double kArrived = 1e-12;
 inline constexpr double kFarthestGuess = 0.4;  // [rad] a pass may turn body or normal
-// As Smoothness of step.cpp, and inner_step.hpp.
-inline constexpr double kSmooth = 0.04;
-inline constexpr double kNoChange = 1e-9;
-inline constexpr double kCosFarthestTurn = 0.866;
 // |∂gap/∂q| of the arm of the contact, below which it is near a limit.
 inline constexpr double kLeastSine = 0.02;
 
@@ -292,7 +290,7 @@ template <class T, std::size_t kRows>
   const T g0 = before(of.gap_q), g1 = now(of.gap_q);
   const T least = -max(-abs(g0), -abs(g1));
   const T fastest = max(abs(before(of.gap_q_rate)), abs(now(of.gap_q_rate)));
-  return (mismatch <= T(kSmooth) * change + T(kNoChange)) & (normal.cos >= T(kCosFarthestTurn)) &
+  return (mismatch <= T(kSmoothStep) * change + T(kNoMismatch)) & (normal.cos >= T(kCosFarthestTurn)) &
          (body.cos >= T(kCosFarthestTurn)) & (g0 * g1 > T(0)) & (T(2) * step * fastest <= least);
 }
 
