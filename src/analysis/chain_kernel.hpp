@@ -47,7 +47,7 @@ struct ChainWatch {
   }
 };
 
-/// Where the driver stands.
+/// The position of the driver.
 template <class T>
 struct ChainDriver {
   T position{0};     ///< [rad or m]

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "chain_oval_contact.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "numeric/pack.hpp"
+#include "tolerances.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,7 +14,7 @@
 
 namespace higherpair {
 
-/// The row before those that are to be worked out; rates for a unit velocity of the driver.
+/// The row before the rows of a block; rates for a unit velocity of the driver.
 struct OvalRow {
   double position = 0;               ///< of the driver
   Rotation<double> turn;             ///< of a turning body
@@ -32,10 +34,6 @@ namespace chain_ovals {
 
 // Of the way from row to row: where it changes by more, third derivatives are not taken from three rows.
 inline constexpr double kUneven = 1e-3;
-// As Smoothness of step.cpp, and inner_step.hpp.
-inline constexpr double kSmooth = 0.04;
-inline constexpr double kNoChange = 1e-9;
-inline constexpr double kCosFarthestTurn = 0.866;
 
 // The arcsine, to 2e-5 of it for angles below 30°.
 template <class T>
@@ -132,7 +130,7 @@ template <class T, std::size_t kRows>
   const T g0 = before(of.gap_q), g1 = now(of.gap_q);
   const T least = -max(-abs(g0), -abs(g1));
   const T fastest = max(abs(before(of.gap_q_rate)), abs(now(of.gap_q_rate)));
-  return (mismatch <= T(kSmooth) * change + T(kNoChange)) & (normal.cos >= T(kCosFarthestTurn)) &
+  return (mismatch <= T(kSmoothStep) * change + T(kNoMismatch)) & (normal.cos >= T(kCosFarthestTurn)) &
          (body.cos >= T(kCosFarthestTurn)) & (g0 * g1 > T(0)) & (T(2) * step * fastest <= least);
 }
 

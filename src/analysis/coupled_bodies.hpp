@@ -12,7 +12,7 @@ namespace higherpair {
                                         const std::vector<double>& drivers, State& to,
                                         const std::optional<std::vector<int>>& held = {});
 
-/// Sets whether the group's bodies stand where their conditions have lost their rank, and on which branch.
+/// Sets whether the group's bodies are where their conditions have lost their rank, and on which branch.
 void judge_coupled(const Planned& model, std::size_t g, State& state);
 
 /// The determinant of the group's conditions at the present poses of its bodies, scaled: GroupState::sine.

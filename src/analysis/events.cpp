@@ -71,21 +71,17 @@ public:
 
 private:
   double velocity_at(const OutputJoint& output, double x) {
-    const State kept = run_.work.trial;
-    const double v = solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : NAN;
-    run_.work.trial = kept;
-    return v;
+    const TrialAside aside(run_);
+    return solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : NAN;
   }
 
   std::optional<double> position_at(const OutputJoint& output, double x) {
-    const State kept = run_.work.trial;
-    std::optional<double> position;
-    if (solve_at(run_, path_, s_, x)) {
-      const Joint& joint = run_.mechanism().joints[static_cast<std::size_t>(output.joint)];
-      position = joint_motion(run_.mechanism(), joint, run_.work.trial.bodies).position;
+    const TrialAside aside(run_);
+    if (!solve_at(run_, path_, s_, x)) {
+      return std::nullopt;
     }
-    run_.work.trial = kept;
-    return position;
+    const Joint& joint = run_.mechanism().joints[static_cast<std::size_t>(output.joint)];
+    return joint_motion(run_.mechanism(), joint, run_.work.trial.bodies).position;
   }
 
   // An output at rest has a sense by rounding alone.
@@ -157,12 +153,13 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
     if (!before || !after || *before * *after >= 0) {
       continue;
     }
-    const State kept = run.work.trial;
     const auto value = [&](double x) {
       return solve_at(run, path, s, x) ? conformity(run, i, run.work.trial).value_or(NAN) : NAN;
     };
-    const auto x = root_between(value, *before, h, *after);
-    run.work.trial = kept;
+    const auto x = [&] {
+      const TrialAside aside(run);
+      return root_between(value, *before, h, *after);
+    }();
     if (x) {
       RunEvent event = event_at(
           EventType::kConforming, path, s + *x,

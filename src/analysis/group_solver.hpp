@@ -21,9 +21,8 @@ enum class GroupStatus {
   kNotConverged,  ///< an iteration did not find one, or a tracked contact has left its branch
 };
 
-/// Places the bodies of group `g` of `to`, whose earlier groups stand: near where `from` and its rates lead
-/// after `h` of the path, in mode to.groups[g].mode.
-/// \param drivers  positions of Mechanism::drivers
+/// Places the bodies of group `g` of `to`, whose earlier groups are placed: near where `from` and its rates
+/// lead after `h` of the path, in mode to.groups[g].mode. \param drivers  positions of Mechanism::drivers
 [[nodiscard]] GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
                                       const std::vector<double>& drivers, State& to);
 

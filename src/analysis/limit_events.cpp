@@ -2,9 +2,9 @@
 
 #include "higherpair/mechanism/group_traits.hpp"
 #include "joint_ends.hpp"
-#include "path.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
+#include "straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>

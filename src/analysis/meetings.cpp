@@ -22,7 +22,7 @@ constexpr double kWorthALook = 0.5;    // of a gap: a least one within the step 
 constexpr int kStepHalvings = 4;       // of a step in which a place could not be followed
 constexpr int kHalvingsToTouch = 40;   // the same where the bodies are in each other at its end
 
-// How the two bodies stand at a place of the step.
+// Where the two bodies are at a position within the step.
 struct Pairing {
   double x = 0;
   BodyMotion body1, body2;

@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "step.hpp"
 
 #include <cmath>
 #include <utility>

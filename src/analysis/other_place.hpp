@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/near_places.hpp"
-#include "path.hpp"
+#include "straight_path.hpp"
 
 #include <optional>
 #include <string>
@@ -25,7 +25,7 @@ struct RateJump {
 /// The group of a contact by_boundary that a body is placed by.
 [[nodiscard]] std::optional<std::size_t> touching_group(const Run& run, int contact);
 
-/// Lets run.at.state, which stands at s, go on with the contact of group g at another place, where the two
+/// Lets run.at.state, which is at s, go on with the contact of group g at another place, where the two
 /// bodies touch too. None, and nothing done, where the bodies are on different sides at the two places:
 /// neither could be kept.
 [[nodiscard]] std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, double s,

@@ -54,7 +54,7 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
 // way's end if it cannot be followed back.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
                        const Vector2d& n_W) {
-  const State kept = run.work.trial;
+  const TrialAside aside(run);
   const auto gap_in = [&](const State& state) {
     ContactMotion at;
     at.at.n_W = n_W;
@@ -66,12 +66,10 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
     return solve_at(run, path, s, x) ? gap_in(run.work.trial) : std::numeric_limits<double>::quiet_NaN();
   };
   const double before = gap_in(run.at.state);
-  const double after = gap_in(kept);
-  // A row may stand where they touch already.
+  const double after = gap_in(aside.state());
+  // A row may be where they touch already.
   const bool at_once = std::abs(before) <= kOverlap * run.plan().size;
-  const double x = at_once ? 0 : root_between(gap, before, h, after).value_or(h);
-  run.work.trial = kept;
-  return x;
+  return at_once ? 0 : root_between(gap, before, h, after).value_or(h);
 }
 
 // The tracked pair of a contact, if it is one.
@@ -88,15 +86,14 @@ std::optional<std::size_t> tracked_group(const Run& run, int contact) {
 
 // The rates of both contacts where the second one appears, x beyond run.at.state.
 RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
-  const State kept = run.work.trial;
-  RateJump rates{std::get<ContactTrack>(kept.tracks[g]).at.dq, next.at.dq};
+  const TrialAside aside(run);
+  RateJump rates{std::get<ContactTrack>(run.work.trial.tracks[g]).at.dq, next.at.dq};
   if (solve_at(run, path, s, x)) {
     const ContactPosition at = std::get<ContactTrack>(run.work.trial.tracks[g]).at;
     ContactTrack back = next;
     rates.before = at.dq;
-    rates.after = follow_to(back, at.u).status == TrackStatus::kOk ? back.at.dq : next.at.dq;
+    rates.after = walk_to(back, at.u) ? back.at.dq : next.at.dq;
   }
-  run.work.trial = kept;
   return rates;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "meetings.hpp"
-#include "path.hpp"
 #include "shared_places.hpp"
 #include "step.hpp"
+#include "straight_path.hpp"
 
 namespace higherpair {
 
@@ -30,7 +30,7 @@ struct Meetings {
 /// each other already none.
 [[nodiscard]] Meetings meetings_elsewhere(Run& run, const Path& path, double s, double h);
 
-/// Lets run.at.state, which stands at s where two touching boundaries meet elsewhere, go on with the contact
+/// Lets run.at.state, which is at s where two touching boundaries meet elsewhere, go on with the contact
 /// there, if that keeps the bodies on the same side; else they are marked as in each other. Adds an event.
 /// \param may_go_over  false: only marked
 void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bool may_go_over);

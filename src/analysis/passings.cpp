@@ -3,6 +3,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "step.hpp"
 
 #include <limits>
 #include <utility>
@@ -59,10 +60,10 @@ std::optional<Bracket> bracket_of(const F& value, double h) {
 
 std::optional<double> passing_within(Run& run, const Path& path, double s, double h, const Passing& passing,
                                      const BoundaryPlace& near) {
-  State kept = run.work.trial;
+  const TrialAside aside(run);
   const auto beyond = [&](double x) -> std::optional<double> {
     const auto there = x == 0                      ? passing_at(run, passing, run.at.state, near)
-                       : x == h                    ? passing_at(run, passing, kept, near)
+                       : x == h                    ? passing_at(run, passing, aside.state(), near)
                        : solve_at(run, path, s, x) ? passing_at(run, passing, run.work.trial, near)
                                                    : std::nullopt;
     return there ? std::optional(there->beyond) : std::nullopt;
@@ -76,7 +77,6 @@ std::optional<double> passing_within(Run& run, const Path& path, double s, doubl
         bracket->at_from, bracket->to - bracket->from, bracket->at_to);
     x = x ? std::optional(bracket->from + *x) : std::nullopt;
   }
-  std::swap(run.work.trial, kept);
   return x;
 }
 

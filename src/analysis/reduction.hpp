@@ -1,6 +1,6 @@
 #pragma once
 
-#include "path.hpp"
+#include "straight_path.hpp"
 
 #include <cstddef>
 #include <optional>

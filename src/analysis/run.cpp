@@ -10,6 +10,7 @@
 #include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
+#include "resume.hpp"
 #include "singular_start.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"

@@ -9,8 +9,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kRankTolerance = 1e-10;  // of the largest pivot
-
 using Parametric = Partials<double, 1>;
 
 // A coefficient has parts that are solved for one after the other: the number, and its partial.
@@ -28,7 +26,7 @@ double& part(Parametric& coefficient, std::size_t i) {
 
 Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& J) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kRankTolerance);
+  solver.setThreshold(kRepeatedConditions);
   solver.compute(J);
   return solver;
 }

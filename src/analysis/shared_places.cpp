@@ -6,6 +6,7 @@
 #include "other_place.hpp"
 #include "passings.hpp"
 #include "span_joints.hpp"
+#include "step.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/near_places.hpp"
-#include "path.hpp"
+#include "straight_path.hpp"
 
 #include <vector>
 

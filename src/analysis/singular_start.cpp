@@ -225,7 +225,7 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
   return found;
 }
 
-// Whether a start is next to where it is left to; where pins coincide the links may stand anywhere in it.
+// Whether a start is next to where it is left to; where pins coincide the links may have any direction in it.
 bool leads_to(const State& start, const State& departure) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     if (!(std::abs(start.bodies[i].theta - departure.bodies[i].theta) <= kNearStart)) {

@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reduction.hpp"
 #include "span_joints.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,6 @@ namespace higherpair {
 namespace {
 
 constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
-
-constexpr double kSmooth = 0.04;    // of the change: how far a step may be from a smooth one
-constexpr double kNoChange = 1e-9;  // a mismatch that is nothing but rounding [rad, or of the size]
 
 // Groups that have one branch only, or keep it by themselves.
 bool keeps_branch(const Run& run, std::size_t g) {
@@ -55,7 +53,7 @@ public:
   }
 
   [[nodiscard]] bool holds() const {
-    return mismatch_ <= kSmooth * (change_ + step_ / 8 * bend_) + kNoChange &&
+    return mismatch_ <= kSmoothStep * (change_ + step_ / 8 * bend_) + kNoMismatch &&
            farthest_turn_ <= kFarthestTurn;
   }
 
@@ -149,9 +147,10 @@ GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
 // Whether the group, which run.work.trial has on the other side of a change point, gets there straight
 // through it: where the branches only come near each other the step has jumped.
 bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
-  const State kept = run.work.trial;
-  const auto at = Reduction(run, path, g, s).crossing_within(h);
-  run.work.trial = kept;
+  const auto at = [&] {
+    const TrialAside aside(run);
+    return Reduction(run, path, g, s).crossing_within(h);
+  }();
   path.positions(s + h, run.work.drivers);
   path.motions(s + h, run.work.motions);
   if (at) {

@@ -4,9 +4,26 @@
 #include "higherpair/analysis/run.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
+
+/// While it exists, run.work.trial serves for other positions within a step; then it is again what it was.
+class TrialAside {
+public:
+  explicit TrialAside(Run& run) : run_(run), kept_(run.work.trial) {}
+  TrialAside(const TrialAside&) = delete;
+  TrialAside& operator=(const TrialAside&) = delete;
+  ~TrialAside() { std::swap(run_.work.trial, kept_); }
+
+  /// What run.work.trial was.
+  [[nodiscard]] const State& state() const { return kept_; }
+
+private:
+  Run& run_;
+  State kept_;
+};
 
 [[nodiscard]] inline Planned model_of(const Run& run) {
   return {run.mechanism(), run.plan()};

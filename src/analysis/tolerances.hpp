@@ -20,6 +20,14 @@ inline constexpr double kRoughSeparation = 1e-6;
 /// A gap that is 0 to within rounding.
 inline constexpr double kClosedGap = 1e-14;
 
+/// A row as near as this to a limit is at the limit itself, of a unit of the drivers.
+inline constexpr double kOnLimit = 1e-14;
+
+/// How far a step may be from a smooth motion, as a share of the change in it; see Smoothness in step.cpp.
+inline constexpr double kSmoothStep = 0.04;
+/// A mismatch of a step that is nothing but rounding [rad, or of the size].
+inline constexpr double kNoMismatch = 1e-9;
+
 /// How far a follower may be guessed from its limit, of a unit of its coordinate.
 inline constexpr double kNearFollowerLimit = 0.3;
 

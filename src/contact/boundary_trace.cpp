@@ -8,7 +8,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kTouch = 1e-7;       // of the sizes of two boundaries: a depth that is none
 constexpr double kNotConcave = 1e-9;  // of 1 per size: κ1 + κ2 below 0 by rounding
 
 }  // namespace
@@ -68,7 +67,7 @@ bool BoundaryTrace::is_free(bool opposed, const SheetPoint& at) const {
     return false;
   }
   return deepest_penetration(*pair.boundary1, pose_at(pair.motion1, at.u), *pair.boundary2,
-                             pose_at(pair.motion2, at.q), kTouch * size)
+                             pose_at(pair.motion2, at.q), kTouchingDepth * size)
              .depth == 0;
 }
 

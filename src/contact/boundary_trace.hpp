@@ -23,7 +23,6 @@ struct TracePath {
   double shift_u = 0, shift_q = 0;  ///< whole turns that are added to the coordinates of the legs
 
   [[nodiscard]] double begin_u() const { return legs.front().u_a + shift_u; }
-  [[nodiscard]] double end_u() const { return legs.back().u_b + shift_u; }
 };
 
 /// Two boundaries and the ways of their contacts, from which every point of a map follows.

@@ -116,8 +116,8 @@ template <int N>
 }
 
 /// The box and an eighth of its width more on each side, within the limits: a root on the seam of two boxes
-/// is in the interior of either. A little [rad] is added to a side that is known to rounding already, where
-/// no operator could lie in the interior.
+/// is in the interior of either. A little [rad] is added to a side that is known to within rounding already,
+/// where no operator could lie in the interior.
 template <int N>
 [[nodiscard]] Box<N> inflated(const Box<N>& box, const Box<N>& limits) {
   Box<N> larger;
@@ -165,7 +165,7 @@ template <int N>
   return parts;
 }
 
-/// Krawczyk's iteration down to rounding.
+/// Krawczyk's iteration until only rounding is left.
 template <int N, class Expand>
 [[nodiscard]] Box<N> tightened(Box<N> box, const Expand& expand) {
   for (int pass = 0; pass < 60; ++pass) {

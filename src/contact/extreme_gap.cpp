@@ -2,7 +2,7 @@
 
 #include "gap_derivatives.hpp"
 #include "higherpair/geometry/newton.hpp"
-#include "limit.hpp"
+#include "place_points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -179,7 +179,7 @@ private:
       at.opposed = at.n_W.dot(n2_W) < 0;
     }
     const Vector2d v1 = velocity_per_q(pair_.motion1, at.p_W);
-    // Where a round curve 1 lies on the stand-in, every q is a contact.
+    // Where a round curve 1 lies on its substitute, every q is a contact.
     at.type = coincident_ || std::abs(v1.dot(at.n_W)) <= kGapQMayVanish * v1.norm() ? CriticalType::kCrossing
                                                                                     : CriticalType::kFold;
     result_.found.push_back(at);

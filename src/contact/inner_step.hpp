@@ -3,6 +3,7 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/step_agreement.hpp"
+#include "higherpair/contact/step_length.hpp"
 #include "higherpair/contact/tracker.hpp"
 
 #include <cmath>
@@ -11,17 +12,12 @@
 
 namespace higherpair {
 
-inline constexpr double kMaxTurn = kPi / 18;           // of driver or normal in one inner step [rad]
-inline constexpr double kFarthestTurn = 3 * kMaxTurn;  // that an inner step may turn out to be [rad]
-inline constexpr double kCosFarthestTurn = 0.866;
+inline constexpr double kFarthestTurn = 3 * kLargestTurn;  // that an inner step may turn out to be [rad]
 // Of the driver's scale: steps that d²φ/du² and d³q/du³, and d³φ/du³, are taken from.
 inline constexpr double kShortestForSecond = 1e-14;
 inline constexpr double kFarthestReach = 1e3;  // of the step that they are from: what they serve to predict
 inline constexpr double kShortestForThird = 1e-4;
 inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short step
-// ∂gap/∂q that may be that of a crossing: of its scale, and of its present value.
-inline constexpr double kAtCrossing = 1e-3;
-inline constexpr double kFallsToCrossing = 1e-3;
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
@@ -131,17 +127,6 @@ inline void accept(ContactTrack& track, const ContactPosition& at, int branch) {
   renew(track.follower, track.at.q, at.q);
   track.at = at;
   track.branch = branch;
-  track.interpolated = false;
-}
-
-// Whether a ∂gap/∂q to come is small enough for a crossing: against its scale, or against what it is now.
-[[nodiscard]] inline bool vanishes(const ContactTrack& track, double gap_q) {
-  if (std::abs(gap_q) <= kFallsToCrossing * std::abs(track.at.gap_q)) {
-    return true;
-  }
-  const double scale2 =
-      velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm() + track.least_gap_q_scale2;
-  return gap_q * gap_q <= kAtCrossing * kAtCrossing * scale2;
 }
 
 }  // namespace higherpair

@@ -2,7 +2,7 @@
 
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "limit.hpp"
+#include "place_points.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

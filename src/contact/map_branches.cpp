@@ -1,10 +1,10 @@
 #include "map_branches.hpp"
 
-#include "higherpair/contact/events.hpp"
-#include "limit.hpp"
+#include "inner_step.hpp"
 #include "map_layout.hpp"
 #include "map_points.hpp"
-#include "map_walk.hpp"
+#include "place_points.hpp"
+#include "stroke_end.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "map_network.hpp"
 
-#include "map_walk.hpp"
+#include "inner_step.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "map_points.hpp"
 
 #include "higherpair/contact/separation.hpp"
-#include "map_walk.hpp"
+#include "inner_step.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -2,9 +2,10 @@
 
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/contact/step_length.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/geometry/newton.hpp"
-#include "limit.hpp"
+#include "place_points.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -17,11 +18,10 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxRollSteps = 60;
-constexpr double kMostRollSteps = 1e15;       // that a count of them can hold
-constexpr double kMaxRollingTurn = kPi / 18;  // of the driver in one inner step [rad]
-constexpr double kSettled = 1e-8;             // of a step of Newton's: its square is rounding
-constexpr double kQuadratic = 1e-2;           // of a step to the one before, where steps square
-constexpr double kFullRank = 1e-4;            // determinant of the normal equations, of their trace squared
+constexpr double kMostRollSteps = 1e15;  // that a count of them can hold
+constexpr double kSettled = 1e-8;        // of a step of Newton's: its square is rounding
+constexpr double kQuadratic = 1e-2;      // of a step to the one before, where steps square
+constexpr double kFullRank = 1e-4;       // determinant of the normal equations, of their trace squared
 
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
 
@@ -206,7 +206,7 @@ RollingResult roll_to(RollingTrack& track, double u) {
   result.converged = true;
   const double scale = track.pair.motion1.turns ? 1 : size_of(track.pair, track.at);
   const double from = track.at.u;
-  const double parts = std::ceil(std::abs(u - from) / (kMaxRollingTurn * scale));
+  const double parts = std::ceil(std::abs(u - from) / (kLargestTurn * scale));
   const auto steps = static_cast<std::int64_t>(std::clamp(parts, 1.0, kMostRollSteps));
   for (std::int64_t i = 1; i <= steps; ++i) {
     const double to =

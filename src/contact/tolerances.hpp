@@ -73,6 +73,7 @@ inline constexpr double kAtEnd = 0.02;
 inline constexpr double kSameEnd = 0.3;
 // Of the follower's unit for one of the driver: slower is rounding of a follower at rest.
 inline constexpr double kSlowestMotion = 1e-12;
+inline constexpr double kSlowestOnBoundaries = 1e-11;  // the same, by the rates of spans
 
 // Subdivision.
 inline constexpr double kLeastWidth = 4e-15;  // [rad]: below this normals have no digits to be told apart by

@@ -1,183 +1,19 @@
 #include "higherpair/contact/tracker.hpp"
 
-#include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"
+#include "higherpair/contact/step_length.hpp"
 #include "inner_step.hpp"
-#include "limit.hpp"
-#include "track_stops.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace higherpair {
 namespace {
 
-constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
-constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
-constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
-constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;           // inner steps that may fail
-constexpr double kMostSteps = 2e5;        // of kMaxTurn that a way may be long; so many more inner steps
-constexpr double kSmallestStep = 1e-14;   // of the driver's scale
-
-enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
-
-// One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
-// \param may_stop_at_crossing  if not, a step that ends where branches cross (nearly) is not taken: the
-//                              position has lost its rank there, and its rates are noise
-Outcome step_by(ContactTrack& track, double h, double predicted_gap_q, bool may_stop_at_crossing) {
-  // With a change of sign a limit may lie within the step instead, with the branch there again beyond it:
-  // shorter steps will decide.
-  const bool crosses = predicted_gap_q * track.at.gap_q < 0;
-  const int branch = crosses ? -track.branch : track.branch;
-  const Step step = try_step(track, h, branch);
-  if (step.solved && !may_stop_at_crossing && vanishes(track, step.result.at.gap_q)) {
-    return Outcome::kOntoCrossing;
-  }
-  if (!agrees(step, crosses ? kCrossingAgreement : kStepAgreement) ||
-      turns_back(track.at, step.result.at, h)) {
-    return Outcome::kRefused;
-  }
-  accept(track, step.result.at, branch);
-  return Outcome::kTaken;
-}
-
-// The limit lies ahead, not further than the step that failed and the few before it, and the motion leads to
-// it: near a limit q changes with the root of the distance, so that twice the present rate leads there.
-bool is_ahead(const ContactTrack& track, const LimitPosition& limit, double h) {
-  const ContactPosition& at = track.at;
-  const double unit1 = unit_of(track.pair.motion1, track);
-  const double unit2 = unit_of(track.pair.motion2, track);
-  const double distance = (limit.u - at.u) * (h > 0 ? 1 : -1);
-  const double way = 2 * (limit.u - at.u) * at.dq;
-  return distance >= -1e-12 * (unit1 + std::abs(at.u)) && distance <= 64 * std::abs(h) &&
-         std::abs(limit.q - at.q - way) <= std::abs(way) / 2 + 1e-6 * unit2;
-}
-
-// What prevents a step towards u that failed: the limit if it can be located, the present place
-// if the steps have become too small.
-std::optional<LimitPosition> obstacle(const ContactTrack& track, double u, double h, bool look_for_limit) {
-  const ContactPosition& at = track.at;
-  if (look_for_limit) {
-    const auto found = limit_near(track.pair, at, track.size);
-    const bool beyond = found && (u - found->u) * (u - at.u) < 0;
-    if (found && !beyond && is_ahead(track, *found, std::copysign(h, u - at.u))) {
-      return found;
-    }
-  }
-  if (h < kSmallestStep * (unit_of(track.pair.motion1, track) + std::abs(at.u))) {
-    return LimitPosition{at.u, at.q};
-  }
-  return std::nullopt;
-}
-
-// A step towards u; the last one leads to u itself.
-struct Aim {
-  double step = 0;
-  bool last = false;
-};
-
-// At most h, and not at once to a place that may be a crossing: at a crossing itself a position is noise, or
-// not found at all.
-Aim aim_at(const ContactTrack& track, double u, double h, double near) {
-  const double rest = u - track.at.u;
-  if (std::abs(rest) > kAlmostThere * h) {
-    return {std::copysign(h, rest), false};
-  }
-  const double ahead = track.at.gap_q + track.at.dgap_q * rest;
-  if (std::abs(rest) > near && std::abs(ahead) <= kMayBeCrossing * std::abs(track.at.gap_q)) {
-    return {std::copysign(std::abs(rest) - near / 2, rest), false};
-  }
-  return {rest, true};
-}
-
-// Steps as aimed, or shorter (then `aim` is changed); a last step may end at a crossing.
-Outcome step_towards(ContactTrack& track, double u, Aim& aim, double near) {
-  const double gap_q = track.at.gap_q;
-  const double rate = track.at.dgap_q;
-  if (aim.last && vanishes(track, gap_q + rate * aim.step) && stop_at_crossing(track, u)) {
-    return Outcome::kArrived;
-  }
-  Outcome outcome = step_by(track, aim.step, gap_q + rate * aim.step, false);
-  if (outcome == Outcome::kOntoCrossing) {
-    if (aim.last && stop_at_crossing(track, u)) {
-      return Outcome::kArrived;
-    }
-    if (std::abs(aim.step) > near) {
-      aim = {kShortOfCrossing * aim.step, false};
-    }
-    outcome = step_by(track, aim.step, gap_q + rate * aim.step, true);
-  }
-  if (outcome == Outcome::kRefused && aim.last && stop_at_crossing(track, u)) {
-    return Outcome::kArrived;
-  }
-  return outcome;
-}
-
-// Follows the contact towards u; false if it is lost on the way. `limit` says where, also where u is a limit.
-bool follow(ContactTrack& track, double u, std::optional<LimitPosition>& limit) {
-  const double unit = unit_of(track.pair.motion1, track);
-  const double largest = kMaxTurn * unit;
-  const double way = std::abs(u - track.at.u);
-  const int length = way > largest ? static_cast<int>(std::min(kMostSteps, way / largest)) : 0;
-  int attempts = kAttempts + 4 * length;
-  int steps = static_cast<int>(kMostSteps) + 4 * length;  // some may be lost in the rounding of u
-  int halvings = 0;
-  for (double h = largest; track.at.u != u;) {
-    if (--steps < 0) {
-      limit = LimitPosition{track.at.u, track.at.q};
-      return false;
-    }
-    Aim aim = aim_at(track, u, h, kNearCrossing * unit);
-    const Outcome outcome = step_towards(track, u, aim, kNearCrossing * unit);
-    if (outcome == Outcome::kArrived) {
-      return true;
-    }
-    if (outcome == Outcome::kTaken) {
-      track.at.u = aim.last ? u : track.at.u;
-      h = std::min(2 * h, largest);
-      continue;
-    }
-    h = std::abs(aim.step) / 2;
-    limit = --attempts < 0 ? LimitPosition{track.at.u, track.at.q}
-                           : obstacle(track, u, h, ++halvings >= kHalvingsToLimit);
-    if (limit && stop_at_limit(track, u, *limit)) {
-      return true;
-    }
-    if (limit && !pass_crossing(track, *limit)) {
-      return false;
-    }
-    limit.reset();
-  }
-  return true;
-}
-
-bool resume(ContactTrack& track, double u, std::optional<LimitPosition>& limit) {
-  const FindResult found = find_nearest_contact(track.pair, u, track.at.q, track.branch);
-  if (found.status != FindStatus::kFound) {
-    return false;
-  }
-  ContactTrack next = start_track(track.pair, found.at, track.branch);
-  next.phi = nearest_turn(next.phi, track.phi);
-  // Where this stretch begins: the limit on the way back. Without one it is another branch, that the follower
-  // cannot have come to, or there has been no limit.
-  ContactTrack back = next;
-  if (follow(back, track.at.u, limit)) {
-    limit.reset();
-    const double unit = unit_of(track.pair.motion2, track);
-    if (!(std::abs(back.at.q - track.at.q) <= kSameContact * unit)) {
-      return false;
-    }
-  }
-  // Over the stretch without contact the angles go the short way.
-  next.phi += nearest_turn(back.phi, track.phi) - back.phi;
-  if (track.pair.motion2.turns) {
-    next.at.q += nearest_turn(back.at.q, track.at.q) - back.at.q;
-  }
-  track = next;
-  return true;
+// Whether the normal has turned as predicted, to within a share of the step's change.
+bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
+  return (step.result.at.n_W - predicted_normal(track, h)).norm() <= share * step.change + 1e-9;
 }
 
 }  // namespace
@@ -209,25 +45,29 @@ ContactStatus step_to(ContactTrack& track, double u, int branch) {
   return ContactStatus::kOk;
 }
 
-TrackResult follow_to(ContactTrack& track, double u) {
-  TrackResult result;
-  if (!std::isfinite(u)) {
-    return result;
+bool walk_to(ContactTrack& track, double u, bool may_cross) {
+  constexpr double kAgreement = 0.1;
+  const double unit = unit_of(track.pair.motion1, track);
+  StepLength length(kLargestTurn * unit);
+  while (track.at.u != u) {
+    const auto [h, last] = length.next(u - track.at.u);
+    const bool crosses = may_cross && (track.at.gap_q + track.at.dgap_q * h) * track.at.gap_q < 0;
+    const int branch = crosses ? -track.branch : track.branch;
+    const double agreement = crosses ? kCrossingAgreement : kAgreement;
+    const Step step = try_step(track, h, branch);
+    const bool strays = may_cross && turns_back(track.at, step.result.at, h);
+    if (agrees(step, agreement) && normal_agrees(track, step, h, agreement) && !strays) {
+      accept(track, step.result.at, branch);
+      track.at.u = last ? u : track.at.u;
+      length.taken();
+      continue;
+    }
+    length.refused(h);
+    if (length.value() < shortest_step(unit, u)) {
+      return false;
+    }
   }
-  bool held = false;
-  if (track.assembled) {
-    held = follow(track, u, result.limit);
-    // The branch may be there again past a stretch in which it is not.
-    track.assembled = held && !result.limit;
-  } else {
-    held = resume(track, u, result.limit);
-    track.assembled = held;
-  }
-  if (track.assembled && has_come_to_limit(track, result.limit)) {
-    track.assembled = false;
-  }
-  result.status = held ? TrackStatus::kOk : TrackStatus::kNotAssemblable;
-  return result;
+  return true;
 }
 
 }  // namespace higherpair

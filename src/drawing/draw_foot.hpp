@@ -13,7 +13,7 @@ namespace higherpair {
 void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& style, const std::string& role,
                 const std::string& name);
 
-/// What stands below a picture: the scale of lengths, and one for each kind of arrow that is drawn.
+/// The foot of a picture: the scale of lengths, and one for each kind of arrow that is drawn.
 class DrawFoot {
 public:
   /// \param scale   of the picture [px/mm]

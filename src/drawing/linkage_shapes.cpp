@@ -87,7 +87,7 @@ BreakMark mark_at(const Vector2d& end, const Vector2d& d, double unit) {
           middle};
 }
 
-// A link that leaves the picture ends in a mark, at which its length is to be written.
+// A link that leaves the picture ends in a mark, with its length written beside it.
 void append_link(std::vector<double>& path, Shape& length, const Box& box, const Vector2d& a,
                  const Vector2d& b, double unit) {
   const auto [from, to] = part_within(box, a, b);

@@ -2,6 +2,7 @@
 
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/linkage/dyad_statics.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
 #include "numeric/least_norm.hpp"
 
 #include <algorithm>
@@ -10,9 +11,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kRankTolerance = 1e-10;  // of the largest pivot: smaller ones count as 0
-constexpr double kDetermined = 1e-9;      // share of a multiplier that other solutions may differ by
-constexpr double kBalanced = 1e-8;        // what may be left of the wrenches, of the largest
+constexpr double kDetermined = 1e-9;  // share of a multiplier that other solutions may differ by
+constexpr double kBalanced = 1e-8;    // what may be left of the wrenches, of the largest
 
 // The conditions are those of run.row; drivers' values are not needed, only coefficients.
 template <class Items, class F>
@@ -270,7 +270,7 @@ void Statics::factorise_all() {
         rows_[i], size_, [&](std::size_t k) { return 3 * (rows_[i].body[k] - 1); },
         jacobian_.row(static_cast<Eigen::Index>(i)));
   }
-  pseudoinverse_ = LeastNormSolver(jacobian_, kRankTolerance).pseudoinverse();
+  pseudoinverse_ = LeastNormSolver(jacobian_, kRepeatedConditions).pseudoinverse();
   // J J⁺ projects on the multipliers that hold some load; what it leaves of a unit multiplier is free.
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);

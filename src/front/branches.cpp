@@ -20,8 +20,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kTouch = 1e-7;  // of the sizes of two boundaries: a depth that is none
-
 std::string remark_on(const CurveContact& contact) {
   if (contact.coincident) {
     return "the curves coincide";
@@ -155,7 +153,7 @@ CurveContacts boundary_contacts(const Mechanism& mechanism, const ContactPlace& 
   const BoundaryPair pair{&boundary_of(mechanism, known), place.pair.motion1, &boundary_of(mechanism, own),
                           place.pair.motion2};
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const double tolerance = kTouch * (pair.boundary1->size() + pair.boundary2->size());
+  const double tolerance = kTouchingDepth * (pair.boundary1->size() + pair.boundary2->size());
   CurveContacts found;
   found.status = ContactsStatus::kComplete;
   for (const BoundaryContact& at : find_boundary_contacts(pair, place.u, {-kFar, kFar})) {

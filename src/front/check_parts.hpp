@@ -118,7 +118,7 @@ struct ForceCheck {
 /// Figures of contacts, followers and drivers along the path.
 void add_path_figures(const CheckedPath& checked, CheckFigures& figures);
 
-/// Where a path is to be looked at more closely than elsewhere: the breaks of the laws of flanks, and the
+/// Where a path is looked at more closely than elsewhere: the breaks of the laws of flanks, and the
 /// parts of boundaries.
 [[nodiscard]] PathLook look_at(const CheckedPath& checked, const DriverPath& path);
 

@@ -71,7 +71,7 @@ std::optional<DesignSlopes> DesignCandidates::slopes(std::span<const double> x, 
   return candidate ? run_slopes_->of_candidate(*candidate, branch, rows_, places, !pins_) : std::nullopt;
 }
 
-// Posed as it stands on the branch.
+// With the poses that it has on the branch.
 Result<Model> DesignCandidates::model_of(std::span<const double> x, int branch) const {
   auto model = setup_->numbers.model_of(x);
   if (!model || !model->data().plan) {

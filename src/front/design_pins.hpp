@@ -29,7 +29,7 @@ public:
   void add_transmission_slopes(std::size_t transmission, double factor, Eigen::MatrixXd& J, Eigen::Index row);
   /// Of DesignRows::points in a row.
   [[nodiscard]] const Eigen::Matrix2Xd& point_slopes(const PointRef& point, std::size_t row);
-  /// Of the point where the only driver stands at this position.
+  /// Of the point where the only driver is at this position.
   [[nodiscard]] const Eigen::Matrix2Xd& point_slopes_at(const PointRef& point, double driver);
   /// @}
 
@@ -65,7 +65,7 @@ private:
   int branch_ = 0;
   std::array<std::vector<double>, 2> before_;      // gaps at the two places before; NaN: not known
   std::vector<Largest> largest_;                   // of each dyad
-  std::vector<std::optional<std::size_t>> stood_;  // of each row: the place at which its bodies stand
+  std::vector<std::optional<std::size_t>> stood_;  // of each row: the place at which its bodies are
   std::vector<std::size_t> least_transmission_;    // of each constraint on one: the place
   Eigen::Matrix2Xd point_slopes_;
 };

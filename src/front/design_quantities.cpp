@@ -26,7 +26,7 @@ bool is_meant(const CheckFigure& figure, const DesignTask::Figure& wanted) {
          (wanted.of.empty() || figure.of == wanted.of);
 }
 
-// Of the task's entries that have quantities: where they stand in the profile, in the order of quantities.
+// Of the task's entries that have quantities: their paths in the profile, in the order of quantities.
 struct Entry {
   Place place;
   std::string path;

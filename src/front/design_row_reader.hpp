@@ -17,7 +17,7 @@ public:
   /// \param gaps  of each group of the plan, in the row that was taken last
   void take_gaps(const std::vector<std::optional<double>>& gaps);
   void take_gaps(const std::vector<BodyMotion>& bodies);
-  /// \param rows  that the gap of this group hangs on; empty: others
+  /// \param rows  that the gap of this group depends on; empty: others
   void take_gap(std::size_t group, double gap, const std::vector<WeightedRow>& rows);
   /// \param limits  events on the path that end it
   void finish(int limits);

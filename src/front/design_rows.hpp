@@ -53,7 +53,7 @@ struct DesignRows {
                                                  ///< [m]; of a row that is missing where it was last
   std::vector<double> positions;                 ///< of the first driver in the rows [rad or m]
 
-  /// What derivatives hang on, of rows that were followed or placed by groups of any kind: to first order
+  /// What derivatives depend on, of rows that were followed or placed by groups of any kind: to first order
   /// each gap is the sum of weights times the gaps in these rows; empty where it is largest elsewhere.
   std::vector<std::vector<WeightedRow>> gap_rows;
   std::vector<std::size_t> transmission_rows;
@@ -62,7 +62,7 @@ struct DesignRows {
   std::vector<std::size_t> table_slots;  ///< of each measure: its column
   std::vector<double> places;            ///< of the first driver in the rows, as tables show it
 
-  /// The bodies where the only driver stands at a position within the rows; rates for its unit velocity. \pre
+  /// The bodies where the only driver is at a position within the rows; rates for its unit velocity. \pre
   /// nothing is missing, and `direct` or `run` is there
   [[nodiscard]] const std::vector<BodyMotion>& bodies_at(double driver);
 

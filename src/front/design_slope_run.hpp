@@ -20,7 +20,7 @@ public:
 
   /// To a row that is not before the last one.
   void go_to(std::size_t row);
-  /// Aside, to where the only driver stands.
+  /// Beside a row, to a position of the only driver.
   [[nodiscard]] SlopeRun beside(double driver) const;
 
   /// One for each variable; empty where there is one by which the row cannot be differentiated.

@@ -128,7 +128,7 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
   }
 }
 
-// What four-bars have to spare hangs on no row.
+// What four-bars have to spare depends on no row.
 void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
                const std::vector<Mechanism>& derivatives, DesignSlopes& slopes) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);

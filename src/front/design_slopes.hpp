@@ -21,7 +21,7 @@ struct DesignSlopes {
   std::vector<Eigen::MatrixXd> paths;  ///< of x and y of each place of each path, one below the other
 };
 
-/// A place of a path whose derivative is wanted: a row, or where the only driver stands, `row` not far away.
+/// A place of a path whose derivative is wanted: a row, or a position of the only driver, `row` not far away.
 struct SlopePlace {
   PointRef point;
   std::size_t row = 0;

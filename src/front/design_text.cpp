@@ -14,7 +14,7 @@ namespace {
 
 using NewValue = ProfileDocument::NewValue;
 
-constexpr double kSamePose = 1e-6;  // of the size: bodies that are no farther apart stand alike
+constexpr double kSamePose = 1e-6;  // of the size: bodies that are no farther apart have the same pose
 constexpr int kPoseDigits = 6;      // of a pose, which is an estimate
 
 bool stand_alike(const Run& a, const Run& b) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSameMotion = 1e-9;  // of a column's largest value: the new profile moves as was fitted
 
-// The branch on which the profile stands.
+// The branch on which the profile starts.
 Result<int> branch_of_model(const Model& model) {
   RunSettings settings;
   settings.columns = {"status"};

@@ -108,7 +108,7 @@ void FitMotion::choose_derivatives(std::span<const double> variables, std::span<
 }
 
 // Where numbers of the mechanism are not all linear functions of the variables, by differences of these
-// numbers; none where what drivers do hangs on the variable.
+// numbers; none where what drivers do depends on the variable.
 std::optional<Mechanism> FitMotion::mechanism_by(std::size_t variable,
                                                  std::span<const double> variables) const {
   if (numbers_.is_linear()) return numbers_.derivative(variable);

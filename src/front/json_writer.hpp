@@ -33,8 +33,6 @@ public:
   }
   JsonWriter& string(std::string_view value);
   JsonWriter& boolean(bool value) { return plain(value ? "true" : "false"); }
-  /// Text that is JSON already.
-  JsonWriter& raw(std::string_view json) { return plain(json); }
   JsonWriter& null() { return plain("null"); }
   JsonWriter& integer(long long value) {
     separate();

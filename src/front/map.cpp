@@ -30,7 +30,7 @@ public:
   [[nodiscard]] double distance(double q) const { return of_follower_.apply(q); }
   [[nodiscard]] bool reverses() const { return mapped_.known.sign < 0; }
 
-  // \param turn  added to q  \param phi  angle that the normal is to be near
+  // \param turn  added to q  \param phi  angle near which that of the normal is wanted
   [[nodiscard]] MapRow row(const MapPoint& point, bool opposed, double turn, double& phi) const {
     const bool reversed = !mapped_.known_is_first && opposed;
     phi = nearest_turn(angle_of(reversed ? Vector2d(-point.n_W) : point.n_W), phi);

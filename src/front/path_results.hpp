@@ -17,7 +17,7 @@ struct ExtremePlace {
   double weight = 1;
 };
 
-/// What a measure comes to on a path, and which places its derivative hangs on.
+/// What a measure comes to on a path, and which places its derivative depends on.
 struct PathResult {
   double value = std::numeric_limits<double>::quiet_NaN();
   std::optional<PathPlace> where;

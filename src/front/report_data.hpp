@@ -21,7 +21,7 @@ struct ColumnExtremes {
   Value low, high;
 };
 
-/// What a report tells of a run.
+/// What a report shows of a run.
 struct ReportData {
   std::vector<Column> columns;
   std::int64_t size = 0;                 ///< rows of the whole run
@@ -41,7 +41,7 @@ inline constexpr double kNoise = 1e-9;
 /// The largest of all values in the unit of each column; of an acceleration at least speed²/way.
 [[nodiscard]] std::vector<double> scales_of(const ReportData& data);
 
-/// A finding that stands first on the page, such as the stroke of the follower.
+/// A finding at the top of the page, such as the stroke of the follower.
 struct Fact {
   std::string of;  ///< joint or contact
   std::string name;

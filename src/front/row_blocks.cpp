@@ -1,5 +1,5 @@
 // The rows of a run on several threads. A scout passes over the path ahead of them and leaves a copy of how
-// the run stands at the end of every block; the next block is worked out from there, on its own. They come
+// the run is at the end of every block; the next block is worked out from there, on its own. They come
 // together in their order: where a block ends otherwise than the next one has begun (a row on a change point,
 // to rounding), that one is worked out again from there. Analysis::next does the same with one block after
 // the other.

@@ -24,7 +24,7 @@ public:
   /// else none of them need be looked at.
   [[nodiscard]] bool may_change_by(const Run& run) const;
 
-  /// Whether both say the same to rounding, of two runs that go on alike.
+  /// Whether both say the same to within rounding: two runs that go on alike.
   /// \param size  of the mechanism [m]
   [[nodiscard]] bool is_like(const RowHistory& other, double size) const;
 

@@ -19,7 +19,7 @@
 namespace higherpair {
 namespace {
 
-// Where numbers of the mechanism itself stand.
+// The parts of a profile that hold numbers of the mechanism itself.
 constexpr std::string_view kMechanism[] = {"bodies.", "joints.", "loads.", "springs.", "gravity."};
 
 bool is_of_mechanism(std::string_view path) {

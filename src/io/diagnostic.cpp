@@ -21,4 +21,8 @@ std::string to_string(const Diagnostic& diagnostic) {
   return fmt::format("{}:{}:{}: {}", place.source, place.line, place.column, diagnostic.message);
 }
 
+std::string note_text(const Diagnostic& note) {
+  return to_string({note.place, "note: " + note.message});
+}
+
 }  // namespace higherpair

@@ -106,8 +106,4 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   return fmt::format("; it can be with {} {} {}", key, text, unit_text(dimension, profile.units));
 }
 
-std::string note_text(const Diagnostic& note) {
-  return to_string({note.place, "note: " + note.message});
-}
-
 }  // namespace higherpair

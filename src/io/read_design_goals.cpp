@@ -77,7 +77,7 @@ void follow_pairs(Reading& reading, const Item& follow, Measure measure, DesignT
   }
 }
 
-// `follow`: what a column is to be where the driver stands.
+// `follow`: the value wanted of a column at a position of the driver.
 void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBook& laws,
                  DesignTask::Objective& objective) {
   Reading& reading = table.reading();

@@ -266,7 +266,7 @@ private:
     }
   }
 
-  // What only the law as a whole can tell.
+  // What only the law as a whole can show.
   bool check(const std::optional<Item>& segments, const std::optional<Item>& points,
              const std::optional<Item>& file) {
     auto made = MotionLaw::make(law_.profile);

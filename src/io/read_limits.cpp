@@ -15,7 +15,7 @@ enum class Range { kPositive, kNotNegative, kSteepness, kPoisson };
 
 constexpr Dimension kPressure = dimension::kForce / (dimension::kLength * dimension::kLength);
 
-// In which tables a key may stand, besides [limits] itself.
+// The tables in which a key may be, besides [limits] itself.
 enum Scope { kContact = 1, kSlide = 2, kPivot = 4, kBody = 8 };
 
 struct KeyRow {

@@ -1,4 +1,4 @@
-// [tolerances]: which numbers of the profile scatter, and what is to be known of the run.
+// [tolerances]: which numbers of the profile scatter, and which results of the run are asked for.
 #include "higherpair/io/tolerance_task.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
@@ -90,7 +90,7 @@ private:
         return;
       }
       const auto value = value_at(path, *varied->second);
-      if (!value) return;  // reported where the number stands
+      if (!value) return;  // reported where the number is read
       if (i > 0 && (*value != tolerance.value || !(*varied->second == dimension_))) {
         report(reading_, *item,
                fmt::format("{} is {} and {} is {}: numbers with one tolerance are equal in the profile",

@@ -120,7 +120,7 @@ void read_tolerances(TableReader& root, const Table& document, Profile& profile)
 void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& joint_type_known,
                   LawBook& laws);
 
-/// [design]: what is to be chosen, and for what. \param document  the whole profile, for paths into it
+/// [design]: what may be chosen, and for what purpose. \param document  the whole profile, for paths into it
 void read_design(TableReader& root, const Table& document, LawBook& laws, Profile& profile);
 
 }  // namespace higherpair::io_detail

@@ -1,5 +1,8 @@
 #include "higherpair/linkage/quick_return.hpp"
 
+#include "higherpair/geometry/vector.hpp"
+#include "higherpair/linkage/reach.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>

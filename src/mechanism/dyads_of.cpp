@@ -32,7 +32,7 @@ void add_loop(const Mechanism& mechanism, RrrDyad& dyad) {
 }
 
 // The line fixed in `base` along which the point p_M of the body at the other end of a slide runs, and how
-// that body stands on it.
+// that body is joined to it.
 struct Guide {
   BodyLine line;
   Rider rider;

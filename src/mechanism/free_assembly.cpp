@@ -3,6 +3,7 @@
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/newton.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "numeric/least_norm.hpp"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr int kNewtonTurns = 80;
 constexpr double kClosed = 1e-10;  // largest closure error of the size
-constexpr double kRankTolerance = 1e-10;
 
 LinearConditions linear(const SizedMechanism& sized, const std::vector<ConstraintRow>& rows) {
   const auto n = static_cast<Eigen::Index>(rows.size());
@@ -128,7 +128,7 @@ std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, cons
     if (conditions.values.size() == 0) {
       return position;
     }
-    Eigen::VectorXd step = LeastNormSolver(conditions.J, kRankTolerance).solve(-conditions.values);
+    Eigen::VectorXd step = LeastNormSolver(conditions.J, kRepeatedConditions).solve(-conditions.values);
     if (!step.allFinite()) {
       return std::nullopt;
     }

@@ -67,7 +67,7 @@ bool is_idle(const Mechanism& mechanism, const LooseBody& loose) {
   return has_contact;
 }
 
-// The rank tells more than the matching: which joints could be driven, what the count does not see.
+// The rank says more than the matching: which joints could be driven, what the count does not see.
 std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
   const Mobility mobility = analyse_mobility(mechanism);
   if (const auto objection = driver_objection(mechanism, mobility)) {

@@ -86,7 +86,7 @@ private:
     return static_cast<double>(fit_.r.size()) * options_.rounding * options_.rounding;
   }
 
-  // Without what stands at a bound and wants to go on, and what changes nothing.
+  // Without what is at a bound and would go beyond it, and what changes nothing.
   void find_free() {
     free_.clear();
     const Eigen::VectorXd slope = fit_.J.transpose() * fit_.r;
@@ -132,7 +132,7 @@ private:
     return step;
   }
 
-  // True where the sum became smaller; how well the gain was foretold says how much damping there is to be.
+  // True where the sum became smaller; the damping follows from how well the gain was predicted.
   bool try_step() {
     const Eigen::VectorXd x = within(fit_.x + damped_step());
     const Eigen::VectorXd step = x - fit_.x;

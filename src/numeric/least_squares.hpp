@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-/// Numbers x for which a sum of squares is to be least.
+/// Numbers x that minimise a sum of squares.
 struct LeastSquaresProblem {
   /// Writes r(x); false where x has no residuals.
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r)> residuals;

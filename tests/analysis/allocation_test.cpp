@@ -63,7 +63,7 @@ TEST_P(Allocation, ATrackedStepMakesNone) {
   int lost = 0;
   double reach = 0;
   for (int step = 0; step < 2 * 3600; ++step) {
-    lost += follow_to(track, 2 * kPi * step / 3600).status == TrackStatus::kOk ? 0 : 1;
+    lost += step_to(track, 2 * kPi * step / 3600, track.branch) == ContactStatus::kOk ? 0 : 1;
     reach = std::max(reach, details_of(track.pair, track.at, track.phi).side1.arc);
   }
   EXPECT_EQ(allocation_count() - before, 0U);
@@ -78,7 +78,7 @@ TEST_P(Allocation, AStepOfAWholeQuarterTurnMakesNone) {
   ContactTrack track = start_track(pair, found.at, found.branch);
   const std::size_t before = allocation_count();
   for (int step = 1; step <= 8; ++step) {
-    EXPECT_EQ(follow_to(track, step * kPi / 2).status, TrackStatus::kOk);
+    EXPECT_TRUE(walk_to(track, step * kPi / 2));
   }
   EXPECT_EQ(allocation_count() - before, 0U);
 }

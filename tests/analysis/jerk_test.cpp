@@ -1,7 +1,7 @@
 #include "higherpair/analysis/jerk.hpp"
 
 #include "analysis/run_testing.hpp"
-#include "higherpair/contact/jerk.hpp"
+#include "contact/pair_jerk.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "io/cam_lever_tappet.hpp"
 #include "io/profile_testing.hpp"

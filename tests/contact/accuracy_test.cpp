@@ -1,9 +1,9 @@
 // The table of docs/accuracy.md, measured again: no error may be larger than what is printed.
 #include "contact/contact_laws.hpp"
 #include "contact/oracle_case.hpp"
+#include "contact/pair_follower.hpp"
 #include "contact/random_pairs.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,7 +84,7 @@ void measure_references(const std::string& name, Errors& worst) {
     const FindResult found =
         find_nearest_contact(reference.pair, u, reference.data.at("start").at("q2_near"));
     ASSERT_EQ(found.status, FindStatus::kFound);
-    ContactTrack track = start_track(reference.pair, found.at, found.branch);
+    FollowedContact track = start_track(reference.pair, found.at, found.branch);
     for (const auto& row : reference.data.at("rows")) {
       ASSERT_EQ(follow_to(track, row.at("th1")).status, TrackStatus::kOk);
       const std::array<double, 3> ours = {track.at.q, track.at.dq, track.at.d2q};
@@ -132,7 +132,7 @@ void measure_random(const std::string& name, Errors& worst) {
       continue;
     }
     measure_laws(one.pair, found.at, worst);
-    ContactTrack track = start_track(one.pair, found.at, found.branch);
+    FollowedContact track = start_track(one.pair, found.at, found.branch);
     const double step = (one.pair.motion1.turns ? 1.0 : one.size) * kPi / 36;
     for (int k = 1; k <= 12; ++k) {
       if (follow_to(track, one.u + k * step).status == TrackStatus::kOk) {

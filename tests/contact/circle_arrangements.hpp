@@ -2,9 +2,9 @@
 
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/linkage/four_bar.hpp"
-#include "higherpair/linkage/inverted_slider_crank.hpp"
-#include "higherpair/linkage/scotch_yoke.hpp"
-#include "higherpair/linkage/slider_crank.hpp"
+#include "linkage/inverted_slider_crank.hpp"
+#include "linkage/scotch_yoke.hpp"
+#include "linkage/slider_crank.hpp"
 
 #include <cmath>
 #include <optional>

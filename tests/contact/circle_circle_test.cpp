@@ -1,5 +1,5 @@
 #include "circle_arrangements.hpp"
-#include "higherpair/contact/tracker.hpp"
+#include "contact/pair_follower.hpp"
 
 #include <algorithm>
 #include <string>
@@ -78,7 +78,7 @@ TEST_P(CirclesAndFlats, MoveAsTheirEquivalentLinkageOverWholeTurns) {
   const auto [one, two] = bodies(shapes, turns1, turns2);
   const ContactPair pair = {one.curve(), one.freedom, two.curve(), two.freedom};
   constexpr int kRows = 720;
-  std::optional<ContactTrack> track;
+  std::optional<FollowedContact> track;
   int compared = 0;
   for (int k = 0; k <= 2 * kRows; ++k) {
     const double u = turns1 ? 2 * kPi * k / kRows : 1.1 * (1.0 * k / kRows - 1);

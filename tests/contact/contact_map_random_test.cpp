@@ -1,6 +1,6 @@
+#include "contact/pair_follower.hpp"
 #include "contact/random_pair.hpp"
 #include "higherpair/contact/contact_map.hpp"
-#include "higherpair/contact/tracker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ TEST(RandomMap, FoldsAreTheLimitPositionsThatATrackRunsInto) {
       const int sense = from.n_W.dot(velocity_per_q(map.pair.motion2, from.p_W)) > 0 ? 1 : -1;
       const ContactResult at = solve_contact(map.pair, from.u, from.q, from.n_W, sense);
       ASSERT_EQ(at.status, ContactStatus::kOk);
-      ContactTrack track = start_track(map.pair, at.at, sense);
+      FollowedContact track = start_track(map.pair, at.at, sense);
       const TrackResult result = follow_to(track, branch.end.u + (branch.end.u - from.u) / 2);
       if (result.limit && std::abs(result.limit->u - branch.end.u) < 1e-6) {
         ++compared;

@@ -1,6 +1,6 @@
-#include "higherpair/contact/events.hpp"
-
 #include "contact/freedoms.hpp"
+#include "contact/pair_follower.hpp"
+#include "contact/stroke_end.hpp"
 #include "higherpair/contact/finder.hpp"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using testing::pivot;
 
-ContactTrack track_at(const ContactPair& pair, double u, double q) {
+FollowedContact track_at(const ContactPair& pair, double u, double q) {
   const FindResult found = find_nearest_contact(pair, u, q);
   EXPECT_EQ(found.status, FindStatus::kFound);
   return start_track(pair, found.at, found.branch);
@@ -29,7 +29,7 @@ TEST(Events, TheStrokeEndsWhereCrankAndCouplerAreInLine) {
   const double r3 = 0.08;
   const ContactPair pair = {make_circle(Vector2d(r2, 0), 0.05).value(), pivot(0, 0),
                             make_circle(Vector2d::Zero(), 0.03).value(), slide};
-  ContactTrack track = track_at(pair, 0.1, 0.1);
+  FollowedContact track = track_at(pair, 0.1, 0.1);
   int ends = 0;
   for (int k = 1; k <= 72; ++k) {
     const double u = 0.1 + k * kPi / 36;
@@ -52,7 +52,7 @@ TEST(Events, TheStrokeEndsWhereCrankAndCouplerAreInLine) {
 TEST(Events, NoStrokeEndsWhereTheRateKeepsItsSign) {
   const ContactPair pair = {make_ellipse(Vector2d(0.01, 0), {0.03, 0.022}, 0.2).value(), pivot(0, 0),
                             make_circle(Vector2d(-0.06, 0), 0.02).value(), pivot(0.08, 0)};
-  ContactTrack track = track_at(pair, 0, -0.6);
+  FollowedContact track = track_at(pair, 0, -0.6);
   int ends = 0;
   for (int k = 1; k <= 360; ++k) {
     const double before = track.at.dq;
@@ -109,7 +109,7 @@ TEST(Events, ADiscConformsToAnEllipticRingWhereItsCentreMeetsTheEvolute) {
     const ContactResult before = solve_contact(pair, u - 0.02, q, n, branch);
     ASSERT_EQ(before.status, ContactStatus::kOk);
     EXPECT_LT((before.at.rho1 + before.at.rho2) * aside, 0);
-    ContactTrack track = start_track(pair, before.at, branch);
+    FollowedContact track = start_track(pair, before.at, branch);
     const TrackResult lost = follow_to(track, u + 0.02);
     EXPECT_EQ(lost.status, TrackStatus::kNotAssemblable);
     ASSERT_TRUE(lost.limit.has_value());

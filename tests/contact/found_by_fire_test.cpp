@@ -1,8 +1,8 @@
 // Cases in which random trials broke a law, made small; each tells what went wrong.
+#include "contact/pair_follower.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,7 +92,7 @@ TEST(FoundByFire, TwoContactsNextToALimitAreNotACrossing) {
   const FindResult found = find_nearest_contact(pair, u, 0.1);
   ASSERT_EQ(found.status, FindStatus::kFound);
   for (const double step : {-0.0001, -0.0002, -0.000285, -0.0003, -0.0004}) {
-    ContactTrack track = start_track(pair, found.at, found.branch);
+    FollowedContact track = start_track(pair, found.at, found.branch);
     const bool held = follow_to(track, u + step).status == TrackStatus::kOk;
     const auto list = find_curve_contacts(pair, u + step).contacts;
     const bool there = std::any_of(list.begin(), list.end(), [&](const CurveContact& contact) {
@@ -141,7 +141,7 @@ TEST(FoundByFire, AJumpOfTheNormalAloneIsALimit) {
   const FindResult found = find_nearest_contact(pair, u, 0.0093);
   ASSERT_EQ(found.status, FindStatus::kFound);
   for (const double step : {0.001, 0.01, 0.03, 0.1}) {
-    ContactTrack track = start_track(pair, found.at, found.branch);
+    FollowedContact track = start_track(pair, found.at, found.branch);
     bool lost = false;
     for (int k = 1; k * step <= 0.3 && !lost; ++k) {
       lost = follow_to(track, u + k * step).status != TrackStatus::kOk;
@@ -182,7 +182,7 @@ TEST(FoundByFire, RatesAtACrossingAreThoseOfTheSmoothMotion) {
     const FindResult found = find_nearest_contact(pair, kPi + v, x);
     ASSERT_EQ(found.status, FindStatus::kFound);
     ASSERT_NEAR(found.at.q, x, 1e-14);
-    ContactTrack track = start_track(pair, found.at, found.branch);
+    FollowedContact track = start_track(pair, found.at, found.branch);
     ASSERT_EQ(follow_to(track, kPi).status, TrackStatus::kOk);
     const double rate = e + sign * std::sqrt(e * r);
     EXPECT_NEAR(track.at.q, 0, 1e-13);
@@ -201,7 +201,7 @@ TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
   const FindResult found = find_nearest_contact(pair, 0.2, 0);
   ASSERT_EQ(found.status, FindStatus::kFound);
   for (const double u : {NAN, INFINITY, -INFINITY}) {
-    ContactTrack track = start_track(pair, found.at, found.branch);
+    FollowedContact track = start_track(pair, found.at, found.branch);
     EXPECT_EQ(follow_to(track, u).status, TrackStatus::kNotAssemblable);
     EXPECT_EQ(track.at.u, 0.2);
   }
@@ -214,7 +214,7 @@ TEST(FoundByFire, StepsThatLeadNowhereEnd) {
   const double far = 1e17;
   const FindResult found = find_nearest_contact(pair, far, 0);
   ASSERT_EQ(found.status, FindStatus::kFound);
-  ContactTrack track = start_track(pair, found.at, found.branch);
+  FollowedContact track = start_track(pair, found.at, found.branch);
   EXPECT_EQ(follow_to(track, far + 160).status, TrackStatus::kNotAssemblable);
   EXPECT_EQ(track.at.u, far);
 }

@@ -1,7 +1,7 @@
 #include "contact/freedoms.hpp"
+#include "contact/pair_follower.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "random_pairs.hpp"
 
@@ -39,7 +39,7 @@ TEST(HardContacts, NearlyFlatFacesLoseNoDigits) {
     const ContactPair pair = {disc(0.2, 0.05, 0.3), pivot(0, 0), arc, pivot(1.1, 0.2)};
     const FindResult found = find_nearest_contact(pair, 0.4, 0.2);
     ASSERT_EQ(found.status, FindStatus::kFound);
-    ContactTrack track = start_track(pair, found.at, found.branch);
+    FollowedContact track = start_track(pair, found.at, found.branch);
     for (int k = 0; k <= 360; ++k) {
       const double u = 0.4 + k * kPi / 180;
       ASSERT_EQ(follow_to(track, u).status, TrackStatus::kOk) << u;
@@ -72,7 +72,7 @@ TEST(HardContacts, ADiscInARingWithLittlePlayTurnsAsItsDragLink) {
     const int branch = velocity_per_q(pair.motion2, p).dot(n_W) > 0 ? 1 : -1;
     const ContactResult at = solve_contact(pair, 0.3, start.theta4, n_W, branch);
     ASSERT_EQ(at.status, ContactStatus::kOk) << play;
-    ContactTrack track = start_track(pair, at.at, branch);
+    FollowedContact track = start_track(pair, at.at, branch);
     int held = 0;
     for (int k = 1; k <= 720; ++k) {
       const double u = 0.3 + k * kPi / 180;
@@ -104,12 +104,12 @@ TEST(HardContacts, AStartAtTheLimitGoesInwardAndNotBeyond) {
       continue;
     }
     const testing::ContactLaws laws(pair, found.at);
-    ContactTrack outward = start_track(pair, found.at, found.branch);
+    FollowedContact outward = start_track(pair, found.at, found.branch);
     const TrackResult lost = follow_to(outward, limit + 0.01);
     EXPECT_EQ(lost.status, TrackStatus::kNotAssemblable);
     ASSERT_TRUE(lost.limit.has_value());
     EXPECT_LE(std::abs(lost.limit->u - limit), 1e-12) << before;
-    ContactTrack inward = start_track(pair, found.at, found.branch);
+    FollowedContact inward = start_track(pair, found.at, found.branch);
     const TrackResult held = follow_to(inward, limit - 0.2);
     if (held.status != TrackStatus::kOk) {
       EXPECT_LE(before, 1e-9);  // the branch itself is a matter of rounding here
@@ -132,7 +132,7 @@ TEST(HardContacts, AParallelogramStaysOneThroughItsAlignedPositions) {
     const ContactResult other = solve_contact(pair, first, first, Vector2d::UnitX(), 1);
     const bool minus = at.status == ContactStatus::kOk && std::abs(at.at.q - first) < 1e-9;
     ASSERT_TRUE(minus || (other.status == ContactStatus::kOk && std::abs(other.at.q - first) < 1e-9));
-    ContactTrack track = start_track(pair, minus ? at.at : other.at, minus ? -1 : 1);
+    FollowedContact track = start_track(pair, minus ? at.at : other.at, minus ? -1 : 1);
     for (int k = 1; k <= 720; ++k) {
       const double u = first + k * kPi / 180;
       ASSERT_EQ(follow_to(track, u).status, TrackStatus::kOk) << u;
@@ -163,7 +163,7 @@ TEST(HardContacts, ADriverAboutItsOwnCentreMovesNothing) {
   const ContactPair pair = {disc(0, 0, 0.2), pivot(0, 0), disc(-0.6, 0.1, 0.25), pivot(0.8, 0)};
   const FindResult found = find_nearest_contact(pair, 0, 0);
   ASSERT_EQ(found.status, FindStatus::kFound);
-  ContactTrack track = start_track(pair, found.at, found.branch);
+  FollowedContact track = start_track(pair, found.at, found.branch);
   for (int k = 1; k <= 36; ++k) {
     ASSERT_EQ(follow_to(track, k * kPi / 18).status, TrackStatus::kOk);
     EXPECT_LE(std::abs(track.at.q - found.at.q), 1e-14);

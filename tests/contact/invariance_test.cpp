@@ -1,6 +1,6 @@
+#include "contact/pair_follower.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 #include "random_pairs.hpp"
 
 #include <cmath>
@@ -58,7 +58,7 @@ struct Change {
 // Pairs that move well over the whole range: their answers differ by rounding only.
 struct Case {
   RandomCase one;
-  ContactTrack start;
+  FollowedContact start;
 };
 
 constexpr int kRows = 40;
@@ -68,7 +68,7 @@ double degree_of(const RandomCase& one) {
 }
 
 // How far the track is from limits and conforming contact over the range.
-bool is_healthy(ContactTrack track, const RandomCase& one) {
+bool is_healthy(FollowedContact track, const RandomCase& one) {
   for (int k = 0; k <= kRows; ++k) {
     if (follow_to(track, one.u + k * degree_of(one)).status != TrackStatus::kOk) return false;
     const double lever = velocity_per_q(one.pair.motion2, track.at.p2_W).norm();
@@ -89,7 +89,7 @@ std::vector<Case> healthy_cases(unsigned seed, int count) {
     const RandomCase one = random.next();
     const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
     if (found.status != FindStatus::kFound) continue;
-    const ContactTrack track = start_track(one.pair, found.at, found.branch);
+    const FollowedContact track = start_track(one.pair, found.at, found.branch);
     if (is_healthy(track, one)) cases.push_back({one, track});
   }
   return cases;
@@ -105,8 +105,8 @@ void expect_changed(const Case& c, const Change& change, double tolerance) {
   const double u = change.coordinate(original.motion1, c.one.u);
   const FindResult found = find_nearest_contact(pair, u, change.coordinate(original.motion2, c.start.at.q));
   ASSERT_EQ(found.status, FindStatus::kFound);
-  ContactTrack here = c.start;
-  ContactTrack there = start_track(pair, found.at, found.branch);
+  FollowedContact here = c.start;
+  FollowedContact there = start_track(pair, found.at, found.branch);
   const double per_u = change.rate_factor(original.motion1);
   const double per_q = change.rate_factor(original.motion2);
   for (int k = 0; k <= kRows; ++k) {
@@ -183,8 +183,8 @@ TEST(Invariance, ExchangedBodiesGiveTheInverseMotion) {
 
 TEST(Invariance, FewRowsAndManyRowsAgreeWhereTheyCoincide) {
   for (const Case& c : healthy_cases(105, 60)) {
-    ContactTrack few = c.start;
-    ContactTrack many = c.start;
+    FollowedContact few = c.start;
+    FollowedContact many = c.start;
     for (int k = 1; k <= 5; ++k) {
       const double from = c.one.u + (k - 1) * 8 * degree_of(c.one);
       const double to = c.one.u + k * 8 * degree_of(c.one);
@@ -200,7 +200,7 @@ TEST(Invariance, FewRowsAndManyRowsAgreeWhereTheyCoincide) {
 
 TEST(Invariance, GoingBackReturnsToTheStart) {
   for (const Case& c : healthy_cases(106, 120)) {
-    ContactTrack track = c.start;
+    FollowedContact track = c.start;
     ASSERT_EQ(follow_to(track, c.one.u + kRows * degree_of(c.one)).status, TrackStatus::kOk);
     ASSERT_EQ(follow_to(track, c.one.u).status, TrackStatus::kOk);
     EXPECT_LE(std::abs(track.at.q - c.start.at.q), kRounding * (q_unit(c.one) + std::abs(track.at.q)));

@@ -1,10 +1,9 @@
-#include "higherpair/contact/jerk.hpp"
-
 #include "contact/freedoms.hpp"
+#include "contact/pair_follower.hpp"
+#include "contact/pair_jerk.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/rolling.hpp"
-#include "higherpair/contact/tracker.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "random_pairs.hpp"
 
@@ -123,7 +122,7 @@ TEST(Jerk, OfDiscsRollingAboutTheirCentresIsNone) {
 // Random pairs well away from limits.
 struct Found {
   RandomCase one;
-  ContactTrack track;
+  FollowedContact track;
 };
 
 std::optional<Found> next_healthy(RandomPairs& random) {
@@ -146,7 +145,7 @@ Difference jerk_by_difference(const Found& found, double h) {
   for (int i = 0; i < 2; ++i, h /= 2) {
     double d2q[4];
     for (int k = 0; k < 4; ++k) {
-      ContactTrack track = found.track;
+      FollowedContact track = found.track;
       const double steps[] = {-2, -1, 1, 2};
       if (follow_to(track, found.track.at.u + steps[k] * h).status != TrackStatus::kOk) {
         return {};

@@ -1,14 +1,14 @@
 #include "contact/freedoms.hpp"
+#include "contact/pair_follower.hpp"
+#include "contact/pair_jerk.hpp"
+#include "contact/stroke_end.hpp"
 #include "contact/support_curves.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/contact_map.hpp"
 #include "higherpair/contact/details.hpp"
-#include "higherpair/contact/events.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/jerk.hpp"
 #include "higherpair/contact/rolling.hpp"
 #include "higherpair/contact/separation.hpp"
-#include "higherpair/contact/tracker.hpp"
 #include "higherpair/geometry/support.hpp"
 
 #include <cmath>
@@ -75,8 +75,8 @@ TEST(CurvesByTheirSupport, AreFoundFollowedAndDifferentiatedAsTheConicsThatTheyA
     const FindResult found = find_nearest_contact(pair, 0, -0.6);
     ASSERT_EQ(found.status, FindStatus::kFound);
     EXPECT_EQ(found.branch, wanted.branch);
-    ContactTrack track = start_track(pair, found.at, found.branch);
-    ContactTrack reference = start_track(conics, wanted.at, wanted.branch);
+    FollowedContact track = start_track(pair, found.at, found.branch);
+    FollowedContact reference = start_track(conics, wanted.at, wanted.branch);
     const double arc0 = details_of(pair, track.at, track.phi).side1.arc -
                         details_of(conics, reference.at, reference.phi).side1.arc;
     for (int k = 1; k <= 72; ++k) {
@@ -202,7 +202,7 @@ TEST(ALobedCamUnderAFlatFace, LiftsItByItsSupport) {
                             make_line(Vector2d::Zero(), Vector2d(0, -1)).value(), slide(0, 0)};
   const FindResult found = find_contact(pair, 0, 0.1, -1, false);
   ASSERT_EQ(found.status, FindStatus::kFound);
-  ContactTrack track = start_track(pair, found.at, found.branch);
+  FollowedContact track = start_track(pair, found.at, found.branch);
   for (int k = 0; k <= 90; ++k) {
     const double u = k * kPi / 45;
     ASSERT_EQ(follow_to(track, u).status, TrackStatus::kOk);
@@ -225,7 +225,7 @@ TEST(ALobedCamWithARoller, KeepsTheRollerTangent) {
                             pivot(0.05, 0.02)};
   const FindResult found = find_nearest_contact(pair, 0.1, -0.4);
   ASSERT_EQ(found.status, FindStatus::kFound);
-  ContactTrack track = start_track(pair, found.at, found.branch);
+  FollowedContact track = start_track(pair, found.at, found.branch);
   for (int k = 0; k <= 60; ++k) {
     const double u = 0.1 + k * kPi / 30;
     ASSERT_EQ(follow_to(track, u).status, TrackStatus::kOk);

@@ -1,9 +1,9 @@
 #include "random_pairs.hpp"
 
+#include "contact/pair_follower.hpp"
 #include "contact_laws.hpp"
 #include "differences.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -39,15 +39,15 @@ double step_of(const RandomCase& one) {
 
 // A quantity of the track at some distance from where it stands.
 template <class Of>
-auto beside(const ContactTrack& track, const Of& of) {
+auto beside(const FollowedContact& track, const Of& of) {
   return [&track, of](double offset) -> std::optional<double> {
-    ContactTrack moved = track;
+    FollowedContact moved = track;
     if (follow_to(moved, track.at.u + offset).status != TrackStatus::kOk) return std::nullopt;
     return of(moved.at);
   };
 }
 
-void expect_rates_are_differences(const RandomCase& one, const ContactTrack& track, Counts& counts) {
+void expect_rates_are_differences(const RandomCase& one, const FollowedContact& track, Counts& counts) {
   const double h = 0.03 * step_of(one);
   const auto dq = testing::difference(h, beside(track, [](const ContactPosition& at) { return at.q; }));
   const auto d2q = testing::difference(h, beside(track, [](const ContactPosition& at) { return at.dq; }));
@@ -82,7 +82,7 @@ void run_one(const RandomCase& one, Counts& counts) {
   expect_lawful(one, found.at);
   EXPECT_GT(ContactLaws(one.pair, found.at).conforming_, -1e-6L);
   EXPECT_LE(testing::deepest_overlap(one.pair, found.at, one.size), 1e-7 * one.size);
-  ContactTrack track = start_track(one.pair, found.at, found.branch);
+  FollowedContact track = start_track(one.pair, found.at, found.branch);
   for (int k = 1; k <= 60; ++k) {
     ++counts.rows;
     if (follow_to(track, one.u + k * step_of(one)).status != TrackStatus::kOk) {
@@ -126,8 +126,8 @@ TEST_P(RandomSeeds, GiveTheSameInOneLeapAsInManyRows) {
     SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
     const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
     if (found.status != FindStatus::kFound) continue;
-    ContactTrack rows = start_track(one.pair, found.at, found.branch);
-    ContactTrack leap = rows;
+    FollowedContact rows = start_track(one.pair, found.at, found.branch);
+    FollowedContact leap = rows;
     bool held = true;
     for (int k = 1; k <= 40 && held; ++k) {
       held = follow_to(rows, one.u + k * step_of(one) / 2).status == TrackStatus::kOk;

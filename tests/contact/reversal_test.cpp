@@ -1,7 +1,7 @@
 // A motion that runs back comes to where it began: a contact that was taken for another one would not.
+#include "contact/pair_follower.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/critical_positions.hpp"
-#include "higherpair/contact/tracker.hpp"
 #include "random_pair.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ int run_forth_and_back(const ContactPair& given, double u) {
     if (contact.coincident || start.status != ContactStatus::kOk || std::abs(gap_q) < kFarFromLimit) {
       continue;
     }
-    ContactTrack track = start_track(pair, start.at, branch);
+    FollowedContact track = start_track(pair, start.at, branch);
     if (follow_to(track, u + kWay).status != TrackStatus::kOk) {
       continue;
     }

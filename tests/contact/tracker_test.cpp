@@ -1,6 +1,5 @@
-#include "higherpair/contact/tracker.hpp"
-
 #include "contact/oracle_case.hpp"
+#include "contact/pair_follower.hpp"
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/contact/finder.hpp"
 
@@ -17,7 +16,7 @@ using testing::OracleCase;
 
 class TrackerOracle : public ::testing::TestWithParam<OracleCase> {};
 
-ContactTrack started(const OracleCase& reference) {
+FollowedContact started(const OracleCase& reference) {
   const double u = reference.data.at("th1_start_deg").get<double>() * kDegree;
   const FindResult found = find_nearest_contact(reference.pair, u, reference.data.at("start").at("q2_near"));
   EXPECT_EQ(found.status, FindStatus::kFound);
@@ -25,7 +24,7 @@ ContactTrack started(const OracleCase& reference) {
 }
 
 TEST_P(TrackerOracle, FollowsTheContactThroughAllRows) {
-  ContactTrack track = started(GetParam());
+  FollowedContact track = started(GetParam());
   for (const auto& row : GetParam().data.at("rows")) {
     SCOPED_TRACE(row.at("th1_deg").dump());
     ASSERT_EQ(follow_to(track, row.at("th1")).status, TrackStatus::kOk);
@@ -39,8 +38,8 @@ TEST_P(TrackerOracle, FollowsTheContactThroughAllRows) {
 }
 
 TEST_P(TrackerOracle, FindsTheSameWithAHundredTimesMoreRows) {
-  ContactTrack coarse = started(GetParam());
-  ContactTrack fine = coarse;
+  FollowedContact coarse = started(GetParam());
+  FollowedContact fine = coarse;
   double from = coarse.at.u;
   for (const auto& row : GetParam().data.at("rows")) {
     const double to = row.at("th1");
@@ -62,7 +61,7 @@ TEST(Tracker, LocatesTheLimitPositionAndTakesTheBranchUpAgainBeyondTheGap) {
     if (!reference.data.contains("limits")) {
       continue;
     }
-    ContactTrack track = started(reference);
+    FollowedContact track = started(reference);
     const double limit = reference.data.at("limits").at("th1_max");
     const TrackResult lost = follow_to(track, 1.9);
     ASSERT_EQ(lost.status, TrackStatus::kNotAssemblable);

@@ -1,7 +1,7 @@
 // A conic that is moved, turned, mirrored or scaled has moved, turned, mirrored or scaled answers.
+#include "geometry/curvature.hpp"
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/geometry/arc_length.hpp"
-#include "higherpair/geometry/curvature.hpp"
 #include "higherpair/geometry/support.hpp"
 
 namespace higherpair {

@@ -1,4 +1,4 @@
-#include "higherpair/geometry/curvature.hpp"
+#include "geometry/curvature.hpp"
 
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/geometry/support.hpp"

@@ -42,7 +42,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
 const std::map<std::string, std::vector<std::string>>& owned_libraries() {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"CGAL", {"contact"}},     {"CLI", {}},
-      {"nlohmann", {"io"}},      {"nlopt.h", {"design"}},
+      {"nlohmann", {"front"}},   {"nlopt.h", {"design"}},
       {"nlopt.hpp", {"design"}}, {"toml++", {"io"}},
       {"toml.hpp", {"io"}},      {"Random123", {"sweep"}},
       {"tbb", {"front"}},        {"oneapi", {"design"}},

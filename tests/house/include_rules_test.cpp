@@ -2,11 +2,17 @@
 
 #include "house/tree.hpp"
 
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 namespace higherpair::house {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -24,6 +30,30 @@ TEST(IncludeRules, TheTreeKeepsThem) {
     }
   }
   EXPECT_GT(sources, 10) << "the tree was not found";
+}
+
+// What is installed is what the front door shows; all else is private.
+TEST(IncludeRules, PublicHeadersAreThoseThatTheFrontDoorIncludes) {
+  const std::string folder = "include/";
+  std::set<std::string> found;
+  std::vector<std::string> open = {"higherpair/higherpair.hpp"};
+  const std::regex include("#include \"(higherpair/[^\"]+)\"");
+  while (!open.empty()) {
+    const std::string header = open.back();
+    open.pop_back();
+    if (!found.insert(folder + header).second) {
+      continue;
+    }
+    const std::string text = read_file(root() / (folder + header));
+    for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+      open.push_back((*match)[1]);
+    }
+  }
+  for (const auto& file : project_files()) {
+    if (file.string().starts_with(folder)) {
+      EXPECT_THAT(found, Contains(file.string())) << "belongs in src/include";
+    }
+  }
 }
 
 TEST(IncludeRules, ARoomMayUseItselfAndTheRoomsBelow) {

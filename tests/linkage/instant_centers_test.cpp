@@ -2,8 +2,8 @@
 
 #include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
-#include "higherpair/linkage/slider_crank.hpp"
 #include "linkage/moving_ends.hpp"
+#include "linkage/slider_crank.hpp"
 
 #include <Eigen/LU>
 

@@ -1,4 +1,4 @@
-#include "higherpair/linkage/inverted_slider_crank.hpp"
+#include "linkage/inverted_slider_crank.hpp"
 
 #include "linkage/linkage_testing.hpp"
 

@@ -1,10 +1,10 @@
 #include "higherpair/linkage/four_bar.hpp"
-#include "higherpair/linkage/inverted_slider_crank.hpp"
 #include "higherpair/linkage/prp_dyad.hpp"
 #include "higherpair/linkage/rpr_dyad.hpp"
-#include "higherpair/linkage/scotch_yoke.hpp"
-#include "higherpair/linkage/slider_crank.hpp"
+#include "linkage/inverted_slider_crank.hpp"
 #include "linkage/linkage_testing.hpp"
+#include "linkage/scotch_yoke.hpp"
+#include "linkage/slider_crank.hpp"
 
 namespace higherpair::testing {
 

@@ -1,7 +1,7 @@
 #include "higherpair/linkage/piston.hpp"
 
-#include "higherpair/linkage/slider_crank.hpp"
 #include "linkage/linkage_testing.hpp"
+#include "linkage/slider_crank.hpp"
 
 namespace higherpair {
 namespace {

@@ -1,7 +1,7 @@
 #include "higherpair/linkage/prp_dyad.hpp"
 
-#include "higherpair/linkage/scotch_yoke.hpp"
 #include "linkage/moving_ends.hpp"
+#include "linkage/scotch_yoke.hpp"
 
 namespace higherpair {
 namespace {

@@ -1,5 +1,7 @@
 #include "higherpair/linkage/quick_return.hpp"
 
+#include "linkage/inverted_slider_crank.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "higherpair/linkage/rpr_dyad.hpp"
 
-#include "higherpair/linkage/inverted_slider_crank.hpp"
+#include "linkage/inverted_slider_crank.hpp"
 #include "linkage/moving_ends.hpp"
 
 namespace higherpair {

@@ -1,9 +1,9 @@
 #include "higherpair/linkage/rrp_dyad.hpp"
 
-#include "higherpair/linkage/inverted_slider_crank.hpp"
-#include "higherpair/linkage/scotch_yoke.hpp"
-#include "higherpair/linkage/slider_crank.hpp"
+#include "linkage/inverted_slider_crank.hpp"
 #include "linkage/moving_ends.hpp"
+#include "linkage/scotch_yoke.hpp"
+#include "linkage/slider_crank.hpp"
 
 namespace higherpair {
 namespace {

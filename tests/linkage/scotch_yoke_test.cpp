@@ -1,4 +1,4 @@
-#include "higherpair/linkage/scotch_yoke.hpp"
+#include "linkage/scotch_yoke.hpp"
 
 #include "linkage/linkage_testing.hpp"
 

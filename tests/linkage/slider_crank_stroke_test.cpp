@@ -1,6 +1,7 @@
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 
 #include "linkage/linkage_testing.hpp"
+#include "linkage/slider_crank.hpp"
 
 namespace higherpair {
 namespace {

@@ -1,4 +1,4 @@
-#include "higherpair/linkage/slider_crank.hpp"
+#include "linkage/slider_crank.hpp"
 
 #include "linkage/linkage_testing.hpp"
 

@@ -89,7 +89,7 @@ std::array<double, 3> lift(const Oval& cam, double u) {
 }
 
 double followed(ContactTrack track, double u) {
-  return follow_to(track, u).status == TrackStatus::kOk ? track.at.q : NAN;
+  return step_to(track, u, track.branch) == ContactStatus::kOk ? track.at.q : NAN;
 }
 
 // Every error is compared as !(error <= bound): a NaN is wrong.
@@ -151,7 +151,7 @@ void check_tracking(const Case& reference) {
   ContactTrack track = track_of(run);
   for (int step = 0; step < kStepsPerTurn; ++step) {
     const double u = driver_position(step);
-    require(follow_to(track, u).status == TrackStatus::kOk, reference.name + ": the contact is lost");
+    require(step_to(track, u, track.branch) == ContactStatus::kOk, reference.name + ": the contact is lost");
     const ContactPosition& at = track.at;
     require_close(reference, "the closure", u, (at.p2_W - at.p1_W).norm(), 1e-15);
     check_closed_form(reference, at);

@@ -103,13 +103,15 @@ void register_four_bars(double floor) {
 void register_tracking(const Case& reference, double floor) {
   add("step/" + reference.name, [=](benchmark::State& state) {
     ContactTrack track;
-    const auto step = [&](int k) { benchmark::DoNotOptimize(follow_to(track, driver_position(k))); };
+    const auto step = [&](int k) {
+      benchmark::DoNotOptimize(step_to(track, driver_position(k), track.branch));
+    };
     run_turns(state, floor, step, [&] { track = track_of(reference.run); });
   });
   add("step_and_details/" + reference.name, [=](benchmark::State& state) {
     ContactTrack track;
     const auto step = [&](int k) {
-      benchmark::DoNotOptimize(follow_to(track, driver_position(k)));
+      benchmark::DoNotOptimize(step_to(track, driver_position(k), track.branch));
       benchmark::DoNotOptimize(details_of(track.pair, track.at, track.phi));
     };
     run_turns(state, floor, step, [&] { track = track_of(reference.run); });

@@ -1,7 +1,6 @@
 #include "mobility_command.hpp"
 
-#include "json_text.hpp"
-#include "mobility_report.hpp"
+#include "higherpair/front/mobility.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
@@ -14,8 +13,7 @@ namespace higherpair::cli {
 namespace {
 
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
-  const Forms forms = {[&] { return mobility_csv(findings); },
-                       [&] { return text_of(mobility_json(findings)) + "\n"; },
+  const Forms forms = {[&] { return mobility_csv(findings); }, [&] { return mobility_json(findings) + "\n"; },
                        [&] { return mobility_text(findings); }};
   return write_forms(options.csv, options.json, forms) ? kExitOk : kExitMachine;
 }

@@ -1,6 +1,6 @@
 #include "run_command.hpp"
 
-#include "higherpair/io/notes.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "progress.hpp"
 #include "row_hdf5.hpp"
 #include "row_writer.hpp"

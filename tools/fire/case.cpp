@@ -1,7 +1,7 @@
 #include "case.hpp"
 
+#include "contact/pair_follower.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 
 #include <cmath>
 
@@ -172,7 +172,7 @@ void Cases::move_beside_limit(Case& one) {
   if (found.status != FindStatus::kFound || found.branch == 0) {
     return;
   }
-  ContactTrack track = start_track(*pair, found.at, found.branch);
+  FollowedContact track = start_track(*pair, found.at, found.branch);
   const TrackResult moved = follow_to(track, one.u + 2 * kPi * (one.mount1.turns ? 1 : 2));
   if (moved.limit) {
     one.step = -std::pow(10.0, between(-9, -2));

@@ -2,9 +2,9 @@
 
 #include "contact/contact_laws.hpp"
 #include "contact/differences.hpp"
+#include "contact/pair_follower.hpp"
 #include "front/analysis_impl.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/tracker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,10 +83,10 @@ Doubt doubt_of(const ContactPair& pair, const ContactPosition& at) {
   return doubt;
 }
 
-Failure rates_over(const ContactTrack& track, double h, int row) {
+Failure rates_over(const FollowedContact& track, double h, int row) {
   const auto beside = [&](auto of) {
     return [&track, of](double offset) -> std::optional<double> {
-      ContactTrack moved = track;
+      FollowedContact moved = track;
       if (follow_to(moved, track.at.u + offset).status != TrackStatus::kOk) {
         return std::nullopt;
       }
@@ -110,7 +110,7 @@ Failure rates_over(const ContactTrack& track, double h, int row) {
 
 // The motion may change within less than h, of which a difference does not know: rates that are wrong also
 // differ from narrower ones.
-Failure rates(const ContactTrack& track, double h, int row) {
+Failure rates(const FollowedContact& track, double h, int row) {
   const Failure wide = rates_over(track, h, row);
   return wide && rates_over(track, h / 8, row) ? rates_over(track, h / 64, row) : Failure{};
 }
@@ -125,7 +125,7 @@ Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
   if (auto f = laws(pair, found.at, 0)) {
     return f;
   }
-  ContactTrack track = start_track(pair, found.at, found.branch);
+  FollowedContact track = start_track(pair, found.at, found.branch);
   int lost = 0;  // rows in succession; each next one is a search anew, so few of them will do
   for (int k = 1; k <= one.rows; ++k) {
     if (lost > 2 && k % 8 != 0 && k != one.rows) {

@@ -46,9 +46,8 @@ struct LawExtremes {
   double greatest = 0;
   double greatest_at = 0;
 
-  /// The larger of the two by size, with its sign, and where.
+  /// The larger of the two by size, with its sign.
   [[nodiscard]] double peak() const { return -least > greatest ? least : greatest; }
-  [[nodiscard]] double peak_at() const { return -least > greatest ? least_at : greatest_at; }
 };
 
 /// How many derivatives of a function of x count in an expression of this type.

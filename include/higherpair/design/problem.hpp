@@ -51,7 +51,7 @@ public:
   virtual bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian);
 };
 
-/// What is to be made small, and what has to hold.
+/// The objective, and the constraints that have to hold.
 struct DesignProblem {
   std::vector<DesignVariable> variables;
   Eigen::Index residuals = 0;

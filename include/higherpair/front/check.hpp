@@ -18,7 +18,7 @@ struct CheckSettings {
   const std::atomic<bool>* stop = nullptr;    ///< as RunSettings::stop
 };
 
-/// How a figure stands to its limit.
+/// How a figure compares with its limit.
 enum class Verdict {
   kNoLimit,
   kKept,

@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-/// What is to be fitted to points of a boundary.
+/// The curve to fit to points of a boundary.
 enum class FittedCurve { kLine, kCircle, kEllipse, kParabola, kHyperbola, kConic };
 
 /// "line", "circle", "ellipse", "parabola", "hyperbola", "conic".

@@ -16,7 +16,7 @@ struct Measured {
   /// Undefined (NaN) where no row has a value; of first, last and at where this row has none, or is not
   /// there.
   double value = std::numeric_limits<double>::quiet_NaN();
-  /// Where the row stands that it is from, of several the first: position of the (first) driver, of a run in
+  /// The row that it is from, of several the first: position of the (first) driver, of a run in
   /// time the time. NaN of range, mean and rms, and where the value is undefined.
   double where = std::numeric_limits<double>::quiet_NaN();
 };

@@ -38,7 +38,7 @@ struct SensitivitySettings {
 struct SensitivityNumber {
   std::string name;                ///< as [tolerances] calls it, else its path
   std::vector<std::string> paths;  ///< several have one value and change together
-  double value = 0;                ///< in the unit in which it stands in the profile
+  double value = 0;                ///< in the unit that it has in the profile
   std::string unit;                ///< that unit, "mm"; "1" of a pure number
   /// A change of it that weighs as much as those of others by theirs: of a length the size of the mechanism,
   /// of an angle a radian, of others the number itself, or 1 where it is 0.

@@ -5,7 +5,7 @@
 
 namespace higherpair {
 
-/// Where something stands in the user's input.
+/// A place in the user's input.
 struct Place {
   std::string source;  ///< a file's name, or the option `--set PATH=VALUE` itself
   int line = 0;        ///< from 1; 0: the whole source is meant
@@ -26,5 +26,8 @@ using Diagnostics = std::vector<Diagnostic>;
 
 /// "file:line:column: message", or "source: message" where no line is known.
 [[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
+
+/// The same of what may be meant though it is probably a slip: "file:line:column: note: message".
+[[nodiscard]] std::string note_text(const Diagnostic& note);
 
 }  // namespace higherpair

@@ -26,7 +26,7 @@ enum class FitLoss {
 [[nodiscard]] const std::vector<std::string>& fit_loss_names();
 [[nodiscard]] std::string_view name_of(FitLoss loss);
 
-/// What [fit] of a profile says of the columns that were measured. Which numbers are to be found say the
+/// What [fit] of a profile says of the columns that were measured. Which numbers are unknown say the
 /// variables of [design].
 struct FitTask {
   /// [[fit.columns]]

@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-/// A contact that places a follower, as a pair of curves whose first body stands.
+/// A contact that places a follower, as a pair of curves whose first body is at rest.
 struct ContactPlace {
   int contact = 0;
   CarriedBody follower;

@@ -39,7 +39,7 @@ struct ChainColumn {
 
 /// The rows of linkages that differ in dimensions alone, of each at once: for many variants of one mechanism.
 ///
-/// A linkage of one driver on ground and of dyads (RRR, RRP, RPR), each hanging on bodies before it, has its
+/// A linkage of one driver on ground and of dyads (RRR, RRP, RPR), each joined to bodies before it, has its
 /// rows in closed form once the mode of every dyad is known. A Run follows the motion to know that the modes
 /// stay. Here that is proven: from the rows and from bounds of the second derivatives between them no dyad
 /// comes near a limit. Where it cannot be proven there is no answer, and a Run has to be asked.

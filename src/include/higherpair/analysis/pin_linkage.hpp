@@ -24,7 +24,8 @@ public:
 
   /// \param numbers  all of the mechanism, in the order of for_each_number (numbers.hpp)
   void set_numbers(std::span<const double> numbers);
-  /// The branch on which bodies are placed; 0 at first. Bodies stand as they were posed from now on.
+  /// The branch on which bodies are placed; 0 at first. From now on bodies have the poses that they were
+  /// given.
   void set_branch(int branch);
 
   /// Places all bodies. False where a dyad does not reach; it and the bodies after it stay where they were

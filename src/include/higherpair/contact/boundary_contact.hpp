@@ -77,6 +77,9 @@ struct BoundaryResult {
                                                           const Boundary& boundary2,
                                                           const Pose<double>& X_W2);
 
+/// A depth of two bodies in each other that is none, of the sizes of their boundaries together.
+inline constexpr double kTouchingDepth = 1e-7;
+
 /// How deep one body is in the other [m], at the common normal near the deepest samples of their boundaries;
 /// 0 where they are free of each other to within `tolerance`.
 struct Penetration {

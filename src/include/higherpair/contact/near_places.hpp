@@ -9,7 +9,7 @@
 namespace higherpair {
 
 /// Where two boundaries are nearest to each other, or deepest in each other, among the places around: at a
-/// common normal, or where an end of an open boundary stands over the other one. An end that is an edge does
+/// common normal, or where an end of an open boundary is opposite the other one. An end that is an edge does
 /// so only with normals that are not on it.
 struct NearPlace {
   CommonNormal at;  ///< ρ: of a face +∞, of a corner or an end 0

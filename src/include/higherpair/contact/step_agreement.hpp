@@ -4,15 +4,15 @@
 
 namespace higherpair {
 
-/// How far the solution of a step may be from its prediction, of the change in that step: else it may be on
-/// another branch.
+/// Largest difference between a step's solution and its prediction that is accepted, as a fraction of the
+/// change in that step: beyond it the step may have jumped to another branch.
 inline constexpr double kStepAgreement = 0.25;
 
 /// The same where the branch changes, because branches cross within the step.
 inline constexpr double kCrossingAgreement = 0.03;
 
-/// Of a step: a way no longer than this is one step, so that no rest of rounding is left.
-inline constexpr double kAlmostThere = 1.001;
+/// The cosine of the angle by which a contact's normal may turn in one step: 30 degrees.
+inline constexpr double kCosFarthestTurn = 0.866;
 
 /// Whether what is 0 where branches cross has come nearer to 0 in a step h, but not as its rates at both ends
 /// say. Next to a crossing a step agrees with its prediction on either branch; on the one that is not its own

@@ -11,7 +11,7 @@
 
 namespace higherpair {
 
-/// The static balance of a mechanism where a row of its run stands: the multipliers λ of all conditions of
+/// The static balance of a mechanism at a row of its run: the multipliers λ of all conditions of
 /// joints, contacts and drivers (ConstraintRow) for which, on every moving body,
 ///     Σ λ·coefficient + W = 0
 /// with W what else acts on it. Group by group in the reverse order of the plan: the conditions of a group
@@ -36,7 +36,7 @@ public:
   [[nodiscard]] bool balance(std::vector<Wrench>& wrenches);
 
   /// Lets those flanks of gears' teeth carry that press in the last balance; true where others did, so that
-  /// stand() and balance() are to be repeated. Only what bearings take changes by it, not the torques.
+  /// stand() and balance() have to be repeated. Only what bearings take changes by it, not the torques.
   [[nodiscard]] bool choose_flanks(const Mechanism& mechanism);
 
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }

@@ -22,7 +22,7 @@ struct DesignTask {
     std::string name;
     std::vector<std::string> paths;  ///< as --set names them; at least one
     std::vector<double> factors;     ///< of each path: the number there is so many times the variable
-    DesignVariable range;            ///< in the unit in which the number stands in the profile
+    DesignVariable range;            ///< in the unit that the number has in the profile
     std::string unit = "1";          ///< the same, as tables show it; "1" of a pure number
     Place place;
   };

@@ -22,7 +22,7 @@ public:
   ProfileVariants& operator=(ProfileVariants&& other) noexcept;
   ~ProfileVariants();
 
-  /// The profile with these numbers at the paths, in their order. Mistakes stand where the paths lead.
+  /// The profile with these numbers at the paths, in their order. Mistakes are reported where the paths lead.
   [[nodiscard]] tl::expected<Profile, Diagnostics> read(std::span<const double> values);
 
 private:

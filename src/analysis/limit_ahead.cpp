@@ -1,0 +1,80 @@
+#include "limit_ahead.hpp"
+
+#include "group_solver.hpp"
+#include "higherpair/contact/step_length.hpp"
+#include "limit_events.hpp"
+#include "reduction.hpp"
+#include "step.hpp"
+#include "tolerances.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr double kShareToLimit = 0.5;  // of what is left to a limit: the next step
+constexpr double kNearLimit = 1e-6;    // of the driver's scale: nearer, rates may be too inexact to go on
+
+// A row at a limit: in run.work.trial, with positions only; run.at.state remains short of it.
+void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
+                   const Reduction::Point& limit, double s) {
+  reduction.place(limit);
+  run.work.trial.groups[g].sine = 0;
+  run.work.trial.groups[g].sine_rate = 0;
+  for (std::size_t later = g + 1; later < run.plan().groups.size(); ++later) {
+    run.work.trial.groups[later].mode = run.at.state.groups[later].mode;
+    (void)place_group(model_of(run), later, run.at.state, limit.ahead, path.to, run.work.trial);
+  }
+  run.at.beside = run.work.trial;
+  path.positions(s, run.at.drivers);
+}
+
+}  // namespace
+
+double LimitAhead::longest_step(double s) const {
+  return limit_ ? kShareToLimit * std::abs(limit_->s - s) : std::numeric_limits<double>::infinity();
+}
+
+bool LimitAhead::is_within(double share, double s) const {
+  return limit_ && std::abs(limit_->s - s) <= share * scale_;
+}
+
+bool LimitAhead::is_near(double s) const {
+  return is_within(kNearLimit, s);
+}
+
+bool LimitAhead::is_on_path() const {
+  return (path_.length - limit_->s) * path_.length >= 0;
+}
+
+bool LimitAhead::look_for(std::size_t g, double s, double h) {
+  if (limit_ && limit_->group == g) {
+    return false;
+  }
+  Reduction reduction(run_, path_, g, s);
+  const auto found = reduction.limit_ahead(h);
+  if (!found) {
+    return false;
+  }
+  const double at = s + found->ahead;
+  if (std::abs(path_.length - at) <= kOnLimit * (scale_ + std::abs(driver_at(path_, at)))) {
+    report_limit(run_, path_, limit_event(run_, g, path_, path_.length));
+    stop_at_limit(run_, path_, g, reduction, *found, s);
+    return true;
+  }
+  if (!limit_ || std::abs(at - s) < std::abs(limit_->s - s)) {
+    limit_ = PathLimit{g, at};
+  }
+  return false;
+}
+
+PathLimit LimitAhead::assumed(std::size_t g, double s) const {
+  const GroupState& group = run_.at.state.groups[g];
+  const double left = group.sine_rate == 0 ? 0 : -group.sine / group.sine_rate;
+  const bool runs_off = std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0;
+  const double shortest = shortest_step(scale_, driver_at(path_, s));
+  return {g, s + (runs_off ? left : std::copysign(shortest, path_.length))};
+}
+
+}  // namespace higherpair

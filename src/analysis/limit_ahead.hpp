@@ -1,0 +1,57 @@
+#pragma once
+
+#include "straight_path.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace higherpair {
+
+/// Of the driver's scale: as near as this a limit is reached, nothing being left but rounding.
+inline constexpr double kReachesLimit = 1e-9;
+
+/// A limit on a path, and the group that comes to it.
+struct PathLimit {
+  std::size_t group = 0;
+  double s = 0;
+};
+
+/// The first limit that is known on a path ahead of run.at.state, which is at s.
+class LimitAhead {
+public:
+  /// \param scale  one unit of the path's coordinate
+  LimitAhead(Run& run, const Path& path, double scale) : run_(run), path_(path), scale_(scale) {}
+
+  [[nodiscard]] bool is_known() const { return limit_.has_value(); }
+  /// \pre is_known()
+  [[nodiscard]] const PathLimit& known() const { return *limit_; }
+  void forget() { limit_.reset(); }
+
+  /// The largest step from s: a share of what is left to the limit; infinite where none is known.
+  [[nodiscard]] double longest_step(double s) const;
+  [[nodiscard]] bool is_reached(double s) const { return is_within(kReachesLimit, s); }
+  /// Whether it is so near that rates may be too inexact to go on.
+  [[nodiscard]] bool is_near(double s) const;
+  /// Whether it comes before the end of the path. \pre is_known()
+  [[nodiscard]] bool is_on_path() const;
+
+  /// Looks for the limit of group g, where a step of `h` from s has failed; it becomes the known one if it
+  /// comes first. True where it is at the end of the path: it is reported then, run.at.beside is set to the
+  /// position there, which has no rates, and run.at.drivers to where run.at.state is, short of it.
+  [[nodiscard]] bool look_for(std::size_t g, double s, double h);
+
+  /// The limit of group g where none is found although no step from s is left. Where bodies run off to
+  /// infinity there is no last position; what goes to 0 there says how far it is. At an end of a curve or a
+  /// guide nothing is left but the shortest step.
+  [[nodiscard]] PathLimit assumed(std::size_t g, double s) const;
+
+private:
+  [[nodiscard]] bool is_within(double share, double s) const;
+
+  Run& run_;
+  const Path& path_;
+  double scale_;
+  std::optional<PathLimit> limit_;
+};
+
+}  // namespace higherpair

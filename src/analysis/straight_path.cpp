@@ -1,0 +1,56 @@
+#include "straight_path.hpp"
+
+namespace higherpair {
+
+void name_item(const Run& run, std::size_t g, RunEvent& event) {
+  const Group& group = run.plan().groups[g];
+  if (!group.contacts.empty()) {
+    event.contact = group.contacts.front();
+  } else if (!group.joints.empty()) {
+    event.joint = group.joints.front();
+  }
+}
+
+RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
+  RunEvent event;
+  event.type = type;
+  set_place(event, path, s);
+  event.cause = cause;
+  return event;
+}
+
+void set_place(RunEvent& event, const Path& path, double s) {
+  event.driver = driver_at(path, s);
+  event.share = path.length == 0 ? 1 : s / path.length;
+}
+
+double driver_at(const Path& path, double s) {
+  return path.is_single() ? path.from[0] + s : path.from[0] + s * (path.to[0] - path.from[0]);
+}
+
+void Path::positions(double s, std::vector<double>& out) const {
+  out.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    out[i] = s == length ? to[i] : from[i] + s * (is_single() ? 1 : to[i] - from[i]);
+  }
+}
+
+void Path::motions(double s, std::vector<DriverMotion>& out) const {
+  out.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double rate = is_single() ? 1 : to[i] - from[i];
+    out[i] = {s == length ? to[i] : from[i] + s * rate, rate, 0};
+  }
+}
+
+void set_path(Path& path, const std::vector<double>& from, const std::vector<double>& to) {
+  path.from.resize(from.size());
+  path.to.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {  // a few numbers: a loop costs less than copying blocks
+    path.from[i] = from[i];
+    path.to[i] = to[i];
+  }
+  path.length = path.is_single() ? to[0] - from[0] : 1;
+}
+
+}  // namespace higherpair

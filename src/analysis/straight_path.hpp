@@ -1,0 +1,27 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+
+#include <string_view>
+#include <vector>
+
+// The straight path of the drivers from one row to the next, and events on it.
+
+namespace higherpair {
+
+/// Sets the ends of a path.
+void set_path(Path& path, const std::vector<double>& from, const std::vector<double>& to);
+
+/// The first driver's coordinate at s.
+[[nodiscard]] double driver_at(const Path& path, double s);
+
+/// An event at s on the path.
+[[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
+
+/// Says where on the path an event happens.
+void set_place(RunEvent& event, const Path& path, double s);
+
+/// Names the joint or contact at which an event of a group happens.
+void name_item(const Run& run, std::size_t g, RunEvent& event);
+
+}  // namespace higherpair

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "higherpair/cam/flank.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace higherpair {
+
+/// The envelope of a follower's curve in its motion against a cam: see cam_flank().
+class Envelope {
+public:
+  explicit Envelope(FlankOrigin origin) : origin_(std::move(origin)) {}
+
+  [[nodiscard]] const FlankOrigin& origin() const { return origin_; }
+
+  /// The parameter that tangents and curvature rates are by is `sense` times the cam's coordinate: +1 or -1.
+  void set_sense(double sense) { sense_ = sense; }
+
+  /// The point of the cam that touches at the coordinate x of the cam's joint, with the derivatives of the
+  /// law on one side of it. None where no point of the follower can touch.
+  [[nodiscard]] std::optional<SpanPoint> at(double x, LawSide side) const;
+
+private:
+  FlankOrigin origin_;
+  double sense_ = 1;
+};
+
+}  // namespace higherpair

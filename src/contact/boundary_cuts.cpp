@@ -1,0 +1,258 @@
+#include "boundary_cuts.hpp"
+
+#include "higherpair/geometry/roots.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr double kBackwards = 1e-8;  // [rad, of the size]: by which u may fall along a branch, by rounding
+
+int sign_of(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+// A part of a step between changes of sign, in the order of its curve.
+struct Bit {
+  SheetStep step;
+  double from = 0, to = 1;  // shares
+  SheetPoint at_from, at_to;
+  int gap_q = 0, bend = 0;  // signs between them; bend 0: u stands still
+
+  [[nodiscard]] int sense() const { return gap_q * bend; }
+};
+
+class CurveCutter {
+public:
+  CurveCutter(const BoundaryTrace& trace, const ContactPair& motions, const std::array<bool, 2>& unbounded,
+              const MapRange& range)
+      : trace_(trace),
+        motions_(motions),
+        unbounded_(unbounded),
+        range_(range),
+        cyclic_(motions.motion1.turns) {
+    const double size = trace.sheet(true).size();
+    unit1_ = cyclic_ ? 1 : size;
+    unit2_ = motions.motion2.turns ? 1 : size;
+  }
+
+  [[nodiscard]] BoundaryCuts run() {
+    for (const bool opposed : {true, false}) {
+      const SheetCurves found = sheet_curves(trace_.sheet(opposed), range_);
+      cuts_.complete = cuts_.complete && found.complete;
+      for (const SheetCurve& curve : found.curves) {
+        cut(curve, opposed);
+      }
+    }
+    return std::move(cuts_);
+  }
+
+private:
+  // The bits of a step: between the zeros of ∂gap/∂q and of κ1 + κ2.
+  void add_bits(const TangencySheet& sheet, const SheetStep& step, std::vector<Bit>& bits) {
+    const auto first = place_on(sheet, step, 0);
+    const auto last = place_on(sheet, step, 1);
+    if (!first || !last) {
+      cuts_.complete = false;
+      return;
+    }
+    if (step.from1.t == step.to1.t && step.from2.t == step.to2.t) {
+      return;
+    }
+    std::vector<double> shares{0};
+    for (double SheetPoint::*of : {&SheetPoint::gap_q, &SheetPoint::bend}) {
+      const auto value = [&](double share) {
+        const auto place = place_on(sheet, step, share);
+        return place ? place->at.*of : NAN;
+      };
+      if (const double a = first->at.*of, b = last->at.*of; a * b < 0) {
+        shares.push_back(root_between(value, a, 1, b).value_or(0));
+      }
+    }
+    shares.push_back(1);
+    std::sort(shares.begin(), shares.end());
+    for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+      if (shares[i] == shares[i + 1]) {
+        continue;
+      }
+      const auto from = place_on(sheet, step, shares[i]);
+      const auto middle = place_on(sheet, step, (shares[i] + shares[i + 1]) / 2);
+      const auto to = place_on(sheet, step, shares[i + 1]);
+      if (!from || !middle || !to) {
+        cuts_.complete = false;
+        continue;
+      }
+      bits.push_back({step, shares[i], shares[i + 1], from->at, to->at, sign_of(middle->at.gap_q),
+                      sign_of(middle->at.bend)});
+    }
+  }
+
+  void cut(const SheetCurve& curve, bool opposed) {
+    const TangencySheet& sheet = trace_.sheet(opposed);
+    std::vector<Bit> bits;
+    for (const SheetStep& step : curve.steps) {
+      if (is_stopped(range_)) {
+        return;
+      }
+      add_bits(sheet, step, bits);
+    }
+    // Where faces or corners meet u stands still: they belong to no branch.
+    std::vector<Bit> moving;
+    std::copy_if(bits.begin(), bits.end(), std::back_inserter(moving),
+                 [](const Bit& bit) { return bit.sense() != 0; });
+    if (moving.empty()) {
+      return;
+    }
+    if (std::all_of(moving.begin(), moving.end(), [&](const Bit& bit) {
+          return std::max(std::abs(bit.at_from.gap_q), std::abs(bit.at_to.gap_q)) <=
+                 kSlowestOnBoundaries * unit2_;
+        })) {
+      cuts_.idle = true;
+      return;
+    }
+    if (curve.closed) {
+      const auto turn = std::adjacent_find(moving.begin(), moving.end(),
+                                           [](const Bit& a, const Bit& b) { return a.sense() != b.sense(); });
+      if (turn != moving.end()) {
+        std::rotate(moving.begin(), turn + 1, moving.end());
+      }
+    }
+    unwrap(moving);
+    std::vector<BranchDraft> drafts = parts_of(moving, opposed);
+    set_ends(curve, moving, drafts);
+    for (BranchDraft& draft : drafts) {
+      cuts_.drafts.push_back(std::move(draft));
+    }
+  }
+
+  // Angles continuous along the curve.
+  void unwrap(std::vector<Bit>& bits) const {
+    SheetPoint last = bits.front().at_from;
+    for (Bit& bit : bits) {
+      for (SheetPoint* at : {&bit.at_from, &bit.at_to}) {
+        at->u = cyclic_ ? nearest_turn(at->u, last.u) : at->u;
+        at->q = motions_.motion2.turns ? nearest_turn(at->q, last.q) : at->q;
+        last = *at;
+      }
+    }
+  }
+
+  // One draft for each run of bits of one sense, in their order.
+  [[nodiscard]] std::vector<BranchDraft> parts_of(const std::vector<Bit>& bits, bool opposed) {
+    std::vector<BranchDraft> drafts;
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      const Bit& bit = bits[i];
+      if (i == 0 || bit.sense() != bits[i - 1].sense()) {
+        drafts.emplace_back();
+        drafts.back().branch.opposed = opposed;
+        drafts.back().path.opposed = opposed;
+      }
+      const bool rises = bit.at_to.u >= bit.at_from.u;
+      drafts.back().path.legs.push_back(
+          {bit.step, bit.from, bit.to, bit.at_from.u, bit.at_to.u, bit.at_from.q, bit.at_to.q});
+      if (!rises) {
+        TraceLeg& leg = drafts.back().path.legs.back();
+        std::swap(leg.share_a, leg.share_b);
+        std::swap(leg.u_a, leg.u_b);
+        std::swap(leg.q_a, leg.q_b);
+      }
+    }
+    return drafts;
+  }
+
+  // Orders the legs of the drafts of a curve, and says where and why they begin and end.
+  void set_ends(const SheetCurve& curve, const std::vector<Bit>& bits, std::vector<BranchDraft>& drafts) {
+    const std::size_t count = drafts.size();
+    const bool closed = curve.closed && count == 1;
+    std::size_t first = 0;
+    const int event_at_begin = curve.closed && count > 1 ? add_event(bits.back(), bits.front(), drafts) : -1;
+    int before = event_at_begin;
+    for (std::size_t k = 0; k < count; ++k) {
+      BranchDraft& draft = drafts[k];
+      const std::size_t last = first + draft.path.legs.size() - 1;
+      const bool at_last = k + 1 == count;
+      const int behind = !at_last ? add_event(bits[last], bits[last + 1], drafts) : event_at_begin;
+      MapEnd begin = end_of(before, bits[first].at_from, curve.ends_at_begin);
+      MapEnd end = end_of(behind, bits[last].at_to, curve.ends_at_end);
+      if (closed) {
+        close(draft, bits);
+        begin.type = end.type = MapEndType::kClosed;
+      }
+      if (begin.u > end.u) {
+        std::reverse(draft.path.legs.begin(), draft.path.legs.end());
+        std::swap(begin, end);
+      }
+      draft.branch.begin = begin;
+      draft.branch.end = end;
+      check_order(draft.path);
+      before = behind;
+      first = last + 1;
+    }
+  }
+
+  [[nodiscard]] MapEnd end_of(int event, const SheetPoint& at, int boundary) const {
+    MapEnd end;
+    end.u = at.u;
+    end.q = at.q;
+    end.event = event;
+    if (event >= 0) {
+      end.type = cuts_.events[static_cast<std::size_t>(event)].at.type == CriticalType::kFold
+                     ? MapEndType::kFold
+                     : MapEndType::kConforming;
+    } else if (boundary > 0) {
+      end.type =
+          unbounded_[static_cast<std::size_t>(boundary - 1)] ? MapEndType::kInfinity : MapEndType::kEnd;
+    }
+    return end;
+  }
+
+  int add_event(const Bit& before, const Bit& behind, const std::vector<BranchDraft>& drafts) {
+    MapEvent event;
+    static_cast<TangentPosition&>(event.at) = before.at_to;
+    event.at.type = before.gap_q != behind.gap_q ? CriticalType::kFold : CriticalType::kConforming;
+    event.at.opposed = drafts.front().branch.opposed;
+    cuts_.events.push_back(event);
+    return static_cast<int>(cuts_.events.size()) - 1;
+  }
+
+  void close(BranchDraft& draft, const std::vector<Bit>& bits) {
+    double turn_u = bits.back().at_to.u - bits.front().at_from.u;
+    double turn_q = bits.back().at_to.q - bits.front().at_from.q;
+    if (turn_u < 0) {
+      turn_u = -turn_u;
+      turn_q = -turn_q;
+    }
+    draft.branch.turns = static_cast<int>(std::lround(turn_u / kTurn));
+    draft.path.turn_u = draft.branch.turns * kTurn;
+    draft.path.turn_q = motions_.motion2.turns ? kTurn * std::round(turn_q / kTurn) : 0;
+    cuts_.complete = cuts_.complete && draft.branch.turns > 0;
+  }
+
+  void check_order(const TracePath& path) {
+    for (std::size_t i = 1; i < path.legs.size(); ++i) {
+      cuts_.complete = cuts_.complete && path.legs[i].u_a >= path.legs[i - 1].u_b - kBackwards * unit1_;
+    }
+  }
+
+  const BoundaryTrace& trace_;
+  const ContactPair& motions_;
+  const std::array<bool, 2>& unbounded_;
+  const MapRange& range_;
+  bool cyclic_;
+  double unit1_ = 1, unit2_ = 1;
+  BoundaryCuts cuts_;
+};
+
+}  // namespace
+
+BoundaryCuts cut_curves(const BoundaryTrace& trace, const ContactPair& motions,
+                        const std::array<bool, 2>& unbounded, const MapRange& range) {
+  return CurveCutter(trace, motions, unbounded, range).run();
+}
+
+}  // namespace higherpair

@@ -1,0 +1,200 @@
+#include "force_fit.hpp"
+
+#include "numeric/chebyshev.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace higherpair {
+namespace {
+
+// Multipliers are balances of forces that may be much larger: below this share of the largest they are
+// rounding.
+constexpr double kMultiplierRounding = 1e-11;
+
+// Forces are resolved relative to the largest in their piece, but no smaller than kFloor of what they are on
+// all but the worst tenth of the path, which may be next to a pole.
+constexpr int kFloorSamples = 64;
+constexpr double kUsual = 0.9;
+constexpr double kFloor = 0.1;
+
+// Forces or their rates may be discontinuous there.
+bool breaks_forces(const RunEvent& event) {
+  return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint ||
+         event.type == EventType::kConforming || event.type == EventType::kSecondContact ||
+         event.type == EventType::kCurvatureJump || event.type == EventType::kCorner ||
+         event.type == EventType::kEnd || event.type == EventType::kEngage ||
+         event.type == EventType::kRelease;
+}
+
+}  // namespace
+
+double parameter(const ForcePiece& piece, double t) {
+  return t == -1  ? piece.from
+         : t == 1 ? piece.to
+                  : (piece.from + piece.to) / 2 + t * (piece.to - piece.from) / 2;
+}
+
+ForceFitter::ForceFitter(const Run& start, const DriverPath& path, const std::vector<Preload>& preloads)
+    : path_(path),
+      position_{start, 0},
+      columns_(start, preloads),
+      contacts_(start.mechanism().contacts.size()) {
+  set_floor();
+  position_.at = path_.knots.front();
+  path_.motion(position_.at, drivers_);
+}
+
+std::optional<double> ForceFitter::last_break() const {
+  return last_break_ ? std::optional(last_break_at_) : std::nullopt;
+}
+
+void ForceFitter::set_floor() {
+  floor_.assign(columns_.count(), 0);
+  Run probe = position_.run;
+  std::vector<std::vector<double>> largest(columns_.count());
+  for (int k = 0; k < kFloorSamples && !is_stopped(probe); ++k) {
+    const double share = k / (kFloorSamples - 1.0);
+    path_.motion(path_.knots.front() + share * (path_.knots.back() - path_.knots.front()), drivers_);
+    move_to(probe, drivers_);
+    if (columns_.solve(probe)) {
+      for (std::size_t column = 0; column < largest.size(); ++column) {
+        largest[column].push_back(columns_.largest(column));
+      }
+    }
+  }
+  for (std::size_t column = 0; column < largest.size(); ++column) {
+    if (std::vector<double>& values = largest[column]; !values.empty()) {
+      const auto usual =
+          values.begin() + static_cast<std::ptrdiff_t>(kUsual * static_cast<double>(values.size()));
+      std::nth_element(values.begin(), usual, values.end());
+      floor_[column] = kFloor * *usual;
+    }
+  }
+}
+
+ForceFit ForceFitter::start_fit(const ForceStretch& stretch) {
+  ForceFit fit;
+  fit.piece.from = stretch.from;
+  fit.piece.to = stretch.to;
+  fit.piece.known.assign(contacts_, true);
+  fit.piece.columns.resize(contacts_ * columns_.count());
+  scales_ = floor_;
+  return fit;
+}
+
+ForceFit ForceFitter::fit(const ForceStretch& stretch) {
+  ForceFit fit = start_fit(stretch);
+  for (std::size_t j = 0; j < kNodes; ++j) {
+    if (sample(parameter(fit.piece, node(j)), fit)) {
+      for (std::size_t i = 0; i < fit.piece.columns.size(); ++i) {
+        fit.piece.columns[i][j] = columns_.value(i / columns_.count(), i % columns_.count());
+      }
+    }
+    if (fit.event || is_stopped(position_.run)) {
+      return fit;
+    }
+  }
+  if (!stretch.breaks_at_end) {
+    move(stretch.to, fit);
+  }
+  if (fit.defined == kNodes) {
+    converge(fit);
+  }
+  return fit;
+}
+
+std::optional<ForcePiece> ForceFitter::here() {
+  ForceFit fit = start_fit({position_.at, position_.at});
+  if (!sample(position_.at, fit)) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < fit.piece.columns.size(); ++i) {
+    fit.piece.columns[i] = {columns_.value(i / columns_.count(), i % columns_.count())};
+  }
+  return std::move(fit.piece);
+}
+
+// The series through the values at the nodes, and how far they have converged.
+void ForceFitter::converge(ForceFit& fit) {
+  for (std::size_t i = 0; i < fit.piece.columns.size(); ++i) {
+    ForceSeries& series = fit.piece.columns[i];
+    series = interpolate(series);
+    const double last =
+        std::max({std::abs(series[kNodes - 1]), std::abs(series[kNodes - 2]), std::abs(series[kNodes - 3])});
+    const double scale = scales_[i % columns_.count()];
+    fit.tail = std::max(fit.tail, scale > 0 ? last / scale : 0);
+  }
+  fit.piece.noise *= std::max(1.0, 4 * fit.tail / kMultiplierRounding);
+}
+
+// Moves there; a break on the way that lies within the fit's piece is noted, the first one.
+void ForceFitter::move(double to, ForceFit& fit) {
+  path_.motion(position_.at, was_);
+  path_.motion(to, drivers_);
+  move_to(position_.run, drivers_);
+  for (const RunEvent& event : position_.run.events) {
+    if (!fit.event && breaks_forces(event)) {
+      const double at = place_of(event.share, to);
+      const double near = kAtPieceEnd * longest_;
+      const bool again =
+          last_break_ == event.type && std::abs(at - last_break_at_) < kShortestPiece * longest_;
+      if (at > fit.piece.from + near && at < fit.piece.to - near && !again) {
+        fit.event = at;
+        last_break_ = event.type;
+        last_break_at_ = at;
+      }
+    }
+  }
+  position_.at = to;
+}
+
+// The parameter at which the drivers have gone a share of their straight way from here to `to`.
+double ForceFitter::place_of(double share, double to) {
+  std::size_t most = 0;
+  const auto way = [&](std::size_t i) { return drivers_[i].position - was_[i].position; };
+  for (std::size_t i = 1; i < drivers_.size(); ++i) {
+    most = std::abs(way(i)) > std::abs(way(most)) ? i : most;
+  }
+  const double target = was_[most].position + share * way(most);
+  const double sense = way(most) < 0 ? -1 : 1;
+  std::vector<DriverMotion> there;
+  const auto ahead = [&](double at) {
+    path_.motion(at, there);
+    return sense * (there[most].position - target);
+  };
+  const double guess = position_.at + share * (to - position_.at);
+  const double at_from = ahead(position_.at), at_to = ahead(to);
+  if (!(at_from < 0) || !(at_to > 0) || ahead(guess) == 0) {
+    return guess;
+  }
+  std::uintmax_t calls = 100;
+  const auto [a, b] = boost::math::tools::toms748_solve(ahead, position_.at, to, at_from, at_to,
+                                                        boost::math::tools::eps_tolerance<double>(52), calls);
+  return (a + b) / 2;
+}
+
+bool ForceFitter::sample(double at, ForceFit& fit) {
+  move(at, fit);
+  if (is_stopped(position_.run) || !columns_.solve(position_.run)) {
+    return false;
+  }
+  ++fit.defined;
+  for (std::size_t column = 0; column < columns_.count(); ++column) {
+    scales_[column] = std::max(scales_[column], columns_.largest(column));
+  }
+  // The parts of a force are known as well as the largest of them.
+  const double largest = *std::max_element(scales_.begin(), scales_.begin() + ForcePiece::kParts);
+  std::fill(scales_.begin(), scales_.begin() + ForcePiece::kParts, largest);
+  fit.piece.noise = kMultiplierRounding * largest;
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    fit.piece.known[i] = fit.piece.known[i] && columns_.is_known(i);
+  }
+  return true;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,239 @@
+#include "mobility_json.hpp"
+
+#include "higherpair/linkage/instant_centers.hpp"
+#include "higherpair/mechanism/mobility_text.hpp"
+#include "higherpair/mechanism/pins.hpp"
+#include "mobility_gears.hpp"
+#include "mobility_loops.hpp"
+
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* cause_of(const Redundancy& set) {
+  switch (set.cause) {
+    case RedundancyCause::kSamePin:
+      return "same_pin";
+    case RedundancyCause::kParallelCranks:
+      return "parallel_cranks";
+    case RedundancyCause::kRollingOnPivots:
+      return "rolling_on_pivots";
+    case RedundancyCause::kSlidingOnPivots:
+      return "sliding_on_pivots";
+    case RedundancyCause::kSlidesAlone:
+      return "slides_alone";
+    case RedundancyCause::kMember:
+      break;
+  }
+  return "member";
+}
+
+// Names and titles may quote a file that is not UTF-8.
+std::string text_of_json(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+class MobilityJson {
+public:
+  explicit MobilityJson(const MobilityFindings& findings)
+      : findings_(findings),
+        mechanism_(findings.model.mechanism()),
+        length_(from_si(dimension::kLength, findings.model.units())),
+        angle_(from_si(dimension::kAngle, findings.model.units())) {}
+
+  [[nodiscard]] Json all() const {
+    const Mobility& mobility = findings_.mobility;
+    const bool known = mobility.assembled;
+    Json json;
+    json["format"] = 1;
+    json["title"] = mechanism_.title;
+    json["mobility"] = known ? Json(mobility.freedom) : Json();
+    json["useful"] = known ? Json(mobility.useful()) : Json();
+    json["count"] = count();
+    json["rank"] = known ? rank() : Json();
+    json["idle"] = idle();
+    json["redundant"] = redundant();
+    const bool structure = known && mobility.freedom == 0;
+    json["structure"] =
+        structure ? Json(mobility.rank < mobility.conditions ? "indeterminate" : "determinate") : Json();
+    json["explanations"] = explanations(mechanism_, mobility);
+    json["drivers"] = known ? drivers() : Json();
+    json["plan"] = plan();
+    json["four_bars"] = four_bars_json(findings_);
+    json["slider_cranks"] = slider_cranks_json(findings_);
+    json["gears"] = gears_json(findings_);
+    json["instant_centers"] = centers();
+    return json;
+  }
+
+private:
+  [[nodiscard]] const std::string& body(int index) const {
+    return mechanism_.bodies[static_cast<std::size_t>(index)].name;
+  }
+  [[nodiscard]] const std::string& joint(int index) const {
+    return mechanism_.joints[static_cast<std::size_t>(index)].name;
+  }
+  [[nodiscard]] Json bodies(const std::vector<int>& indices) const {
+    Json names = Json::array();
+    for (const int index : indices) {
+      names.push_back(body(index));
+    }
+    return names;
+  }
+  [[nodiscard]] Json joints(const std::vector<int>& indices) const {
+    Json names = Json::array();
+    for (const int index : indices) {
+      names.push_back(joint(index));
+    }
+    return names;
+  }
+
+  [[nodiscard]] Json count() const {
+    const MobilityCount& count = findings_.mobility.count;
+    Json json = {
+        {"bodies", count.bodies},        {"joints", count.joints()},     {"revolute", count.revolutes},
+        {"prismatic", count.prismatics}, {"slot", count.slots},          {"slipping", count.slipping},
+        {"rolling", count.rolling},      {"gears", count.gears},         {"belts", count.belts},
+        {"sum_f", count.freedoms()},     {"mobility", count.mobility()}, {"formula", formula_text(count)},
+        {"multiple_pins", Json::array()}};
+    for (const Pin& pin : find_pins(mechanism_)) {
+      if (pin.ends.size() > 2) {
+        Json names = Json::array();
+        for (const BodyPoint& end : pin.ends) {
+          names.push_back(body(end.body));
+        }
+        json["multiple_pins"].push_back({{"bodies", names}, {"joints", joints(pin.joints)}});
+      }
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json rank() const {
+    const Mobility& mobility = findings_.mobility;
+    return {{"conditions", mobility.conditions},
+            {"coordinates", 3 * (mobility.count.bodies - 1)},
+            {"rank", mobility.rank},
+            {"positions", mobility.positions},
+            {"freedom", mobility.freedom},
+            {"at_start", mobility.start_freedom},
+            {"shaky", mobility.shaky},
+            {"singular", mobility.singular}};
+  }
+
+  [[nodiscard]] Json idle() const {
+    Json json = Json::array();
+    const auto texts = idle_texts(mechanism_, findings_.mobility);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const IdleFreedom& idle = findings_.mobility.idle[i];
+      json.push_back({{"body", body(idle.body)},
+                      {"x", length_.apply(idle.p_W.x())},
+                      {"y", length_.apply(idle.p_W.y())},
+                      {"text", texts[i]}});
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json redundant() const {
+    Json json = Json::array();
+    for (const Redundancy& set : findings_.mobility.redundancies) {
+      Json contacts = Json::array();
+      for (const int contact : set.contacts) {
+        contacts.push_back(mechanism_.contacts[static_cast<std::size_t>(contact)].name);
+      }
+      json.push_back({{"conditions", set.conditions},
+                      {"cause", cause_of(set)},
+                      {"joints", joints(set.joints)},
+                      {"contacts", contacts},
+                      {"bodies", bodies(set.bodies)}});
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json drivers() const {
+    const Mobility& mobility = findings_.mobility;
+    std::vector<int> useless;
+    for (const int driver : mobility.useless_drivers) {
+      useless.push_back(mechanism_.drivers[static_cast<std::size_t>(driver)].joint);
+    }
+    const auto objection = driver_objection(mechanism_, mobility);
+    return {{"given", mechanism_.drivers.size()},
+            {"needed", mobility.useful()},
+            {"missing", mobility.missing_drivers},
+            {"useless", joints(useless)},
+            {"joints_to_drive", joints(mobility.joints_to_drive)},
+            {"loose_bodies", bodies(mobility.loose_bodies)},
+            {"objection", objection ? Json(*objection) : Json()}};
+  }
+
+  [[nodiscard]] Json plan() const {
+    Json json = Json::array();
+    for (const PlanStep& step : findings_.plan) {
+      json.push_back({{"bodies", bodies(step.bodies)}, {"text", step.text}});
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json centers() const {
+    Json json = Json::array();
+    for (const InstantCenter& center : instant_centers(findings_.mobility.moving, size_of(mechanism_))) {
+      Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
+      switch (center.kind) {
+        case InstantCenterKind::kUndefined:
+          one["kind"] = "undefined";
+          break;
+        case InstantCenterKind::kPoint:
+          one["kind"] = "point";
+          one["x"] = length_.apply(center.p_W.x());
+          one["y"] = length_.apply(center.p_W.y());
+          break;
+        case InstantCenterKind::kAtInfinity:
+          one["kind"] = "at_infinity";
+          one["x"] = center.u_W.x();
+          one["y"] = center.u_W.y();
+          break;
+      }
+      json.push_back(one);
+    }
+    return json;
+  }
+
+  const MobilityFindings& findings_;
+  const Mechanism& mechanism_;
+  Scaling length_;
+  Scaling angle_;
+};
+
+}  // namespace
+
+nlohmann::ordered_json json_of(const MobilityFindings& findings) {
+  return MobilityJson(findings).all();
+}
+
+std::string mobility_json(const MobilityFindings& findings) {
+  return text_of_json(json_of(findings));
+}
+
+std::string mobility_csv(const MobilityFindings& findings) {
+  std::string csv = "key,value\n";
+  const nlohmann::ordered_json flat = json_of(findings).flatten();
+  for (const auto& [path, value] : flat.items()) {
+    std::string text = value.is_null() || value.empty() ? "" : text_of_json(value);
+    if (value.is_string()) {
+      text = value.get<std::string>();
+      if (text.find_first_of(",\"\n") != std::string::npos) {
+        for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) {
+          text.insert(at, 1, '"');
+        }
+        text.insert(0, 1, '"');
+        text += '"';
+      }
+    }
+    csv += path.substr(1) + ',' + text + '\n';
+  }
+  return csv;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "higherpair/geometry/vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+
+/// The largest step of a turning driver [rad].
+inline constexpr double kLargestTurn = kPi / 18;
+
+/// The next step of a follower.
+struct Stride {
+  double step = 0;
+  bool last = false;  ///< it leads to the end
+};
+
+/// The shortest step that a coordinate at `at` resolves. \param unit  of the coordinate: a radian, or the
+/// size
+[[nodiscard]] inline double shortest_step(double unit, double at) {
+  return 1e-14 * (unit + std::abs(at));
+}
+
+/// How long the steps of a follower are, be it of one contact or of a mechanism: half as long where one is
+/// refused, and twice as long again behind it, up to the largest.
+class StepLength {
+public:
+  explicit StepLength(double largest) : largest_(largest), length_(largest) {}
+
+  [[nodiscard]] double value() const { return length_; }
+
+  /// The next step, of at most `most`, where `rest` is left of the way. If that is little more than a step,
+  /// it is taken at once: no remainder of rounding size is left.
+  [[nodiscard]] Stride next(double rest, double most = std::numeric_limits<double>::infinity()) const {
+    constexpr double kAlmostThere = 1.001;
+    const double h = std::min(length_, most);
+    const bool last = std::abs(rest) <= kAlmostThere * h;
+    return {last ? rest : std::copysign(h, rest), last};
+  }
+
+  void taken() {
+    length_ = std::max(before_, std::min(2 * length_, largest_));
+    before_ = 0;
+  }
+  void refused(double step) {
+    length_ = std::abs(step) / 2;
+    before_ = 0;
+  }
+  /// Lets the next step end elsewhere, though none was refused: behind it steps are as long as they were.
+  void shorten(double length) {
+    before_ = std::max(before_, length_);
+    length_ = length;
+  }
+
+private:
+  double largest_;
+  double length_;
+  double before_ = 0;  // what it was before it was shortened; 0: it was not
+};
+
+}  // namespace higherpair

@@ -1,0 +1,257 @@
+#include "typed_values.hpp"
+
+#include "higherpair/io/suggestion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+// [30,5, 2] in place of [30.5, 2].
+bool may_be_decimal_commas(const Array& items, std::size_t count) {
+  const auto is_whole = [](const Value& item) { return std::holds_alternative<std::int64_t>(item.content); };
+  const auto is_zero = [](const Value& item) {
+    const auto* number = std::get_if<std::int64_t>(&item.content);
+    return number != nullptr && *number == 0;
+  };
+  return items.size() > count && items.size() <= 2 * count &&
+         std::all_of(items.begin(), items.end(), is_whole) &&
+         !std::all_of(items.begin(), items.end(), is_zero);
+}
+
+// Whether a text would be right without its quotes: one of `words`, or a number.
+bool is_quoted_needlessly(const Item& item, std::initializer_list<std::string_view> words) {
+  const auto* text = std::get_if<std::string>(&item.value->content);
+  if (text == nullptr) {
+    return false;
+  }
+  const Value bare = parse_override_value(*text, 0);
+  const bool is_number =
+      std::holds_alternative<std::int64_t>(bare.content) || std::holds_alternative<double>(bare.content);
+  return words.size() == 0 ? is_number : std::find(words.begin(), words.end(), *text) != words.end();
+}
+
+bool has_sign(double value, Sign sign) {
+  return sign == Sign::kAny || value > 0 || (sign == Sign::kNotNegative && value == 0);
+}
+
+// A plain number of the profile, with its unit for messages.
+std::optional<Quantity> plain_quantity(Reading& reading, const Item& item, double value,
+                                       const Dimension& dimension) {
+  const Quantity quantity = {value, to_si(dimension, reading.units).apply(value), value};
+  if (!std::isfinite(quantity.si)) {
+    report(reading, item, "must be a finite number");
+    return std::nullopt;
+  }
+  return quantity;
+}
+
+std::optional<Quantity> quantity_of_any_sign(Reading& reading, const Item& item, const Dimension& dimension) {
+  if (const auto* integer = std::get_if<std::int64_t>(&item.value->content)) {
+    return plain_quantity(reading, item, static_cast<double>(*integer), dimension);
+  }
+  if (const auto* number = std::get_if<double>(&item.value->content)) {
+    return plain_quantity(reading, item, *number, dimension);
+  }
+  const auto* text = std::get_if<std::string>(&item.value->content);
+  if (text == nullptr || dimension == dimension::kNumber) {
+    report_kind(reading, item, what_number(dimension, reading.units));
+    return std::nullopt;
+  }
+  const auto quantity = parse_quantity(*text, dimension, reading.units);
+  if (!quantity) {
+    report(reading, item, quantity.error());
+    return std::nullopt;
+  }
+  return *quantity;
+}
+
+void report_sign(Reading& reading, const Item& item, const Expected& expected) {
+  std::string unit;
+  if (!std::holds_alternative<std::string>(item.value->content) && expected.dimension != dimension::kNumber) {
+    unit = fmt::format(" {}", unit_text(expected.dimension, reading.units));
+  }
+  reading.mistakes.push_back(
+      {item.value->mark, fmt::format("{} = {}{}: must be {} 0", item.path, text_of(*item.value), unit,
+                                     expected.sign == Sign::kPositive ? ">" : ">=")});
+}
+
+// The sine and cosine of a multiple of 90° are off zero by the rounding of the angle alone.
+Vector2d direction_of(double angle) {
+  const double rounding = std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(angle));
+  Vector2d direction = unit_vector(angle);
+  for (int axis : {0, 1}) {
+    if (std::abs(direction(axis)) <= rounding) {
+      direction(axis) = 0;
+      direction(1 - axis) = std::copysign(1.0, direction(1 - axis));
+    }
+  }
+  return direction;
+}
+
+}  // namespace
+
+Place place_of(const Reading& reading, const Mark& mark) {
+  return {reading.sources[static_cast<std::size_t>(mark.source)], mark.line, mark.column};
+}
+
+void report(Reading& reading, const Item& item, std::string_view rule) {
+  reading.mistakes.push_back(
+      {item.value->mark, fmt::format("{} = {}: {}", item.path, text_of(*item.value), rule)});
+}
+
+void report_kind(Reading& reading, const Item& item, std::string_view what,
+                 std::initializer_list<std::string_view> words) {
+  report(reading, item,
+         fmt::format("expected {}, found {}{}", what, kind_of(*item.value),
+                     is_quoted_needlessly(item, words) ? ": leave the quotes out" : ""));
+}
+
+std::string what_number(const Dimension& dimension, const Units& units) {
+  if (dimension == dimension::kNumber) {
+    return "a number";
+  }
+  return fmt::format("{} (a number in {} or a string with its unit)", describe(dimension),
+                     unit_text(dimension, units));
+}
+
+const Table* as_table(Reading& reading, const Item& item, std::string_view what) {
+  const auto* table = std::get_if<Table>(&item.value->content);
+  const auto* items = std::get_if<Array>(&item.value->content);
+  if (items != nullptr && !items->empty() && std::holds_alternative<Table>(items->front().content)) {
+    report(reading, item, fmt::format("a heading has one pair of brackets: [{}]", item.path));
+  } else if (table == nullptr) {
+    report_kind(reading, item, what);
+  }
+  return table;
+}
+
+std::optional<std::string> as_text(Reading& reading, const Item& item) {
+  if (const auto* text = std::get_if<std::string>(&item.value->content)) {
+    return *text;
+  }
+  report_kind(reading, item, "a string");
+  return std::nullopt;
+}
+
+std::optional<bool> as_flag(Reading& reading, const Item& item) {
+  if (const auto* flag = std::get_if<bool>(&item.value->content)) {
+    return *flag;
+  }
+  report_kind(reading, item, "true or false", {"true", "false"});
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> as_integer(Reading& reading, const Item& item) {
+  if (const auto* integer = std::get_if<std::int64_t>(&item.value->content)) {
+    return *integer;
+  }
+  const auto* number = std::get_if<double>(&item.value->content);
+  constexpr double kExactIntegers = 9007199254740992;  // 2^53
+  if (number != nullptr && std::abs(*number) <= kExactIntegers && *number == std::trunc(*number)) {
+    return static_cast<std::int64_t>(*number);
+  }
+  report_kind(reading, item, "an integer");
+  return std::nullopt;
+}
+
+std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Expected& expected) {
+  if (const auto varied = reading.varied.find(item.path); varied != reading.varied.end()) {
+    varied->second = expected.dimension;
+  }
+  const auto quantity = quantity_of_any_sign(reading, item, expected.dimension);
+  if (quantity && !has_sign(quantity->si, expected.sign)) {
+    report_sign(reading, item, expected);
+    return std::nullopt;
+  }
+  if (quantity && expected.dimension == dimension::kAngle && !is_sharp_angle(quantity->si)) {
+    report(reading, item, "is more than 1e9 turns: its place within the turn is rounding");
+    return std::nullopt;
+  }
+  if (quantity && reading.lists_quantities) {
+    reading.quantities.push_back({item.path, expected.dimension, quantity->profile});
+  }
+  if (quantity && expected.dimension != dimension::kNumber && std::abs(quantity->si) > kLargestQuantity) {
+    report(reading, item,
+           fmt::format("must be at most 1e50 {}: products of larger numbers are out of range",
+                       unit_text(expected.dimension, kSiUnits)));
+    return std::nullopt;
+  }
+  return quantity;
+}
+
+std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item, const Expected& expected,
+                                             std::size_t count) {
+  const auto* items = std::get_if<Array>(&item.value->content);
+  const std::string what = count == 0 ? "a list" : fmt::format("a list of {} numbers", count);
+  if (items == nullptr) {
+    report_kind(reading, item, what);
+    return std::nullopt;
+  }
+  if (count != 0 && items->size() != count) {
+    report(
+        reading, item,
+        fmt::format(
+            "expected {}, found {}{}", what, items->size(),
+            may_be_decimal_commas(*items, count) ? ": decimals are written with a point, not a comma" : ""));
+    return std::nullopt;
+  }
+  std::vector<Quantity> list;
+  list.reserve(items->size());
+  bool complete = true;
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    const auto quantity = as_quantity(reading, {&(*items)[i], fmt::format("{}.{}", item.path, i)}, expected);
+    complete = complete && quantity.has_value();
+    list.push_back(quantity.value_or(Quantity{}));
+  }
+  return complete ? std::optional(std::move(list)) : std::nullopt;
+}
+
+std::optional<Vector2d> as_vector(Reading& reading, const Item& item, const Dimension& dimension) {
+  const auto list = as_list(reading, item, {dimension}, 2);
+  if (!list) {
+    return std::nullopt;
+  }
+  return Vector2d((*list)[0].si, (*list)[1].si);
+}
+
+std::optional<Vector2d> as_direction(Reading& reading, const Item& item) {
+  if (!std::holds_alternative<Array>(item.value->content)) {
+    const auto angle = as_quantity(reading, item, {dimension::kAngle});
+    return angle ? std::optional(direction_of(angle->si)) : std::nullopt;
+  }
+  const auto vector = as_vector(reading, item, dimension::kNumber);
+  if (!vector) {
+    return std::nullopt;
+  }
+  if (vector->isZero(0)) {
+    report(reading, item, "must not be the zero vector");
+    return std::nullopt;
+  }
+  const Vector2d scaled = *vector / vector->cwiseAbs().maxCoeff();  // no overflow of the squares
+  return Vector2d(scaled.normalized());
+}
+
+std::optional<std::size_t> as_choice(Reading& reading, const Item& item,
+                                     const std::vector<std::string>& choices) {
+  const auto text = as_text(reading, item);
+  if (!text) {
+    return std::nullopt;
+  }
+  const auto choice = std::find(choices.begin(), choices.end(), *text);
+  if (choice == choices.end()) {
+    const std::string likely = did_you_mean(*text, choices);
+    report(
+        reading, item,
+        fmt::format("expected one of {}{}{}", fmt::join(choices, ", "), likely.empty() ? "" : "; ", likely));
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(choice - choices.begin());
+}
+
+}  // namespace higherpair::io_detail
