@@ -123,17 +123,8 @@ BoundaryPlace first_guess(const Boundary& boundary, const Boundary::Sample& near
   return {next, forward ? beyond.low : beyond.high};
 }
 
-Depth depth_in(const Boundary& boundary, const Vector2d& p_B) {
-  const Boundary::Sample* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Boundary::Sample& sample : boundary.samples()) {
-    const double distance2 = (p_B - sample.point.p_B).squaredNorm();
-    if (distance2 < least) {
-      least = distance2;
-      nearest = &sample;
-    }
-  }
-  BoundaryPlace place = first_guess(boundary, *nearest, p_B);
+Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d& p_B) {
+  BoundaryPlace place = first_guess(boundary, samples.nearest(p_B), p_B);
   bool stopped = false;
   for (int pass = 0; pass < 8; ++pass) {
     const SpanPoint point = boundary.at(place);
@@ -167,11 +158,16 @@ std::vector<SampleDepth> depths_of(const Boundary& boundary, const Pose<double>&
                                    const Pose<double>& X_WO) {
   const Vector2d middle_B = X_WB.inverse_times(X_WO * other.middle_B());
   const double reach = other.size() * (1 + kFarther) + kFarther * boundary.size();
+  Features points;
+  for (const auto& [place, point] : other.samples()) {
+    points.push_back({point.p_B, place});
+  }
+  const PartTree samples(points);
   std::vector<SampleDepth> depths;
   for (const auto& sample : boundary.samples()) {
     const bool near = (sample.point.p_B - middle_B).squaredNorm() <= reach * reach;
     depths.push_back(
-        {&sample, near ? depth_in(other, X_WO.inverse_times(X_WB * sample.point.p_B)) : Depth{}});
+        {&sample, near ? depth_in(other, samples, X_WO.inverse_times(X_WB * sample.point.p_B)) : Depth{}});
   }
   return depths;
 }

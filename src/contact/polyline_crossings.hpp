@@ -10,7 +10,8 @@
 #include <optional>
 #include <vector>
 
-// Where two plane curves that are known by points along them cross, or nearly do.
+// Plane curves that are known by points along them: where two of them cross, or nearly do, and which point is
+// nearest.
 
 namespace higherpair {
 
@@ -62,6 +63,9 @@ struct PartBox {
     return (low.array() <= (other.high + shift).array()).all() &&
            ((other.low + shift).array() <= high.array()).all();
   }
+  [[nodiscard]] double squared_distance_to(const Vector2d& p) const {
+    return (low - p).cwiseMax(p - high).cwiseMax(0).squaredNorm();
+  }
   [[nodiscard]] double extent() const { return (high - low).sum(); }
 };
 
@@ -88,7 +92,41 @@ public:
   [[nodiscard]] const Feature& to(std::size_t part) const { return features_[begins_[part] + 1]; }
   [[nodiscard]] PartBox box_of(std::size_t part) const { return {from(part).at, to(part).at}; }
 
+  /// The nearest feature to a point, the first of those that are equally near.
+  [[nodiscard]] const Feature& nearest(const Vector2d& p) const {
+    Nearest nearest;
+    look_at(0, p, nearest);
+    return features_[nearest.feature];
+  }
+
 private:
+  struct Nearest {
+    std::size_t feature = 0;
+    double distance2 = std::numeric_limits<double>::infinity();
+  };
+
+  void look_at(std::size_t index, const Vector2d& p, Nearest& nearest) const {
+    const Node& here = nodes_[index];
+    if (here.box.squared_distance_to(p) > nearest.distance2) {
+      return;
+    }
+    if (here.second != 0) {
+      const bool first_is_nearer =
+          nodes_[index + 1].box.squared_distance_to(p) <= nodes_[here.second].box.squared_distance_to(p);
+      look_at(first_is_nearer ? index + 1 : here.second, p, nearest);
+      look_at(first_is_nearer ? here.second : index + 1, p, nearest);
+      return;
+    }
+    for (std::size_t part = here.begin; part < here.end; ++part) {
+      for (const std::size_t i : {begins_[part], begins_[part] + 1}) {
+        const double distance2 = (features_[i].at - p).squaredNorm();
+        if (distance2 < nearest.distance2 || (distance2 == nearest.distance2 && i < nearest.feature)) {
+          nearest = {i, distance2};
+        }
+      }
+    }
+  }
+
   static constexpr std::size_t kPartsOfBlock = 4;
 
   std::size_t add(std::size_t begin, std::size_t end) {

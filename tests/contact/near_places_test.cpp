@@ -215,6 +215,22 @@ TEST(NearPlaces, OfTwoGearsDoNotDependOnWhichTeethMesh) {
   }
 }
 
+// Turned into each other, every pair of flanks that meets on the line of action is as deep: by the base
+// circle's way less the gap. Turned the other way by less than the gap they are free.
+TEST(DeepestPenetration, OfTwoGearsIsAlongTheirLineOfAction) {
+  const Mesh mesh;
+  const double gap = (Mesh::kBacklash1 + Mesh::kBacklash2) / 2 * std::cos(Mesh::kPressureAngle);
+  const double base_radius = Mesh::kModule * Mesh::kTeeth2 / 2 * std::cos(Mesh::kPressureAngle);
+  for (const double turn : {0.037, 0.61, 2.93}) {
+    for (const double way : {-3.1 * gap, -0.93 * gap, 0.0, 0.97 * gap, 2.3 * gap}) {
+      Pose<double> X_W2 = Mesh::X_W2(turn);
+      X_W2.R_WB = X_W2.R_WB * Rotation<double>::from_angle(way / base_radius);
+      const double depth = deepest_penetration(mesh.first, Mesh::X_W1(turn), mesh.second, X_W2, 1e-9).depth;
+      EXPECT_NEAR(depth, std::max(0.0, std::abs(way) - gap), 1e-13) << turn << " " << way;
+    }
+  }
+}
+
 TEST(NearestPlaces, AreTheSamplesThatFaceEachOtherBest) {
   const Mesh mesh;
   const Boundary cam = wavy_cam();
