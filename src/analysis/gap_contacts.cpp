@@ -170,10 +170,11 @@ const std::string& follower_name(const Run& run, const TouchingBody& touching) {
 // Lets run.at.state, now at s, go on with the contact open, though the bodies get into each other.
 void report_strike(Run& run, const Path& path, double s, const TouchingBody& touching) {
   run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = true;
-  report(run, EventType::kOverlap, path, s, touching.contact,
-         fmt::format("the bodies strike each other at the end of a curve that is no edge there: the contact "
-                     "cannot hold {}",
-                     follower_name(run, touching)));
+  report(
+      run, EventType::kOverlap, path, s, touching.contact,
+      fmt::format("the bodies strike each other at the end of a curve, beside the edge there or where it has "
+                  "none: the contact cannot hold {}",
+                  follower_name(run, touching)));
 }
 
 // Which of the two curves of a contact touches with the edge at its end, for the sentence of an event.

@@ -349,7 +349,10 @@ curves.flank = { type = "involute", center = [0, -6], base_radius = 10, start = 
     for (const double y : motion.column("guide.position")) {
       EXPECT_EQ(y, 25) << samples;
     }
-    EXPECT_EQ(events_of(motion, EventType::kOverlap).size(), 1U);
+    const auto struck = events_of(motion, EventType::kOverlap);
+    ASSERT_EQ(struck.size(), 1U);
+    EXPECT_THAT(struck[0].cause, HasSubstr("strike each other at the end of a curve"));
+    EXPECT_THAT(struck[0].cause, HasSubstr("cannot hold follower"));
   }
 }
 
