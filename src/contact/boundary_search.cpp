@@ -104,14 +104,14 @@ struct Depth {
 
 // Where the foot of a point is looked for from the sample next to it. At a corner what lies in front of none
 // of its normals belongs to the neighbour on that side, whose own samples may be far.
-BoundaryPlace first_guess(const Boundary& boundary, const Boundary::Sample& nearest, const Vector2d& p_B) {
+BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, const Vector2d& p_B) {
   const int span = nearest.place.span;
   if (!boundary.is_corner(nearest.place)) {
     return nearest.place;
   }
   const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
   const double middle = (range.low + range.high) / 2;
-  const double turn = nearest_turn(angle_of(p_B - nearest.point.p_B) - middle, 0);
+  const double turn = nearest_turn(angle_of(p_B - nearest.at) - middle, 0);
   if (std::abs(turn) <= range.width() / 2) {
     return {span, middle + turn};
   }
