@@ -45,8 +45,8 @@ protected:
   [[nodiscard]] Outcome run_until(const std::string& signal, const std::string& name) const {
     return run_script(
         fmt::format("{0} design {1} -o {2}.toml & program=$!\n"
-                    "while [ $(stat -c %s {2}.toml.searches 2>/dev/null || echo 0) -lt 2000 ]; "
-                    "do sleep 0.01; done\n"
+                    "while kill -0 $program && [ $(stat -c %s {2}.toml.searches || echo 0) -lt 2000 ]; "
+                    "do sleep 0.01; done 2>/dev/null\n"
                     "kill -{3} $program; wait $program\n",
                     HIGHERPAIR_PROGRAM, kTask, name, signal));
   }

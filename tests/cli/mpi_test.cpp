@@ -82,7 +82,7 @@ TEST_F(MpiSweep, GoesOnAfterItIsKilled) {
 TEST_F(MpiSweep, DoesNotWaitForASlowRank) {
   const Outcome outcome = run_script(command(3, "-o slow.csv") +
                                      " & job=$!\n"
-                                     "while [ ! -s slow.csv.blocks ]; do sleep 0.02; done\n"
+                                     "while kill -0 $job && [ ! -s slow.csv.blocks ]; do sleep 0.02; done\n"
                                      "last=$(pgrep -P $job | tail -1); kill -STOP $last\n"
                                      "for i in $(seq 200); do [ -s slow.csv ] && break; sleep 0.05; done\n"
                                      "[ -s slow.csv ] && echo there\n"
@@ -105,7 +105,7 @@ TEST_F(MpiSweep, SaysWhatIsWrongOnce) {
 TEST_F(MpiSweep, HeedsASignalAndGoesOn) {
   const Outcome outcome = run_script(command(3, "-o out.csv") +
                                      " & job=$!\n"
-                                     "while [ ! -s out.csv.blocks ]; do sleep 0.02; done\n"
+                                     "while kill -0 $job && [ ! -s out.csv.blocks ]; do sleep 0.02; done\n"
                                      "kill -TERM $(pgrep -P $job | head -1); wait $job\n");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("interrupted; "));

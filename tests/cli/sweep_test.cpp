@@ -187,10 +187,11 @@ TEST_F(InterruptedSweep, LeavesAFileAloneThatIsNone) {
 
 TEST_F(SweepProgram, HeedsItsSignals) {
   for (const std::string signal : {"INT", "TERM"}) {
-    const Outcome outcome = run_script(fmt::format(
-        "{} sweep four_bar.toml -o {}.csv --set sweep.count=100000000 & program=$!\n"
-        "while [ ! -s {}.csv.blocks ]; do sleep 0.05; done; sleep 0.3; kill -{} $program; wait $program\n",
-        HIGHERPAIR_PROGRAM, signal, signal, signal));
+    const Outcome outcome =
+        run_script(fmt::format("{} sweep four_bar.toml -o {}.csv --set sweep.count=100000000 & program=$!\n"
+                               "while kill -0 $program && [ ! -s {}.csv.blocks ]; do sleep 0.05; done; sleep "
+                               "0.3; kill -{} $program; wait $program\n",
+                               HIGHERPAIR_PROGRAM, signal, signal, signal));
     EXPECT_EQ(outcome.code, 130) << signal;
     EXPECT_THAT(outcome.err, HasSubstr("interrupted; "));
     EXPECT_THAT(outcome.err, HasSubstr("--resume goes on from there"));
