@@ -199,7 +199,7 @@ private:
 }  // namespace
 
 std::vector<Role> default_layers() {
-  return {Role::kFixed,  Role::kLink,    Role::kBody,   Role::kJoint,   Role::kGear,
+  return {Role::kFixed,   Role::kLink,    Role::kBody,   Role::kJoint,   Role::kGear,
           Role::kSpring,  Role::kContact, Role::kNormal, Role::kTangent, Role::kCurvature,
           Role::kLinkage, Role::kTrace,   Role::kLabel};
 }

@@ -1,7 +1,6 @@
 // Derivatives by dimensions: against differences between whole runs with other dimensions, and closed forms.
-#include "higherpair/analysis/displaced.hpp"
-
 #include "analysis/run_testing.hpp"
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/geometry/arc_length.hpp"
