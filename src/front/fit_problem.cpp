@@ -73,7 +73,7 @@ std::optional<Eigen::MatrixXd> FitProblem::jacobian(const Eigen::VectorXd& x) co
   auto by_motion = motion_.derivatives(variables, offsets);
   if (!table || !by_motion) return std::nullopt;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(place(values_.size()), size());
-  std::size_t moved = 0;  // unknowns that the motion hangs on come first
+  std::size_t moved = 0;  // unknowns that the motion depends on come first
   for (std::size_t p = 0; p < unknowns().size(); ++p) {
     const Kind kind = unknowns()[p].kind;
     const bool moves = kind == Kind::kVariable || kind == Kind::kWhere;

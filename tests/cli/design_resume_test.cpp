@@ -27,7 +27,6 @@ protected:
   }
 
   [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("design " + arguments); }
-  [[nodiscard]] std::string file(const std::string& name) const { return read_file(folder_ / name); }
 
   /// Options for all that a design writes.
   static std::string files(const std::string& name) {

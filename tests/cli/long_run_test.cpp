@@ -24,8 +24,6 @@ protected:
         {"four_bar", "watt_sixbar_forces", "ellipse_cam_roller", "double_rocker", "start_stop_crank"});
   }
 
-  [[nodiscard]] std::string file(const std::string& name) const { return read_file(folder_ / name); }
-
   /// What h5dump prints of a file; empty where there is no h5dump, or no HDF5 in the program.
   [[nodiscard]] std::string dumped(const std::string& arguments) const {
     const std::string to = (folder_ / "dump").string();

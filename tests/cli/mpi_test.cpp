@@ -43,8 +43,6 @@ fast = { column = "rocker.omega", of = "max", where = true }
     return fmt::format("{} -n {} {} four_bar.toml --samples 181 --quiet {}", kRun, ranks,
                        HIGHERPAIR_MPI_PROGRAM, arguments);
   }
-
-  [[nodiscard]] std::string file(const std::string& name) const { return read_file(folder_ / name); }
 };
 
 TEST_F(MpiSweep, WritesTheTableOfOneMachine) {

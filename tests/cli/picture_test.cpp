@@ -26,7 +26,6 @@ protected:
   }
 
   [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program(arguments); }
-  [[nodiscard]] std::string text(const std::string& name) const { return read_file(folder_ / name); }
 
   // What is said about arguments that are wrong; nothing is written.
   [[nodiscard]] std::string refusal(const std::string& arguments) const {
@@ -43,7 +42,7 @@ TEST_F(PictureFiles, OfColumnsAreWrittenAndNothingIsSaid) {
       run("plot ellipse_cam_roller.toml -o 'a plot.svg' --y follower.alpha,touch.pressure");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
-  EXPECT_THAT(text("a plot.svg"), HasSubstr("data-name=\"touch.pressure\""));
+  EXPECT_THAT(file("a plot.svg"), HasSubstr("data-name=\"touch.pressure\""));
   const Outcome piped = run("plot ellipse_cam_roller.toml -o - --y follower.alpha --width 500");
   EXPECT_THAT(piped.out, StartsWith("<?xml"));
   EXPECT_THAT(piped.out, HasSubstr("width=\"500\""));
@@ -51,15 +50,15 @@ TEST_F(PictureFiles, OfColumnsAreWrittenAndNothingIsSaid) {
 
 TEST_F(PictureFiles, OfARunThatIsNotGoodAreWrittenAllTheSame) {
   EXPECT_EQ(run("plot lock_up.toml -o p.svg --y follower.angle").code, 4);
-  EXPECT_THAT(text("p.svg"), HasSubstr("not assemblable"));
+  EXPECT_THAT(file("p.svg"), HasSubstr("not assemblable"));
 }
 
 TEST_F(PictureFiles, OfTimeAndOfOtherColumns) {
   EXPECT_EQ(run("plot sixbar_slider.toml -o t.svg --y slider.vx --time").code, 0);
-  EXPECT_THAT(text("t.svg"), HasSubstr("time [s]"));
+  EXPECT_THAT(file("t.svg"), HasSubstr("time [s]"));
   EXPECT_EQ(run("plot four_bar.toml -o c.svg --y driver.velocity --x driver --samples 5").code, 0);
   EXPECT_EQ(run("plot ellipse_cam_roller.toml -o e.svg --y driver.effort").code, 0);
-  EXPECT_THAT(text("e.svg"), HasSubstr("driver.effort"));
+  EXPECT_THAT(file("e.svg"), HasSubstr("driver.effort"));
 }
 
 TEST_F(PictureFiles, RefuseUnknownColumns) {
@@ -85,7 +84,7 @@ TEST_F(PictureFiles, RefuseFilesThatCannotBe) {
   EXPECT_THAT(refusal("plot profile.svg -o ./profile.svg --y driver"),
               HasSubstr("is the file that is read as FILE"));
   EXPECT_THAT(refusal("map ellipse_cam_roller.toml --csv w.svg -o w.svg"), HasSubstr("both name w.svg"));
-  EXPECT_THAT(text("profile.svg"), HasSubstr("[driver]"));
+  EXPECT_THAT(file("profile.svg"), HasSubstr("[driver]"));
 }
 
 // Without librsvg and cairo the program says so.
@@ -96,17 +95,17 @@ TEST_F(PictureFiles, ArePdfAndPngWhereThatCanBe) {
     return;
   }
   EXPECT_EQ(pdf.code, 0) << pdf.err;
-  EXPECT_THAT(text("p.pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(file("p.pdf"), StartsWith("%PDF"));
   EXPECT_EQ(run("map ellipse_cam_roller.toml -o m.PNG").code, 0);
-  EXPECT_THAT(text("m.PNG"), StartsWith("\x89PNG"));
+  EXPECT_THAT(file("m.PNG"), StartsWith("\x89PNG"));
 }
 
 TEST_F(PictureFiles, OfPolygonsHaveVelocitiesAccelerationsAndForces) {
   const Outcome outcome = run("polygon sixbar_slider.toml -o p.svg --at 45 --forces");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
-  EXPECT_THAT(text("p.svg"), HasSubstr("Six-bar with slider, driver = 45 deg"));
-  EXPECT_THAT(text("p.svg"), HasSubstr("data-label=\"a_BA^n\""));
+  EXPECT_THAT(file("p.svg"), HasSubstr("Six-bar with slider, driver = 45 deg"));
+  EXPECT_THAT(file("p.svg"), HasSubstr("data-label=\"a_BA^n\""));
 }
 
 TEST_F(PictureFiles, OfPolygonsAreOfTheLimitWhereThePositionCannotBeReached) {
@@ -127,9 +126,9 @@ TEST_F(PictureFiles, OfAMapComeBesidesItsTables) {
   const Outcome outcome = run("map ellipse_cam_roller.toml -o m.svg");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, run("map ellipse_cam_roller.toml").out);
-  EXPECT_THAT(text("m.svg"), HasSubstr("branch 3, the mechanism's own"));
+  EXPECT_THAT(file("m.svg"), HasSubstr("branch 3, the mechanism's own"));
   EXPECT_EQ(run("map ellipse_cam_roller.toml -o m2.svg --csv m.csv").code, 0);
-  EXPECT_EQ(text("m2.svg"), text("m.svg"));
+  EXPECT_EQ(file("m2.svg"), file("m.svg"));
 }
 
 }  // namespace

@@ -55,6 +55,9 @@ protected:
             read_file(folder_ / "err")};
   }
 
+  /// The text of a file of the folder.
+  [[nodiscard]] std::string file(const std::string& name) const { return read_file(folder_ / name); }
+
   /// Copies shipped profiles into the folder, under their own names.
   void copy_profiles(std::initializer_list<const char*> names) const {
     for (const char* name : names) {

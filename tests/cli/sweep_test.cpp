@@ -23,7 +23,7 @@ protected:
   void SetUp() override {
     ProgramTest::SetUp();
     write("plain.toml", read_file(shipped_profile("four_bar.toml")));
-    write("four_bar.toml", table("plain.toml") + R"(
+    write("four_bar.toml", file("plain.toml") + R"(
 [sweep]
 method = "sobol"
 count  = 3000
@@ -41,15 +41,13 @@ peak = { column = "rocker.alpha", of = "maxabs" }
   }
 
   [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("sweep " + arguments); }
-
-  [[nodiscard]] std::string table(const std::string& name) const { return read_file(folder_ / name); }
 };
 
 TEST_F(SweepProgram, WritesATableAndASummary) {
   const Outcome outcome = run("four_bar.toml -o out.csv --set sweep.count=200");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
-  const std::string csv = table("out.csv");
+  const std::string csv = file("out.csv");
   EXPECT_THAT(
       csv,
       StartsWith("variant[1],coupler[cm],rocker[cm],fast[deg/s],fast.where[deg],peak[deg/s^2],status,cause\n"
@@ -62,7 +60,7 @@ TEST_F(SweepProgram, WritesATableAndASummary) {
   EXPECT_FALSE(fs::exists(folder_ / "out.csv.blocks"));
   const Outcome quiet = run("four_bar.toml -o quiet.csv --quiet --set sweep.count=200");
   EXPECT_EQ(quiet.out, "");
-  EXPECT_EQ(table("quiet.csv"), csv);
+  EXPECT_EQ(file("quiet.csv"), csv);
   EXPECT_EQ(run("four_bar.toml --set sweep.count=200").out, csv);
 }
 
@@ -71,7 +69,7 @@ TEST_F(SweepProgram, WritesTheSameBytesOnAnyNumberOfThreads) {
     const std::string threads = name == "one" ? "1" : name == "two" ? "2" : "5";
     EXPECT_EQ(
         run(fmt::format("four_bar.toml -o {}.csv --quiet --samples 37 --threads {}", name, threads)).code, 0);
-    EXPECT_EQ(table(name + ".csv"), table("one.csv"));
+    EXPECT_EQ(file(name + ".csv"), file("one.csv"));
   }
 }
 
@@ -83,7 +81,7 @@ TEST_F(SweepProgram, OfItsPartsMakesTheWhole) {
                              "cat part1.csv; tail -q -n +2 part2.csv part3.csv\n",
                              HIGHERPAIR_PROGRAM));
   EXPECT_EQ(parts.code, 0) << parts.err;
-  EXPECT_EQ(parts.out, table("whole.csv"));
+  EXPECT_EQ(parts.out, file("whole.csv"));
 }
 
 // Killed at any moment, twenty times, and gone on with: the table is what it would have been.
@@ -104,7 +102,7 @@ TEST_F(SweepProgram, GoesOnAfterItIsKilled) {
   EXPECT_GT(killed, 0);
   const Outcome last = run(options + " -o killed.csv --resume");
   EXPECT_EQ(last.code, 0) << last.err;
-  EXPECT_EQ(table("killed.csv"), table("whole.csv"));
+  EXPECT_EQ(file("killed.csv"), file("whole.csv"));
   EXPECT_FALSE(fs::exists(folder_ / "killed.csv.blocks"));
 }
 
@@ -121,7 +119,7 @@ protected:
   void expect_the_rest() const {
     const Outcome outcome = run("four_bar.toml -o out.csv --quiet --samples 37 --resume");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(table("out.csv"), table("whole.csv"));
+    EXPECT_EQ(file("out.csv"), file("whole.csv"));
   }
 
   Outcome full_;
@@ -182,7 +180,7 @@ TEST_F(InterruptedSweep, LeavesAFileAloneThatIsNone) {
   const Outcome outcome = run("four_bar.toml -o other.csv --resume");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("this is no journal of a sweep"));
-  EXPECT_EQ(table("other.csv.blocks"), "my own notes\n");
+  EXPECT_EQ(file("other.csv.blocks"), "my own notes\n");
 }
 
 TEST_F(SweepProgram, HeedsItsSignals) {
@@ -216,7 +214,7 @@ TEST_F(SweepProgram, SaysBeforeTheStartWhatShareCannotBeRead) {
   EXPECT_THAT(outcome.err, HasSubstr("driver.samples = -5"));
   EXPECT_THAT(outcome.out,
               HasSubstr("1000 variants: 750 ok 250 not_started\n250 variants: the path is not good"));
-  const std::string csv = table("out.csv");
+  const std::string csv = file("out.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1001);
 }
 
@@ -252,11 +250,11 @@ TEST_F(SweepProgram, RefusesToWriteOverAFileThatTheProfileReads) {
 method = "list"
 variables.v = { path = "driver.velocity", values = [1, 2] }
 )");
-  const std::string before = table("spline_cam.csv");
+  const std::string before = file("spline_cam.csv");
   const Outcome outcome = run("spline.toml -o ./spline_cam.csv");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("is a file that the profile reads; give the output a name of its own"));
-  EXPECT_EQ(table("spline_cam.csv"), before);
+  EXPECT_EQ(file("spline_cam.csv"), before);
 }
 
 TEST_F(SweepProgram, WritesHdf5TheSameWayEveryTime) {
@@ -266,8 +264,8 @@ TEST_F(SweepProgram, WritesHdf5TheSameWayEveryTime) {
   }
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(run("four_bar.toml -o two.h5 --quiet --samples 37 --threads 3").code, 0);
-  EXPECT_THAT(table("one.h5"), StartsWith("\x89HDF\r\n"));
-  EXPECT_TRUE(table("one.h5") == table("two.h5"));
+  EXPECT_THAT(file("one.h5"), StartsWith("\x89HDF\r\n"));
+  EXPECT_TRUE(file("one.h5") == file("two.h5"));
   const Outcome full = run_script(
       fmt::format("trap '' XFSZ; ulimit -f 500\n{} sweep four_bar.toml -o three.h5 --quiet --samples 37",
                   HIGHERPAIR_PROGRAM));
@@ -275,7 +273,7 @@ TEST_F(SweepProgram, WritesHdf5TheSameWayEveryTime) {
   EXPECT_THAT(full.err, HasSubstr("cannot write three.h5: HDF5 failed at"));
   EXPECT_FALSE(fs::exists(folder_ / "three.h5"));
   EXPECT_EQ(run("four_bar.toml -o three.h5 --quiet --samples 37 --resume").code, 0);
-  EXPECT_TRUE(table("three.h5") == table("one.h5"));
+  EXPECT_TRUE(file("three.h5") == file("one.h5"));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void check_options(const DesignCommandOptions& options) {
   for (const NamedFile& output : outputs_of(options)) refuse_missing_folder(output);
 }
 
-// What the ends of searches hang on: how many there are to be makes no difference to any of them.
+// What the ends of searches depend on: how many there are to be makes no difference to any of them.
 RunIdentity identity_of(const DesignCommandOptions& options, const Model& model) {
   RunIdentity identity = model_identity(options.profile, model);
   identity["--seed"] = options.seed ? fmt::format("{}", *options.seed) : "-";

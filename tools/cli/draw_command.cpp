@@ -18,7 +18,7 @@
 namespace higherpair::cli {
 namespace {
 
-// Nothing but the linkage and what it hangs on.
+// Nothing but the linkage and what it is joined to.
 const std::vector<Role> kLinkageAlone{Role::kFixed, Role::kLinkage, Role::kContact, Role::kLabel};
 
 Result<std::vector<Role>> layers_of(const DrawOptions& options) {

@@ -20,8 +20,8 @@ struct Hdf5Columns {
   std::vector<std::string> texts;     ///< names of columns of text
 };
 
-/// A file of HDF5 with tables that grow. What is written hangs on nothing but what is given here, not on the
-/// time of day. After the first failure, which error() tells, nothing is written any more.
+/// A file of HDF5 with tables that grow. What is written depends on nothing but what is given here, not on
+/// the time of day. After the first failure, which error() tells, nothing is written any more.
 class Hdf5File {
 public:
   /// Makes the file, or empties the one that is there.

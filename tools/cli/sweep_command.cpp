@@ -73,7 +73,7 @@ void check_output(const SweepOptions& options) {
   }
 }
 
-// Whatever the table hangs on.
+// Whatever the table depends on.
 RunIdentity identity_of(const SweepOptions& options, const Model& model) {
   RunIdentity identity = model_identity(options.profile, model);
   identity["--set"] = sum_of(options.overrides);
