@@ -278,15 +278,17 @@ std::optional<SheetPlaces> place_on(const TangencySheet& sheet, const SheetStep&
     const SheetPlace at1 = sheet.place1(places.place1);
     const SheetPlace at2 = sheet.place2(places.place2);
     const double value = sheet.value(at1, at2);
-    const double slope = sheet.slopes(at1, at2).dot(across);
-    const double change = length2 == 0 ? 0 : -value / slope;
+    const Vector2d slopes = sheet.slopes(at1, at2);
+    const double change = length2 == 0 ? 0 : -value / slopes.dot(across);
     if (!std::isfinite(change)) {
       return std::nullopt;
     }
     const double size = std::abs(change);
+    // Where a curve turns sharply the last digit of its parameter moves F by more than F's own rounding.
+    const double rounding = kEps * slopes.cwiseProduct(t).lpNorm<1>();
     if (std::abs(value) <= kEps * sheet.size() || size == 0 || (pass > 2 && size >= last / 2)) {
       places.at = sheet.point(at1, at2);
-      const bool near = std::abs(offset) <= 1 && std::abs(value) <= kFineGap * sheet.size();
+      const bool near = std::abs(offset) <= 1 && std::abs(value) <= kFineGap * sheet.size() + rounding;
       return near || length2 == 0 ? std::optional(places) : std::nullopt;
     }
     last = size;
