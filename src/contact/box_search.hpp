@@ -20,7 +20,7 @@ using Box = std::array<Interval, N>;
 
 /// N equations F = 0 over a box: enclosures of F at its center, of F and of the Jacobian over all of it.
 template <int N>
-struct Expansion {
+struct BoxExpansion {
   std::array<double, N> center = {};
   Box<N> at_center;
   Box<N> range;
@@ -90,7 +90,7 @@ template <int N>
 /// Jacobian. Every root in X is in K(X); if K(X) lies in the interior of X, there is one root in X and no
 /// second. None where the middle Jacobian has no inverse.
 template <int N>
-[[nodiscard]] std::optional<Box<N>> krawczyk(const Box<N>& X, const Expansion<N>& e) {
+[[nodiscard]] std::optional<Box<N>> krawczyk(const Box<N>& X, const BoxExpansion<N>& e) {
   Eigen::Matrix<double, N, N> J;
   for (std::size_t i = 0; i < N; ++i) {
     for (std::size_t k = 0; k < N; ++k) {
@@ -138,7 +138,7 @@ struct Finest {
 /// The side to cut next: the one along which F changes most, of those that are not fine enough; none if all
 /// are.
 template <int N>
-[[nodiscard]] std::optional<std::size_t> coarsest_side(const Box<N>& box, const Expansion<N>& e,
+[[nodiscard]] std::optional<std::size_t> coarsest_side(const Box<N>& box, const BoxExpansion<N>& e,
                                                        const Finest& finest) {
   std::optional<std::size_t> coarsest;
   double most = -1;
@@ -198,7 +198,7 @@ struct SearchProblem {
 /// All roots of F in the boxes `start`, by bisection, largest boxes first: a box is dropped if F has no zero
 /// in it by its enclosure or by Krawczyk's operator, or if it lies where a known root is the only one; it is
 /// decided if the operator certifies its root, and left undecided when it is as fine as wanted.
-/// \param expand  Box -> Expansion
+/// \param expand  Box -> BoxExpansion
 template <int N, class Expand>
 [[nodiscard]] SearchResult<N> search_boxes(const SearchProblem<N>& problem, const Expand& expand) {
   using namespace box_search;
@@ -216,7 +216,7 @@ template <int N, class Expand>
     }
     ++result.boxes;
     const Box<N> larger = inflated<N>(box, problem.limits);
-    const Expansion<N> e = expand(larger);
+    const BoxExpansion<N> e = expand(larger);
     if (!std::all_of(e.range.begin(), e.range.end(), holds_zero)) {
       continue;
     }

@@ -79,11 +79,11 @@ SlideTerms slide_terms(const Arrangement& a, const PiecePair& pieces, const Inte
           a.slide1.dot(n), a.slide1.dot(n.turned())};
 }
 
-Verdict is_between(const Interval& x, const Bounds& bounds) {
+Within is_between(const Interval& x, const Bounds& bounds) {
   if (x.upper() < bounds.low || x.lower() > bounds.high) {
-    return Verdict::kNo;
+    return Within::kNo;
   }
-  return bounds.low <= x.lower() && x.upper() <= bounds.high ? Verdict::kYes : Verdict::kUnclear;
+  return bounds.low <= x.lower() && x.upper() <= bounds.high ? Within::kYes : Within::kUnclear;
 }
 
 double size_of_curve(const SupportCurve& curve, const IntervalVector& about) {
@@ -153,10 +153,10 @@ bool may_touch(const Arrangement& a, const PiecePair& pieces, const Interval& ps
   return holds_zero(first_over(a, pieces, psi1).h - a.sigma * second_over(a, pieces, psi2).h);
 }
 
-Expansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Box<2>& X) {
+BoxExpansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Box<2>& X) {
   const ArcBounds first = first_over(a, pieces, X[0]);
   const ArcBounds second = second_over(a, pieces, X[1]);
-  Expansion<2> e;
+  BoxExpansion<2> e;
   e.center = {median(X[0]), median(X[1])};
   e.at_center = {first.middle_h - a.sigma * second.middle_h, first.middle_dh - a.sigma * second.middle_dh};
   e.range = {first.h - a.sigma * second.h, first.dh - a.sigma * second.dh};
@@ -165,10 +165,10 @@ Expansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Bo
   return e;
 }
 
-Expansion<2> expand_closed(const Arrangement& a, const PiecePair& pieces, const Box<2>& X) {
+BoxExpansion<2> expand_closed(const Arrangement& a, const PiecePair& pieces, const Box<2>& X) {
   const ArcBounds first = first_over(a, pieces, X[0]);
   const ArcBounds second = second_over(a, pieces, turning_partner(a, X[0], X[1]));
-  Expansion<2> e;
+  BoxExpansion<2> e;
   e.center = {median(X[0]), median(X[1])};
   const ArcBounds second_m = second_over(a, pieces, turning_partner(a, e.center[0], e.center[1]));
   e.at_center = {first.middle_h - a.sigma * second_m.h, first.middle_dh - a.sigma * second_m.dh};
@@ -189,11 +189,12 @@ Expansion<2> expand_closed(const Arrangement& a, const PiecePair& pieces, const 
   return e;
 }
 
-Expansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first, const Box<1>& X) {
+BoxExpansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first,
+                            const Box<1>& X) {
   const Interval face = to_interval((face_is_first ? first_piece(a, pieces) : second_piece(a, pieces)).phi);
   const ArcBounds first = first_over(a, pieces, face_is_first ? face : X[0]);
   const ArcBounds second = second_over(a, pieces, face_is_first ? X[0] : face);
-  Expansion<1> e;
+  BoxExpansion<1> e;
   e.range = {first.h - a.sigma * second.h};
   e.center = {median(X[0])};
   e.at_center = {face_is_first ? first.h - a.sigma * second.middle_h : first.middle_h - a.sigma * second.h};
@@ -201,11 +202,11 @@ Expansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool fac
   return e;
 }
 
-Expansion<1> expand_slide(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
-                          const Box<1>& X) {
+BoxExpansion<1> expand_slide(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
+                             const Box<1>& X) {
   const SlideTerms all = slide_terms(a, pieces, X[0], X[0] + turn);
   const Interval m = median(X[0]);
-  Expansion<1> e;
+  BoxExpansion<1> e;
   e.center = {m.lower()};
   e.range = {all.equation()};
   e.at_center = {slide_terms(a, pieces, m, m + turn).equation()};
@@ -236,22 +237,22 @@ double polished_turning_coordinate(const Arrangement& a, const PiecePair& pieces
   return slope == 0 ? q : q - gap / slope;
 }
 
-Verdict is_within(const Arrangement& a, const Place& place, const Bounds& range) {
-  Verdict verdict = a.turns ? Verdict::kYes : is_between(place.q, range);
+Within is_within(const Arrangement& a, const PieceContact& place, const Bounds& range) {
+  Within within = a.turns ? Within::kYes : is_between(place.q, range);
   const SupportPiece& piece1 = first_piece(a, place.pieces);
   const SupportPiece& piece2 = second_piece(a, place.pieces);
   const IntervalVector t = unit_interval(place.psi1).turned();
   const Interval moved = a.turns ? Interval(0) : place.q * a.slide1.dot(t);
   if (piece1.kind == PieceKind::kFace && piece2.kind != PieceKind::kFace) {
     const Interval along = a.about1.dot(t) + a.sigma * second_over(a, place.pieces, place.psi2).dh + moved;
-    verdict = std::min(verdict, is_between(along, piece1.along));
+    within = std::min(within, is_between(along, piece1.along));
   }
   if (piece2.kind == PieceKind::kFace && piece1.kind != PieceKind::kFace) {
     const IntervalVector t2 = unit_interval(place.psi2).turned();
     const Interval along = a.about2.dot(t2) + a.sigma * (first_over(a, place.pieces, place.psi1).dh - moved);
-    verdict = std::min(verdict, is_between(along, piece2.along));
+    within = std::min(within, is_between(along, piece2.along));
   }
-  return verdict;
+  return within;
 }
 
 }  // namespace higherpair

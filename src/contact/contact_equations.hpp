@@ -36,26 +36,26 @@ struct PiecePair {
 [[nodiscard]] std::vector<Interval> tiles_of(const Interval& psi);
 
 /// F1 = H1 - σ H2 = 0, F2 = H1′ - σ H2′ = 0 in (ψ1, ψ2): two arcs, turning follower.
-[[nodiscard]] Expansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Box<2>& X);
+[[nodiscard]] BoxExpansion<2> expand_arcs(const Arrangement& a, const PiecePair& pieces, const Box<2>& X);
 
 /// The same of two closed curves, in (ψ1, q), ψ2 = ψ1 + turn - q. With
 ///     ∂F1/∂ψ1 = F2,   ∂F2/∂ψ1 = ρ1 - σ ρ2 - F1,   ∂F1/∂q = σ H2′,   ∂F2/∂q = σ (ρ2 - H2)
 /// the bounds do not grow with the lever, which turns both curves' normals alike: long levers with small
 /// bodies need few boxes. (Next to the ends of an unbounded curve's normals the other form is the better
 /// one.)
-[[nodiscard]] Expansion<2> expand_closed(const Arrangement& a, const PiecePair& pieces, const Box<2>& X);
+[[nodiscard]] BoxExpansion<2> expand_closed(const Arrangement& a, const PiecePair& pieces, const Box<2>& X);
 
 /// H1 - σ H2 = 0 in the normal of the one piece that is not a face: turning follower.
-[[nodiscard]] Expansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first,
-                                       const Box<1>& X);
+[[nodiscard]] BoxExpansion<1> expand_face(const Arrangement& a, const PiecePair& pieces, bool face_is_first,
+                                          const Box<1>& X);
 
 /// B d·t - B′ d·n = 0 in ψ1, B = σ H2 - H1: two arcs, sliding follower. Its derivative is (ρ1 - σ ρ2) d·n.
 /// \param turn  ψ2 - ψ1, with whole turns such that ψ2 falls on the piece
-[[nodiscard]] Expansion<1> expand_slide(const Arrangement& a, const PiecePair& pieces, const Interval& turn,
-                                        const Box<1>& X);
+[[nodiscard]] BoxExpansion<1> expand_slide(const Arrangement& a, const PiecePair& pieces,
+                                           const Interval& turn, const Box<1>& X);
 
 /// Normals at which pieces may touch, and the follower's coordinate there.
-struct Place {
+struct PieceContact {
   PiecePair pieces;
   Interval psi1;
   Interval psi2;
@@ -82,9 +82,9 @@ struct Place {
 [[nodiscard]] bool may_touch(const Arrangement& a, const PiecePair& pieces, const Interval& psi1,
                              const Interval& psi2);
 
-enum class Verdict { kNo, kUnclear, kYes };
+enum class Within { kNo, kUnclear, kYes };
 
 /// Whether the common point lies between the ends of the faces, and q in the range.
-[[nodiscard]] Verdict is_within(const Arrangement& a, const Place& place, const Bounds& range);
+[[nodiscard]] Within is_within(const Arrangement& a, const PieceContact& place, const Bounds& range);
 
 }  // namespace higherpair

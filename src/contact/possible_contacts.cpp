@@ -110,17 +110,17 @@ std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interva
                                           double tolerance) {
   const bool turns = pair.motion2.turns;
   Sets sets = near_sets(pair, places, tolerance);
-  std::vector<Place> hulls(places.size());
+  std::vector<PieceContact> hulls(places.size());
   std::vector<std::size_t> boxes(places.size(), 0);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i].place;
+    const PieceContact& place = places[i].place;
     const std::size_t first = sets.first_of(i);
-    Place& all = hulls[first];
+    PieceContact& all = hulls[first];
     if (boxes[first]++ == 0) {
       all = place;
       continue;
     }
-    const Place& start = places[first].place;
+    const PieceContact& start = places[first].place;
     all.psi1 = hull(all.psi1, next_to(place.psi1, median(start.psi1)));
     all.q = hull(all.q, turns ? next_to(place.q, median(start.q)) : place.q);
   }

@@ -8,7 +8,7 @@ namespace higherpair {
 
 /// A small box that may hold contacts.
 struct PossiblePlace {
-  Place place;
+  PieceContact place;
   bool opposed = false;
 };
 

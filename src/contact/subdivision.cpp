@@ -61,19 +61,19 @@ struct Enumeration {
     return std::max<std::size_t>(1, left / std::max<std::size_t>(1, searches_left--));
   }
 
-  void add(const Arrangement& a, const Place& place, bool is_root) {
-    const Verdict verdict = is_within(a, place, options.range);
-    if (verdict == Verdict::kNo) {
+  void add(const Arrangement& a, const PieceContact& place, bool is_root) {
+    const Within within = is_within(a, place, options.range);
+    if (within == Within::kNo) {
       return;
     }
-    if (is_root && verdict == Verdict::kYes) {
+    if (is_root && within == Within::kYes) {
       result.contacts.push_back(contact_at(a, place));
     } else {
       places.push_back({place, a.sigma < 0});
     }
   }
 
-  [[nodiscard]] CertifiedContact contact_at(const Arrangement& a, const Place& place) const {
+  [[nodiscard]] CertifiedContact contact_at(const Arrangement& a, const PieceContact& place) const {
     const auto [i, j] = place.pieces;
     const bool face1 = a.curve1.pieces()[i].kind == PieceKind::kFace;
     const bool face2 = a.curve2.pieces()[j].kind == PieceKind::kFace;
@@ -99,7 +99,8 @@ struct Enumeration {
   }
 
   // The coordinate and its bounds; a turning one in (-π, π], polished for two arcs.
-  [[nodiscard]] static CertifiedContact positioned(const Arrangement& a, const Place& place, bool arcs) {
+  [[nodiscard]] static CertifiedContact positioned(const Arrangement& a, const PieceContact& place,
+                                                   bool arcs) {
     CertifiedContact contact;
     const double turns = a.turns ? std::round(median(place.q) / (2 * kPi)) : 0;
     contact.q_bounds = to_bounds(turns == 0 ? place.q : place.q - 2 * turns * half_turn());
@@ -137,13 +138,13 @@ struct Enumeration {
       search<2>(
           a, problem, [&](const Box<2>& X) { return expand_closed(a, pieces, X); },
           [&](const Box<2>& X) {
-            return Place{pieces, X[0], turning_partner(a, X[0], X[1]), X[1]};
+            return PieceContact{pieces, X[0], turning_partner(a, X[0], X[1]), X[1]};
           });
     } else {
       search<2>(
           a, problem, [&](const Box<2>& X) { return expand_arcs(a, pieces, X); },
           [&](const Box<2>& X) {
-            return Place{pieces, X[0], X[1], turning_partner(a, X[0], X[1])};
+            return PieceContact{pieces, X[0], X[1], turning_partner(a, X[0], X[1])};
           });
     }
   }
@@ -160,7 +161,7 @@ struct Enumeration {
         [&](const Box<1>& X) {
           const Interval& psi1 = face_is_first ? face : X[0];
           const Interval& psi2 = face_is_first ? X[0] : face;
-          return Place{pieces, psi1, psi2, turning_partner(a, psi1, psi2)};
+          return PieceContact{pieces, psi1, psi2, turning_partner(a, psi1, psi2)};
         });
   }
 
@@ -171,7 +172,7 @@ struct Enumeration {
     search<1>(
         a, problem, [&](const Box<1>& X) { return expand_slide(a, pieces, turn, X); },
         [&](const Box<1>& X) {
-          return Place{pieces, X[0], X[0] + turn, sliding_coordinate(a, pieces, turn, X[0])};
+          return PieceContact{pieces, X[0], X[0] + turn, sliding_coordinate(a, pieces, turn, X[0])};
         });
   }
 
