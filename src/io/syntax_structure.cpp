@@ -151,7 +151,7 @@ Finding key_mistake(const SyntaxScan& scan) {
     return Found{at, fmt::format("`{}` cannot begin a key: keys are of letters, digits, _ and -",
                                  shown(line.substr(0, std::max<std::size_t>(character_length(line), 1))))};
   }
-  if (key.front() == '.' || key.back() == '.' || contains(key, "..")) {
+  if (key.starts_with('.') || key.ends_with('.') || contains(key, "..")) {
     return Found{at, "the parts of a key are words, joined by single points"};
   }
   if (behind.starts_with(']')) {
