@@ -1,10 +1,9 @@
 #include "series_motion.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "numeric/least_norm.hpp"
 
 #include <algorithm>
-
-#include <Eigen/QR>
 
 namespace higherpair {
 namespace {
@@ -24,13 +23,6 @@ double& part(Parametric& coefficient, std::size_t i) {
   return coefficient.c[i];
 }
 
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& J) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kRepeatedConditions);
-  solver.compute(J);
-  return solver;
-}
-
 template <class D, int N>
 class GroupSeries {
 public:
@@ -47,7 +39,7 @@ public:
     if (!J.allFinite()) {
       return false;
     }
-    solver_ = decomposed(J);
+    solver_.compute(J);
     if (solver_.rank() < J.cols()) {
       return false;
     }
@@ -113,7 +105,7 @@ private:
   const ConditionSystem& system_;
   const Dimensions<D>& dimensions_;
   Coordinates<Series>& at_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+  LeastNormSolver solver_{kRepeatedConditions};
   std::vector<Series> values_;
 };
 
@@ -127,7 +119,7 @@ void drop_slip(const ConditionSet& set, Dimensions<D>& dimensions) {
 }  // namespace
 
 bool is_regular(const Eigen::MatrixXd& J) {
-  return J.allFinite() && decomposed(J).rank() == J.cols();
+  return J.allFinite() && LeastNormSolver(J, kRepeatedConditions).rank() == J.cols();
 }
 
 ConditionSet condition_set(const Plan& plan, const Group& group) {

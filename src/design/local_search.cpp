@@ -1,9 +1,8 @@
+#include "numeric/least_norm.hpp"
 #include "search.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/QR>
 
 namespace higherpair {
 namespace {
@@ -129,7 +128,7 @@ std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
       A.col(static_cast<Eigen::Index>(k)) =
           free.cwiseProduct(jacobian.constraints.row(active[k]).transpose());
     }
-    const Eigen::VectorXd lambda = A.completeOrthogonalDecomposition().solve(-free.cwiseProduct(slope));
+    const Eigen::VectorXd lambda = LeastNormSolver(A).solve(-free.cwiseProduct(slope));
     Eigen::Index worst = 0;
     if (lambda.minCoeff(&worst) >= 0) {
       for (std::size_t k = 0; k < active.size(); ++k) {

@@ -1,8 +1,8 @@
 #include "design_placement.hpp"
 
-#include <cmath>
+#include "numeric/least_norm.hpp"
 
-#include <Eigen/QR>
+#include <cmath>
 
 namespace higherpair {
 namespace {
@@ -123,7 +123,7 @@ Eigen::MatrixXd PathPlacement::freedoms(std::span<const Complex> normals) const 
 
 std::pair<Complex, Complex> PathPlacement::moved_by_tangents(std::span<const Vector2d> along) const {
   const std::vector<Complex> n = normals(along);
-  const Eigen::VectorXd step = freedoms(n).completeOrthogonalDecomposition().solve(-distances(along));
+  const Eigen::VectorXd step = LeastNormSolver(freedoms(n)).solve(-distances(along));
   Eigen::Index k = 0;
   Complex moved = T_mean_;
   if (path_.free_position) {
@@ -147,7 +147,11 @@ Eigen::MatrixXd PathPlacement::distance_slopes(std::span<const Vector2d> along,
     }
   }
   const Eigen::MatrixXd J = freedoms(n);
-  return slopes - J * J.completeOrthogonalDecomposition().solve(slopes);
+  const LeastNormSolver solver(J);
+  for (auto column : slopes.colwise()) {
+    column -= J * solver.solve(column);
+  }
+  return slopes;
 }
 
 }  // namespace higherpair

@@ -15,6 +15,8 @@ public:
   LeastNormSolver(const Eigen::MatrixXd& J, double rank_tolerance) : LeastNormSolver(rank_tolerance) {
     compute(J);
   }
+  /// With a tolerance of rounding alone.
+  explicit LeastNormSolver(const Eigen::MatrixXd& J) { compute(J); }
 
   void compute(const Eigen::MatrixXd& J);
 
