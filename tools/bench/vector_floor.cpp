@@ -30,7 +30,11 @@ void work_out(const FourBarByHand& bar, const Arrays& arrays, std::size_t count)
   const double difference = bar.r3 * bar.r3 - bar.r4 * bar.r4;
   const double per_r3 = 1 / bar.r3, per_r4 = 1 / bar.r4;
   const double cc = bar.r4 * bar.r4;
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
   for (std::size_t k = 0; k < count; ++k) {
     const double ax = r2 * cosines[k];
     const double ay = r2 * sines[k];
