@@ -261,9 +261,7 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
                                 const State& from, State& to) {
   const GroupStatus status = place_touching(model, touching, g, from, 0, to);
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
-  const auto has_ends = [&](const CurveRef& ref) { return !boundary_of(model.mechanism, ref).is_closed(); };
-  if (status == GroupStatus::kOk || !contact.by_boundary || contact.both_sides ||
-      !(has_ends(contact.first) || has_ends(contact.second))) {
+  if (!contact.by_boundary || contact.both_sides || to.groups[g].held) {
     return status;
   }
   const StandingPair placed = standing_pair(model, touching, to);
@@ -272,18 +270,24 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
   const double lost =
       carried_coordinate(follower, body_in(from, follower.carrier), body_in(from, follower.body)) +
       (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
-  std::optional<BoundaryContact> nearest;
-  for (BoundaryContact& found : find_boundary_contacts(pair, placed.u, {-kInf, kInf})) {
+  // The nearest that is free of overlap. Positions of closed curves that are free end at a contact of either
+  // mode: one that is alone is free.
+  std::vector<BoundaryContact> all = find_boundary_contacts(pair, placed.u, {-kInf, kInf});
+  std::erase_if(all, [&](const BoundaryContact& found) { return to.groups[g].mode * found.gap_q <= 0; });
+  const bool alone = all.size() == 1 && pair.boundary1->is_closed() && pair.boundary2->is_closed();
+  for (BoundaryContact& found : all) {
     found.q = pair.motion2.turns ? nearest_turn(found.q, lost) : found.q;
-    if (to.groups[g].mode * found.gap_q > 0 &&
-        (!nearest || std::abs(found.q - lost) < std::abs(nearest->q - lost)) &&
-        deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
-                            pose_at(pair.motion2, found.q), kOverlapOfBoundaries * model.plan.size)
-                .depth == 0) {
-      nearest = found;
-    }
   }
-  if (!nearest) {
+  std::sort(all.begin(), all.end(), [&](const BoundaryContact& a, const BoundaryContact& b) {
+    return std::abs(a.q - lost) < std::abs(b.q - lost);
+  });
+  const auto nearest = std::find_if(all.begin(), all.end(), [&](const BoundaryContact& found) {
+    return alone ||
+           deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
+                               pose_at(pair.motion2, found.q), kOverlapOfBoundaries * model.plan.size)
+                   .depth == 0;
+  });
+  if (nearest == all.end()) {
     return status;
   }
   hold_on_boundaries(model, touching, g, pair, *nearest,

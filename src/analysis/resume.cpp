@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 // Beyond a limit at which the motion was lost.
@@ -51,53 +52,94 @@ bool come_back(Run& run, const std::vector<double>& drivers) {
   return follow(run, path);
 }
 
-// Takes the branch up again at the drivers' positions, if it is there; an event says where the stretch
-// begins: at the limit on the way back to `from`.
-bool take_up(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
-  if (!place_anew(run, drivers)) {
-    return false;
+// The branch at a position of the drivers, if it is there, followed back on the way to `from`: to where this
+// stretch of it begins. run.work.trial is then at that position.
+std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from) {
+  if (!place_anew(run, at)) {
+    return std::nullopt;
   }
-  const State lost = run.at.state;
   Run back = run;
   std::swap(back.at.state, back.work.trial);
   back.events.clear();
   back.at.held = true;
   back.at.beside.reset();
-  back.at.drivers = drivers;
-  Path path_back;
-  set_path(path_back, drivers, from);
-  if (follow(back, path_back) && has_track(run)) {
-    return false;  // without a limit on the way back it is a contact that the follower cannot have come to
+  back.at.drivers = at;
+  Path path;
+  set_path(path, at, from);
+  if (follow(back, path) && has_track(run)) {
+    return std::nullopt;  // without a limit on the way it is a contact that the follower cannot have come to
   }
-  std::swap(run.at.state, run.work.trial);
+  return back;
+}
+
+// Goes on from a state of that stretch; an event says where it begins, on the way from `from` to `to`.
+void go_on_from(Run& run, const Run& back, const State& state, const std::vector<double>& drivers,
+                const std::vector<double>& from, const std::vector<double>& to) {
+  const State lost = std::exchange(run.at.state, state);
   renew_overlaps(run);
   run.at.held = true;
   run.at.beside.reset();
   run.at.drivers = drivers;
   Path path;
-  set_path(path, from, drivers);
-  for (RunEvent& event : back.events) {
+  set_path(path, from, to);
+  for (const RunEvent& event : back.events) {
     // Where a curve ends the motion may have gone on over the edge.
     const bool is_last = &event == &back.events.back();
     if (event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last)) {
-      event.share = 1 - event.share;
-      report_limit(run, path, std::move(event));
+      RunEvent begin = event;
+      begin.share = 1 - event.share;
+      report_limit(run, path, std::move(begin));
     }
   }
   if (!back.at.held) {
     take_short_way(run, lost, back.at.state);
   }
-  return true;
 }
 
-// Where a branch that was lost is looked for between `from` and `to`: every kProbe of the driver from the
-// limit, so that it is found again at the same place whatever the rows.
+bool follow_to(Run& run, const std::vector<double>& drivers) {
+  Path path;
+  set_path(path, run.at.drivers, drivers);
+  return follow(run, path);
+}
+
+// Takes up the stretch that holds `at` where it begins, if that is before the drivers' positions, and goes on
+// to these; whether it arrives there.
+std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::vector<double>& drivers) {
+  const std::vector<double> lost_at = run.at.lost.at;
+  const double ahead = at[0] - lost_at[0];
+  const auto back = found_again(run, at, lost_at);
+  const std::vector<double> begin = back && !back->at.held ? back->at.lost.from : lost_at;
+  if (!back || (drivers[0] - begin[0]) * ahead < 0) {
+    return std::nullopt;
+  }
+  const State found = run.work.trial;
+  const Standing before = run.at;
+  const std::size_t events = run.events.size();
+  go_on_from(run, *back, back->at.state, begin, lost_at, drivers);
+  if (follow_to(run, drivers)) {
+    return true;
+  }
+  if ((run.at.lost.at[0] - at[0]) * ahead >= 0) {
+    return false;
+  }
+  // From its very begin it cannot be followed.
+  run.at = before;
+  run.events.resize(events);
+  if ((drivers[0] - at[0]) * ahead < 0) {
+    return std::nullopt;
+  }
+  go_on_from(run, *back, found, at, lost_at, drivers);
+  return follow_to(run, drivers);
+}
+
+// Where a branch that was lost is looked for between `from` and `to`, and once beyond: every kProbe of the
+// driver from the limit, so that it is found again at the same place whatever the rows.
 std::vector<double> probes(const Run& run, double from, double to) {
   const double step = std::copysign(kProbe * driver_scale(run, 0), to - from);
   const double first = std::max(1.0, std::ceil((from - run.at.lost.at[0]) / step));
   const double last = std::min((to - run.at.lost.at[0]) / step, first + kMostProbes);
   std::vector<double> found;
-  for (double k = first; k < last; ++k) {
+  for (double k = first; k < last + 1; ++k) {
     found.push_back(run.at.lost.at[0] + k * step);
   }
   return found;
@@ -116,20 +158,23 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
     return false;  // their branch beyond the limit has no label to ask for
   }
   if (drivers.size() > 1) {
-    return take_up(run, drivers, from);
+    const auto back = found_again(run, drivers, from);
+    if (back) {
+      go_on_from(run, *back, State(run.work.trial), drivers, from, drivers);
+    }
+    return back.has_value();
   }
-  for (const double probe : probes(run, from[0], drivers[0])) {
+  std::vector<double> places = probes(run, from[0], drivers[0]);
+  places.push_back(drivers[0]);
+  for (const double place : places) {
     if (is_stopped(run)) {
       return false;
     }
-    const std::vector<double> at{probe};
-    if (take_up(run, at, run.at.lost.at)) {
-      Path path;
-      set_path(path, at, drivers);
-      return follow(run, path) || resume(run, drivers, run.at.lost.at);
+    if (const auto arrives = take_up(run, {place}, drivers)) {
+      return *arrives || resume(run, drivers, run.at.lost.at);
     }
   }
-  return take_up(run, drivers, run.at.lost.at);
+  return false;
 }
 
 }  // namespace higherpair

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSameFound = 1e-7;  // of q [rad, or of the size]: two that are one
 constexpr double kFarther = 0.1;     // of the sizes: how far beside a body samples are looked at
+constexpr double kNearFoot = 1e-9;   // of the size: so near a foot its depth is off by the square of that
 
 // Angles continuous along the boundary.
 class Unwrapped {
@@ -132,9 +133,13 @@ Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d
     const double along = to.dot(perp(point.n_B));
     const double out = to.dot(point.n_B);
     const bool corner = boundary.is_corner(place);
+    const double turn = corner ? std::atan2(along, std::max(out, 0.0)) : 0;
+    if (std::abs(corner ? turn * out : along) <= kNearFoot * boundary.size()) {
+      stopped = false;
+      break;
+    }
     const double stretch = 1 + point.kappa * out;
-    const auto next = boundary.advance(place, stretch > 0.1 ? along / stretch : along,
-                                       corner ? std::atan2(along, std::max(out, 0.0)) : 0);
+    const auto next = boundary.advance(place, stretch > 0.1 ? along / stretch : along, turn);
     stopped = next.at_end;
     if (next.place.span == place.span && next.place.t == place.t) {
       break;  // it goes no farther

@@ -48,7 +48,8 @@ std::string figure_objection(const std::vector<CheckFigure>& figures, const Desi
   std::vector<std::string> names;
   std::vector<std::string> curves;
   for (const CheckFigure& figure : figures) {
-    names.push_back(figure.item + "." + figure.quantity);
+    const std::string name = figure.item + "." + figure.quantity;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // of two curves
     if (figure.item == wanted.item && figure.quantity == wanted.quantity) curves.push_back(figure.of);
   }
   const std::string name = wanted.item + "." + wanted.quantity;

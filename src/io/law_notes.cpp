@@ -42,34 +42,43 @@ double largest_difference(const MotionLaw& a, const MotionLaw& b, const std::vec
   return largest;
 }
 
-void note_rounding(TableReader& table, const LawQuantities& quantities, const LawDescription& law,
-                   const MotionLaw& through) {
+// A number of a law that has been made, in the profile's units.
+double shown(const Reading& reading, const LawQuantities& quantities, const Dimension& dimension,
+             double number) {
+  return quantities.units == LawUnits::kSi ? from_si(dimension, reading.units).apply(number) : number;
+}
+
+void note_rounding(TableReader& table, const LawQuantities& quantities, const ReadLaw& law) {
   Reading& reading = table.reading();
   const auto stated = table.take("rounding");
   const auto quantity = stated ? as_quantity(reading, *stated, {quantities.value}) : std::nullopt;
-  const auto rounding = quantity ? std::optional(quantity->profile) : guessed_rounding(law.points);
-  if (law.smoothing > 0 || !rounding || (!quantity && law.points.size() < kFewestPoints)) {
+  const std::vector<Vector2d>& given = law.profile.points;
+  const auto rounding = quantity ? std::optional(quantity->profile) : guessed_rounding(given);
+  if (law.profile.smoothing > 0 || !rounding || (!quantity && given.size() < kFewestPoints)) {
     return;
   }
-  LawDescription smooth = law;
-  smooth.smoothing = *rounding / 2;
+  LawDescription smooth = law.in(quantities.units);
+  const bool si = quantities.units == LawUnits::kSi;
+  smooth.smoothing = (si ? to_si(quantities.value, reading.units).apply(*rounding) : *rounding) / 2;
   const auto beside = MotionLaw::make(smooth);
   if (!beside) {
     return;
   }
-  const double noise = largest_difference(through, *beside, law.points);
+  const double noise = largest_difference(*law.made, *beside, smooth.points);
   const double peak = std::abs(beside->extremes(2).peak());
   if (!(noise > kWorthSaying * peak)) {
     return;
   }
   const Dimension acceleration = quantities.value / quantities.coordinate / quantities.coordinate;
   reading.notes.push_back(
-      {table.mark(), fmt::format("{}: its values are {} {:g} {}; the spline through them has about {:.2g} {} "
-                                 "of noise from that in its "
-                                 "second derivative, whose peak is {:.3g}; smoothing = {:g} takes it out",
-                                 table.path(), quantity ? "rounded to" : "given to, and probably rounded to,",
-                                 *rounding, unit_text(quantities.value, reading.units), noise,
-                                 unit_text(acceleration, reading.units), peak, *rounding / 2)});
+      {table.mark(),
+       fmt::format("{}: its values are {} {:g} {}; the spline through them has about {:.2g} {} "
+                   "of noise from that in its "
+                   "second derivative, whose peak is {:.3g}; smoothing = {:g} takes it out",
+                   table.path(), quantity ? "rounded to" : "given to, and probably rounded to,", *rounding,
+                   unit_text(quantities.value, reading.units),
+                   shown(reading, quantities, acceleration, noise), unit_text(acceleration, reading.units),
+                   shown(reading, quantities, acceleration, peak), *rounding / 2)});
 }
 
 }  // namespace
@@ -77,14 +86,15 @@ void note_rounding(TableReader& table, const LawQuantities& quantities, const La
 void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw& law) {
   Reading& reading = table.reading();
   if (!law.profile.points.empty()) {
-    note_rounding(table, quantities, law.profile, *law.made);
+    note_rounding(table, quantities, law);
   }
   if (law.profile.repeats && quantities.coordinate == dimension::kAngle && law.made->advance() != 0) {
     reading.notes.push_back(
         {table.mark(),
          fmt::format("{}: it does not end where it begins: every turn is {:g} {} higher "
                      "than the one before",
-                     table.path(), law.made->advance(), unit_text(quantities.value, reading.units))});
+                     table.path(), shown(reading, quantities, quantities.value, law.made->advance()),
+                     unit_text(quantities.value, reading.units))});
   }
 }
 

@@ -48,13 +48,20 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   }
   entry->used = true;
   const auto place = static_cast<std::size_t>(entry - entries_.begin());
+  bool noted = false;
   for (const Known& known : known_) {
     if (known.entry == place && known.quantities == quantities) {
       return known.index;
     }
+    noted = noted || (known.entry == place && known.quantities.coordinate == quantities.coordinate &&
+                      known.quantities.value == quantities.value);
   }
   Known known{place, quantities, std::nullopt};
+  const auto notes = static_cast<std::ptrdiff_t>(reading_->notes.size());
   if (auto law = read_item(*reading_, entry->item, quantities)) {
+    if (noted) {  // of the other units
+      reading_->notes.erase(reading_->notes.begin() + notes, reading_->notes.end());
+    }
     known.index = static_cast<int>(mechanism.laws.size());
     laws_.push_back(*std::move(law->made));
     mechanism.laws.push_back({*text, std::move(law->si)});
@@ -63,7 +70,7 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   return known.index;
 }
 
-const MotionLaw& LawBook::in_profile_units(int index) const {
+const MotionLaw& LawBook::made(int index) const {
   return laws_[static_cast<std::size_t>(index)];
 }
 

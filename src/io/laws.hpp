@@ -11,20 +11,27 @@
 
 namespace higherpair::io_detail {
 
-/// What a law is a function of, and what it gives.
+enum class LawUnits { kProfile, kSi };
+
+/// What a law is a function of, what it gives, and in which units its user wants it.
 struct LawQuantities {
   Dimension coordinate;
   Dimension value;
+  LawUnits units = LawUnits::kProfile;
 
   bool operator==(const LawQuantities&) const = default;
 };
 
-/// A law in two systems of units.
+/// A law in two systems of units. It is made in one only: of a table that takes a large part of reading.
 struct ReadLaw {
   LawDescription profile;
   LawDescription si;
   std::vector<int> lines;         ///< of the points, where they come from a file
-  std::optional<MotionLaw> made;  ///< in the profile's units; always, once it has been read
+  std::optional<MotionLaw> made;  ///< in LawQuantities::units; always, once it has been read
+
+  [[nodiscard]] const LawDescription& in(LawUnits units) const {
+    return units == LawUnits::kSi ? si : profile;
+  }
 };
 
 /// Reads `[laws.NAME]` for these quantities; none where it has mistakes, which are reported.
@@ -45,8 +52,8 @@ public:
   [[nodiscard]] std::optional<int> find(const Item& name, const LawQuantities& quantities,
                                         Mechanism& mechanism);
 
-  /// The same law in the profile's units.
-  [[nodiscard]] const MotionLaw& in_profile_units(int index) const;
+  /// The same law, in the units that it was looked for in.
+  [[nodiscard]] const MotionLaw& made(int index) const;
 
   /// Reads the laws that nothing has used, for their mistakes, and notes that.
   void finish();
@@ -66,7 +73,7 @@ private:
   Reading* reading_;
   std::vector<Entry> entries_;
   std::vector<Known> known_;
-  std::vector<MotionLaw> laws_;  ///< of Mechanism::laws, in the profile's units
+  std::vector<MotionLaw> laws_;  ///< of Mechanism::laws, in the units asked for
 };
 
 }  // namespace higherpair::io_detail

@@ -49,7 +49,7 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
   const auto index = laws.find(follow, quantities, profile.mechanism);
   const auto schedule = DriverSchedule::analyze(profile);
   if (!index || !schedule) return;
-  const MotionLaw& law = laws.in_profile_units(*index);
+  const MotionLaw& law = laws.made(*index);
   objective.follow_change = true;
   for (std::int64_t k = 0; k < schedule->size(); ++k) {
     measure.at = schedule->state(k).profile.position;

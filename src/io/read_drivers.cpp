@@ -124,7 +124,7 @@ void read_driving_law(TableReader& table, const Item& name, const Joint& joint, 
   const auto law =
       laws.find(name, {dimension::kTime, turns ? dimension::kAngle : dimension::kLength}, mechanism);
   if (law) {
-    program.law = laws.in_profile_units(*law);
+    program.law = laws.made(*law);
     program.law_name = "laws." + mechanism.laws[static_cast<std::size_t>(*law)].name;
     program.start = (*program.law)(0.0);
     program.velocity = default_velocity(turns, table.reading().units);

@@ -65,7 +65,8 @@ public:
     }
     const Joint& turning = mechanism_.joints[static_cast<std::size_t>(*cam_joint)];
     const Joint& moved = mechanism_.joints[static_cast<std::size_t>(*follower_joint)];
-    const auto law = laws_.find(late.law, {dimension_of(turning), dimension_of(moved)}, mechanism_);
+    const auto law =
+        laws_.find(late.law, {dimension_of(turning), dimension_of(moved), LawUnits::kSi}, mechanism_);
     if (!law) {
       return;
     }
@@ -76,7 +77,7 @@ public:
                            carried.freedom,
                            carried.sign,
                            joint_motion(mechanism_, moved, posed_bodies(mechanism_)).position,
-                           *MotionLaw::make(mechanism_.laws[static_cast<std::size_t>(*law)].law)};
+                           laws_.made(*law)};
     shape(late, motion, *follower, choice == 1U, cam.curves[late.curve]);
   }
 

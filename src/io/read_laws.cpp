@@ -269,12 +269,14 @@ private:
   // What only the law as a whole can show.
   bool check(const std::optional<Item>& segments, const std::optional<Item>& points,
              const std::optional<Item>& file) {
-    auto made = MotionLaw::make(law_.profile);
+    auto made = MotionLaw::make(law_.in(quantities_.units));
     if (made) {
       law_.made = *std::move(made);
       return true;
     }
-    const LawFault& fault = made.error();
+    // Numbers are named as the profile has them, unless only in SI units they have a mistake.
+    const auto named = MotionLaw::make(law_.profile);
+    const LawFault& fault = named ? made.error() : named.error();
     if (fault.point && file) {
       report(reading_, *file, fmt::format("line {}: {}", law_.lines[*fault.point], fault.rule));
     } else if (fault.point) {

@@ -144,6 +144,19 @@ TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
 }
 
+// The reader of its pipe takes nothing for longer than the program is allowed.
+TEST_F(LongRun, OfAMapEndsWithoutAWordWhereItsWriteIsInterrupted) {
+  copy_profiles({"lock_up"});
+  const int status = std::system(
+      fmt::format(
+          "cd '{}' && mkfifo slow && (sleep 20 <slow & reader=$!; timeout --preserve-status -k 10 -s "
+          "INT 1 {} map lock_up.toml --samples 20000 --csv slow 2>err; code=$?; kill $reader; exit $code)",
+          folder_.string(), HIGHERPAIR_PROGRAM)
+          .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(file("err"), IsEmpty());
+}
+
 // Of conics, of curves of many parts, and of a page that holds a map: each would take long.
 TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
   copy_profiles({"lock_up", "four_arc_cam", "gear_teeth"});

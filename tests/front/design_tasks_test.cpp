@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {
@@ -160,8 +161,9 @@ TEST(DesignTasks, APageShowsBothMechanismsAndNothingOfTheWeb) {
   EXPECT_EQ(page.find("https://"), std::string::npos);
 }
 
-std::string message_of(const std::vector<std::string>& overrides) {
-  const auto model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/design_five_points.toml", overrides);
+std::string message_of(const std::vector<std::string>& overrides,
+                       const std::string& profile = "design_five_points") {
+  const auto model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/" + profile + ".toml", overrides);
   if (!model) return to_string(model.error());
   DesignSettings one;
   one.starts = 1;
@@ -182,6 +184,10 @@ TEST(DesignTasks, SayWhatTheyCannotMean) {
   says({R"(design.constraints=[{ figure = "pressure" , below = 3 }])"}, "expected a figure of `check`");
   says({R"(design.constraints=[{ figure = "joints.rocker_pivot.accelerations", below = 3 }])"},
        "`check` has no such figure of this mechanism; did you mean");
+  // Both curves of a contact have this figure.
+  EXPECT_THAT(
+      message_of({R"(design.objectives=[{ figure = "contacts.touch.convex_radios" }])"}, "design_eccentric"),
+      ::testing::HasSubstr("did you mean `contacts.touch.convex_radius`?"));
   says({R"(design.objectives.0.path.free=["place"])"}, "design.objectives.0.path.free.0");
   says({R"(design.objectives.0.path.free=[])"}, "expected a list of \"position\", \"turn\" and \"scale\"");
   says({R"(design.objectives=[{ column = "rocker.angle", follow = "lift" }])"}, "there is no law `lift`");

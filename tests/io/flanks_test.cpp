@@ -1,3 +1,4 @@
+#include "higherpair/cam/flank.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <cmath>
@@ -19,6 +20,7 @@ struct Parts {
   std::string follower = R"({ type = "circle", center = [0, 0], radius = 10 })";
   std::string height = "50";
   std::string rise = "20";
+  std::string law;  // in place of four segments with that rise
   std::string joint = R"(type = "prismatic"
 between = ["ground.O", "follower.P"]
 direction = [0, 1])";
@@ -26,6 +28,10 @@ direction = [0, 1])";
 };
 
 std::string profile_with(const Parts& parts) {
+  const std::string segments = fmt::format(
+      R"(segments = [ {{ over = 120, law = "cycloidal", rise = {} }}, {{ over = 40, law = "dwell" }},
+             {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = 80, law = "dwell" }} ])",
+      parts.rise);
   return fmt::format(R"([bodies.ground]
 points.O = [0, 0]
 [bodies.cam]
@@ -37,8 +43,7 @@ pose = {{ x = 0, y = {} }}
 points.P = [0, 0]
 curves.roller = {}
 [laws.lift]
-segments = [ {{ over = 120, law = "cycloidal", rise = {} }}, {{ over = 40, law = "dwell" }},
-             {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = 80, law = "dwell" }} ]
+{}
 [joints.pivot]
 type = "revolute"
 between = ["ground.O", "cam.O"]
@@ -49,8 +54,8 @@ between = {}
 [driver]
 joint = "pivot"
 )",
-                     parts.flank, parts.more_curves, parts.height, parts.follower, parts.rise, parts.joint,
-                     parts.between);
+                     parts.flank, parts.more_curves, parts.height, parts.follower,
+                     parts.law.empty() ? segments : parts.law, parts.joint, parts.between);
 }
 
 std::string mistakes_in(const Parts& parts) {
@@ -84,6 +89,57 @@ curves.further = { type = "offset", of = "inner", by = -2 })";
   const SpanPoint flank = curves[0].boundary->spans()[0]->at(curves[0].boundary->spans()[0]->range().low);
   const SpanPoint further = curves[2].boundary->spans()[0]->at(curves[2].boundary->spans()[0]->range().low);
   EXPECT_NEAR((flank.p_B - further.p_B).norm(), 7e-3, 1e-15);
+}
+
+// A harmonic lift of 2 mm as a table of 3 degrees' steps, rounded.
+std::string table_of_lifts() {
+  std::string text = "points = [";
+  for (int x = 0; x <= 360; x += 3) {
+    text += fmt::format("[{}, {:.3f}], ", x, 1 - std::cos(x * kPi / 180));
+  }
+  return text + "]";
+}
+
+TEST(Flanks, MoveTheFollowerByTheSplineOfATableInSiUnits) {
+  Parts parts;
+  parts.law = table_of_lifts();
+  const auto profile = read_profile_text(profile_with(parts), "cam.toml");
+  ASSERT_TRUE(profile) << mistakes_in(parts);
+  const auto origin = flank_origin(*profile->mechanism.bodies[1].curves[0].boundary->spans().front());
+  ASSERT_TRUE(origin);
+  const MotionLaw law = MotionLaw::make(profile->mechanism.laws[0].law).value();
+  EXPECT_NEAR(law(kPi), 2e-3, 1e-18);
+  for (const double x : {0.0, 1.2345, 3.0, 5.4321}) {
+    for (int k = 0; k < 6; ++k) {
+      EXPECT_EQ(origin->motion.law.derivative(k, x), law.derivative(k, x)) << k << " at " << x;
+    }
+  }
+}
+
+// What is said of a table does not depend on what uses it.
+TEST(Flanks, NoteTheRoundingOfATableInTheProfilesUnits) {
+  Parts parts;
+  parts.law = table_of_lifts();
+  const auto note_of = [](const std::string& text) {
+    const auto profile = read_profile_text(text, "cam.toml");
+    std::string notes;
+    for (const Diagnostic& note : profile ? profile->notes : profile.error()) notes += to_string(note) + "\n";
+    const std::size_t at = notes.find("laws.lift: its values");
+    EXPECT_EQ(notes.find("laws.lift: its values", at + 1), std::string::npos) << notes;
+    return at == std::string::npos ? notes : notes.substr(at, notes.find('\n', at) - at);
+  };
+  const std::string of_flank = note_of(profile_with(parts));
+  EXPECT_THAT(of_flank, HasSubstr("probably rounded to, 0.001 mm; the spline"));
+  EXPECT_THAT(of_flank, HasSubstr("mm/deg^2"));
+  const std::string design = R"([design.variables]
+h = { path = "bodies.follower.pose.y", min = 45, max = 55 }
+[[design.objectives]]
+column = "slide.position"
+follow = "lift"
+)";
+  EXPECT_EQ(note_of(profile_with(parts) + design), of_flank);
+  parts.flank = R"({ type = "circle", center = [5, 0], radius = 40 })";
+  EXPECT_EQ(note_of(profile_with(parts) + design), of_flank);
 }
 
 // The number behind these words of the message [mm].
@@ -147,6 +203,9 @@ TEST(Flanks, SayWhatIsWrong) {
   Parts open;
   open.rise = "19";
   EXPECT_THAT(mistakes_in(open), HasSubstr("lift"));
+  Parts close;  // in degrees they differ by one unit in the last place, in radians not at all
+  close.law = "points = [[0, 0], [90, 1], [127, 2], [127.00000000000001, 2], [200, 1], [360, 0]]";
+  EXPECT_THAT(mistakes_in(close), HasSubstr("has the same x as the point before"));
   Parts loose;
   loose.joint = R"(type = "slot"
 between = ["ground.O", "follower.P"]

@@ -25,7 +25,7 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
   const Forms forms = {[&] { return check_csv(report); }, [&] { return text_of(check_json(report)) + "\n"; },
                        [&] { return check_text(report); }};
   if (!write_forms(options.csv, options.json, forms)) {
-    return kExitMachine;
+    return exit_unwritten();
   }
   print_notes(report.notes, options.quiet);
   if (!options.quiet) {

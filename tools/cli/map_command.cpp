@@ -82,7 +82,7 @@ int map_command(const MapOptions& options) {
     return kExitInterrupted;
   }
   if (!write_all(options, *report)) {
-    return interruption() ? kExitInterrupted : kExitMachine;
+    return exit_unwritten();
   }
   print_remarks(options, *report);
   const bool complete = std::all_of(report->contacts.begin(), report->contacts.end(),

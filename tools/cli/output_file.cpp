@@ -15,6 +15,10 @@ namespace higherpair::cli {
 
 namespace fs = std::filesystem;
 
+// Bytes that are written between two looks at whether to stop. A pipe takes so many as a whole: a signal ends
+// a write that waits for its reader.
+constexpr std::size_t kBlock = 4096;
+
 std::string target_of(std::string path) {
   constexpr int kMostLinks = 40;
   std::error_code code;
@@ -134,7 +138,7 @@ bool commit_all(const std::vector<OutputFile*>& files) {
   return std::none_of(files.begin(), files.end(), failed);
 }
 
-bool write_files(const std::vector<FileText>& files) {
+bool write_files(const std::vector<FileText>& files, const std::atomic<bool>* stop) {
   std::vector<std::unique_ptr<OutputFile>> outputs;
   std::vector<OutputFile*> all;
   for (const FileText& file : files) {
@@ -145,9 +149,16 @@ bool write_files(const std::vector<FileText>& files) {
   if (std::any_of(all.begin(), all.end(), [](const OutputFile* file) { return report_failure(*file); })) {
     return false;
   }
+  const auto stopped = [stop] { return stop != nullptr && *stop; };
   for (std::size_t i = 0; i < files.size(); ++i) {
-    all[i]->write(files[i].text);
+    for (std::string_view rest = files[i].text; !rest.empty() && !stopped();) {
+      all[i]->write(rest.substr(0, kBlock));
+      rest.remove_prefix(std::min(kBlock, rest.size()));
+    }
     all[i]->finish();
+    if (stopped()) {
+      return false;
+    }
   }
   return commit_all(all);
 }
@@ -165,7 +176,7 @@ bool write_forms(const std::optional<std::string>& csv, const std::optional<std:
     files.push_back({"-", forms.text()});
   }
   files.insert(files.end(), pictures.begin(), pictures.end());
-  return !interruption() && write_files(files);
+  return !interruption() && write_files(files, &interruption());
 }
 
 }  // namespace higherpair::cli

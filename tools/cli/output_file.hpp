@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -64,8 +65,9 @@ struct FileText {
   std::string text;
 };
 
-/// Writes whole files, all or none; false, with the reason on standard error, where that fails.
-[[nodiscard]] bool write_files(const std::vector<FileText>& files);
+/// Writes whole files, all or none; false, with the reason on standard error, where that fails, and without a
+/// word where `stop` has become true before all have been written.
+[[nodiscard]] bool write_files(const std::vector<FileText>& files, const std::atomic<bool>* stop = nullptr);
 
 /// What a command has found, each form made where it is asked for.
 struct Forms {
@@ -75,7 +77,7 @@ struct Forms {
 };
 
 /// Writes CSV and JSON to the files named, readable text to standard output where neither is, and the
-/// pictures; as write_files. False as well where interruption() came while a long form was made.
+/// pictures; as write_files. False as well where interruption() came while a form was made or written.
 [[nodiscard]] bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
                                const Forms& forms, const std::vector<FileText>& pictures = {});
 

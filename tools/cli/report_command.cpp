@@ -86,8 +86,8 @@ int report_command(const ReportOptions& options) {
   if (report->stopped) {
     return kExitInterrupted;
   }
-  if (!write_files({{options.output, report->html}})) {
-    return kExitMachine;
+  if (!write_files({{options.output, report->html}}, &interruption())) {
+    return exit_unwritten();
   }
   if (!options.quiet) {
     print_events(report->events, *model);

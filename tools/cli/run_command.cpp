@@ -167,7 +167,7 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
     events->finish();
   }
   if (!outputs.finish(events ? &*events : nullptr, analysis, model)) {
-    return interrupted ? kExitInterrupted : kExitMachine;
+    return exit_unwritten();
   }
   if (outputs.summary()) {
     outputs.summary()->print(model.mechanism().title);
@@ -212,6 +212,10 @@ void print_events(const std::vector<Event>& events, const Model& model) {
 
 const std::atomic<bool>& interruption() {
   return interrupted;
+}
+
+int exit_unwritten() {
+  return interrupted ? kExitInterrupted : kExitMachine;
 }
 
 int report_error(const Error& error) {

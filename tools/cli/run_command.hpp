@@ -53,6 +53,9 @@ void print_events(const std::vector<Event>& events, const Model& model);
 void listen_to_signals();
 [[nodiscard]] const std::atomic<bool>& interruption();
 
+/// The exit code where an output has not been written: because of interruption(), or by a failure.
+[[nodiscard]] int exit_unwritten();
+
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);
 

@@ -118,7 +118,7 @@ int write(const SensitivityOptions& options, const Model& model, const Sensitivi
                        [&] { return sensitivity_text(findings); }};
   const bool rows_alone = options.rows == "-" && !options.csv && !options.json;
   if (!rows_alone && !write_forms(options.csv, options.json, forms)) {
-    return kExitMachine;
+    return exit_unwritten();
   }
   print_notes(findings.report.notes, options.quiet);
   if (!options.quiet && !findings.report.good) print_events(findings.report.events, model);
