@@ -1,5 +1,8 @@
 #include "higherpair/linkage/four_bar_limits.hpp"
 
+#include "higherpair/linkage/angles.hpp"
+#include "higherpair/linkage/rrr_dyad.hpp"
+
 #include <array>
 #include <cassert>
 #include <cmath>
