@@ -121,7 +121,7 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
   double length = h;
   for (Turn& turn : turned) {
     const Changed at = turn.at;
-    const State kept = run.work.trial;
+    StateAside aside(run.work.trial);
     const auto speed = [&](double x) {
       mark_places(run);
       return solve_at(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNoValue;
@@ -135,8 +135,7 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
                                run.at.state.contacts[at.contact].place[at.side].span;
     if (elsewhere) {
       length = *x;
-    } else {
-      run.work.trial = kept;
+      aside.commit();
     }
   }
   return length;
@@ -284,11 +283,11 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
   if (turned.empty() && !changed_place(run)) {
     return std::nullopt;
   }
-  State kept = run.work.trial;
+  StateAside aside(run.work.trial);
   const double length = length_without_return(run, path, turned, s, h);
   const auto first = first_passage(run, path, turned, s, length);
-  if (!first) {
-    std::swap(run.work.trial, kept);
+  if (first) {
+    aside.commit();
   }
   return first;
 }
