@@ -3,6 +3,7 @@
 #include "events.hpp"
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/edges.hpp"
 #include "joint_ends.hpp"
 #include "meetings.hpp"
@@ -59,12 +60,11 @@ std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
       if (is_edge(boundary, span)) {
         continue;
       }
-      const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
       if (boundary.joint_after(span) == SpanJoint::kEnd) {
-        all.push_back({own, other, {span, range.high}, 1});
+        all.push_back({own, other, end_of(boundary, span, true), 1});
       }
       if (boundary.joint_after(boundary.next_span(span, false)) == SpanJoint::kEnd) {
-        all.push_back({own, other, {span, range.low}, -1});
+        all.push_back({own, other, end_of(boundary, span, false), -1});
       }
     }
   };

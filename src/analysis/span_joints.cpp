@@ -1,6 +1,7 @@
 #include "span_joints.hpp"
 
 #include "group_solver.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/edges.hpp"
 #include "higherpair/geometry/newton_root.hpp"
 #include "higherpair/geometry/roots.hpp"
@@ -24,15 +25,6 @@ constexpr double kAtBoundaryEnd = 1e-6;  // of the length of a boundary, or rad:
 
 const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
-}
-
-Bounds range_of(const Boundary& boundary, int span) {
-  return boundary.spans()[static_cast<std::size_t>(span)]->range();
-}
-
-BoundaryPlace end_of(const Boundary& boundary, int span, bool high) {
-  const Bounds range = range_of(boundary, span);
-  return {span, high ? range.high : range.low};
 }
 
 // The way along a span [m, on corners rad].
@@ -169,11 +161,6 @@ double beyond_joint(const Boundary& boundary, const BoundaryPlace& place, const 
   return boundary.size();
 }
 
-double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
-  const double kappa = boundary.at(place).kappa;
-  return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
-}
-
 const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
   return run.mechanism()
       .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[contact], side).body)]
@@ -207,7 +194,8 @@ double acceleration_of(const Run& run, int joint) {
 void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
   ContactMotion& motion = state.contacts[passage.contact];
   motion.place[passage.side] = place;
-  const double rho = radius_at(boundary_at(run, passage.contact, passage.side), place);
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const double rho = radius_of(boundary.at(place), boundary.is_corner(place));
   (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
 }
 
