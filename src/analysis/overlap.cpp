@@ -20,6 +20,12 @@
 namespace higherpair {
 namespace {
 
+// The equivalent linkage knows one contact. Where a body is concave the two may touch a second time, and from
+// there on the motion found is wrong: it goes on with the contact that keeps the bodies apart, or the rows
+// are marked. Conics are held apart by their separation in every accepted step (contact/separation.hpp);
+// boundaries are searched for meetings before a step is taken (meetings.hpp), since a step may lead far into
+// each other.
+
 // A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
 // same way, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
 constexpr double kSameRates = 1e-6;  // of the follower's unit
