@@ -27,7 +27,7 @@ namespace {
 // each other.
 
 // A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
-// same way, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
+// same manner, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
 constexpr double kSameRates = 1e-6;  // of the follower's unit
 constexpr double kAtCorner = 1e-6;   // of the driver's scale
 
@@ -57,7 +57,7 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
 }
 
 // Where between run.at.state and run.work.trial the gap at the common normal near the one given closes; the
-// way's end if it cannot be followed back.
+// path's end if it cannot be followed back.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
                        const Vector2d& n_W) {
   const StateAside aside(run.work.trial);

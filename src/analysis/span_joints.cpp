@@ -27,7 +27,7 @@ const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t sid
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
 }
 
-// The way along a span [m, on corners rad].
+// The distance along a span [m, on corners rad].
 double arc_between(const Boundary& boundary, const BoundaryPlace& from, double t) {
   return (t - from.t) * boundary.at(from).speed;
 }

@@ -52,7 +52,7 @@ class Closure {
 public:
   explicit Closure(double extent) : extent_(extent) {}
 
-  // \param stopped  by an end, so that what is left of the error may be the way beyond it
+  // \param stopped  by an end, so that what is left of the error may be the distance beyond it
   [[nodiscard]] bool is_reached(double error, bool stopped = false) {
     const bool reached =
         error <= 4 * kEps * extent_ || (!stopped && error <= kNoiseOfClosure * extent_ && error >= last_ / 2);

@@ -44,7 +44,7 @@ struct TransmissionRange {
 };
 
 /// Extremes of the transmission angle over all angles of the crank that can be assembled: at the crank in
-/// line with the ground link, or 0 at a limit position, or π/2 on the way. Empty if there are none.
+/// line with the ground link, or 0 at a limit position, or π/2 in between. Empty if there are none.
 [[nodiscard]] std::optional<TransmissionRange> transmission_range(const FourBar& linkage);
 
 }  // namespace higherpair

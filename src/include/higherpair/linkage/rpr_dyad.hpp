@@ -71,7 +71,7 @@ template <class T>
   return {square, square, T(kReachRoundings) * eps * (d * (d + extent) + eps * (e * e + extent * extent))};
 }
 
-/// What hangs between two moving pins.
+/// A link with a guide between two moving pins.
 struct RprMotion {
   struct Rates {
     double omega = 0;  ///< of the guide [rad/s]

@@ -7,7 +7,7 @@ namespace higherpair {
 
 /// Two links joined to each other at C, to known points A and B at their other ends: the triangle
 ///     a u_a - b u_b = D,   u_a from A to C, u_b from B to C, D = B - A,   d = |D|.
-/// Mode σ = +1: C lies left of the way from A to B.
+/// Mode σ = +1: C lies left of the line from A to B.
 ///     u_a, u_b = D/d turned to (x, y):  x_a = (d² + a² - b²)/(2da),  x_b = -(d² + b² - a²)/(2db),
 ///     y_a = σ√(stretch·fold)/(2da),     y_b = σ√(stretch·fold)/(2db),
 ///     sin of the angle from u_a to u_b = σ√(stretch·fold)/(2ab): the determinant of the closure.
