@@ -41,7 +41,7 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
   return place;
 }
 
-// Whether pins hang the bodies one on the other without a loop, so that gears and drivers of pins set their
+// Whether pins join the bodies one to the other without a loop, so that gears and drivers of pins set their
 // angles by linear equations: there is one assembly, whatever the poses.
 bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   std::vector<int> pins;

@@ -41,7 +41,7 @@ template <class T>
   return T(angle.factor) * position + T(angle.offset);
 }
 
-// The acute angle between the normal and the way of the contact point on its body.
+// The acute angle between the normal and the path of the contact point on its body.
 template <class T>
 [[nodiscard]] inline T pressure_of_rows(const ChainTouch& touch, const ChainBody<T>* bodies) {
   using std::abs;

@@ -32,7 +32,7 @@ struct OvalRow {
 
 namespace chain_ovals {
 
-// Of the way from row to row: where it changes by more, third derivatives are not taken from three rows.
+// Of the path from row to row: where it changes by more, third derivatives are not taken from three rows.
 inline constexpr double kUneven = 1e-3;
 
 // The arcsine, to 2e-5 of it for angles below 30°.

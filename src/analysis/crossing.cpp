@@ -82,13 +82,13 @@ bool is_near_crossing(const Run& run, const State& state) {
 
 bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   const double reach = std::copysign(kCrossingReach * unit_of(run, path), path.length);
-  const State direct = run.work.trial;
-  const State kept = run.at.state;
+  StateAside direct(run.work.trial);
   // Back from a place beyond the crossing leads over it.
   const double h = rest - reach;
   bool crosses =
       h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h);
   if (crosses) {
+    const StateAside start(run.at.state);
     const State before = run.work.trial;
     run.at.state = before;
     crosses = try_step(run, path, path.length - reach, 2 * reach).kind == StepResult::kOk &&
@@ -97,12 +97,10 @@ bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
       interpolate(run, before, 2 * reach, run.work.trial);
     }
   }
-  run.at.state = kept;
   if (crosses) {
+    direct.commit();
     run.at.beside = run.work.trial;
     path.positions(s, run.at.drivers);
-  } else {
-    run.work.trial = direct;
   }
   return crosses;
 }

@@ -71,12 +71,12 @@ public:
 
 private:
   double velocity_at(const OutputJoint& output, double x) {
-    const TrialAside aside(run_);
+    const StateAside aside(run_.work.trial);
     return solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : NAN;
   }
 
   std::optional<double> position_at(const OutputJoint& output, double x) {
-    const TrialAside aside(run_);
+    const StateAside aside(run_.work.trial);
     if (!solve_at(run_, path_, s_, x)) {
       return std::nullopt;
     }
@@ -157,7 +157,7 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
       return solve_at(run, path, s, x) ? conformity(run, i, run.work.trial).value_or(NAN) : NAN;
     };
     const auto x = [&] {
-      const TrialAside aside(run);
+      const StateAside aside(run.work.trial);
       return root_between(value, *before, h, *after);
     }();
     if (x) {

@@ -6,7 +6,7 @@
 namespace higherpair {
 
 /// Adds to run.events what happens between run.at.state (at s of the path) and run.work.trial (at s + h):
-/// ends of strokes, dead points, conforming contacts, each located by a root on the way. Leaves
+/// ends of strokes, dead points, conforming contacts, each located by a root on the path. Leaves
 /// run.work.trial as it was.
 void note_events(Run& run, const Path& path, double s, double h);
 

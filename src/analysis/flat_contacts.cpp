@@ -1,6 +1,7 @@
 #include "flat_contacts.hpp"
 
 #include "group_kinds.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "step.hpp"
 
 #include <cmath>
@@ -10,10 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-bool is_flat(const Boundary& boundary, const BoundaryPlace& place) {
-  return !boundary.is_corner(place) && boundary.at(place).kappa == 0;
-}
 
 // The body that a contact places.
 const TouchingBody* touching_body(const Run& run, std::size_t contact) {
@@ -26,31 +23,11 @@ const TouchingBody* touching_body(const Run& run, std::size_t contact) {
   return nullptr;
 }
 
-// The place behind a flat span that is gone along in one sense; none at an end of the curve.
-std::optional<BoundaryPlace> place_behind(const Boundary& boundary, int span, bool forward) {
-  const int next = boundary.next_span(span, forward);
-  const SpanJoint joint = boundary.joint_after(forward ? span : next);
-  if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
-    return std::nullopt;
-  }
-  const Bounds behind = boundary.spans()[static_cast<std::size_t>(next)]->range();
-  return BoundaryPlace{next, forward ? behind.low : behind.high};
-}
-
-// The end of the other flat span that comes before that of the own one does, or with it: the place behind it,
-// and how far it is from the other one's place [m].
-struct OtherEnd {
-  BoundaryPlace behind;
-  double way = 0;
-};
-
-std::optional<OtherEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
-                                     double way) {
-  const Bounds range = other.spans()[static_cast<std::size_t>(place.span)]->range();
-  const double left = std::abs((forward ? range.high : range.low) - place.t) * other.at(place).speed;
-  const auto behind = place_behind(other, place.span, forward);
-  return behind && left < way && !is_flat(other, *behind) ? std::optional(OtherEnd{*behind, left})
-                                                          : std::nullopt;
+// The end of the other flat span if it comes before that of the own one does, or with it.
+std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
+                                    double way) {
+  const auto end = end_ahead(other, place, forward);
+  return end && end->way < way && !is_flat(other, end->behind) ? end : std::nullopt;
 }
 
 }  // namespace
@@ -67,20 +44,18 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   const Contact& contact = run.mechanism().contacts[passage.contact];
   const Boundary& own = boundary_of(run.mechanism(), ref_of(contact, passage.side));
   const Boundary& other = boundary_of(run.mechanism(), ref_of(contact, 1 - passage.side));
-  const int flat = passage.after.span;
-  const bool forward = passage.after.t == own.spans()[static_cast<std::size_t>(flat)]->range().low;
-  const auto behind = place_behind(own, flat, forward);
-  if (!behind || is_flat(own, *behind)) {
+  const bool forward = passage.after.t == range_of(own, passage.after.span).low;
+  const auto end_of_own = end_ahead(own, passage.after, forward);
+  if (!end_of_own || is_flat(own, end_of_own->behind)) {
     return std::nullopt;
   }
   State over = run.at.state;
   ContactMotion& motion = over.contacts[passage.contact];
   const BoundaryPlace from = motion.place[1 - passage.side];
-  // t of the other curve runs against t of this one.
-  const double way = (own.at(*behind).p_B - own.at(passage.before).p_B).norm();
   JointPassage rests = passage;
   rests.before = passage.after;
-  BoundaryPlace place = *behind;
+  const double way = end_of_own->way;  // t of the other curve runs against t of this one
+  BoundaryPlace place = end_of_own->behind;
   BoundaryPlace opposite = other.advance(from, forward ? -way : way, 0).place;
   if (const auto end = end_of_other(other, from, !forward, way)) {
     place = own.advance(passage.after, forward ? end->way : -end->way, 0).place;

@@ -10,7 +10,7 @@ namespace higherpair {
 /// Whether the span behind a joint lies flat on the other curve there.
 [[nodiscard]] bool lies_flat_behind(const Run& run, const JointPassage& passage);
 
-/// Lets run.at.state, which stands at the joint at s, go on at the other end of the part along which the two
+/// Lets run.at.state, which is at the joint at s, go on at the other end of the part along which the two
 /// flats lie on each other: that of the span behind the joint, or of the other body's, whichever comes first.
 /// None, and nothing done, where the former is an end of the curve or a notch; else the joint on which the
 /// contact then rests, as one that has been passed. An event says how the follower's velocity jumps.

@@ -3,6 +3,7 @@
 #include "events.hpp"
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/edges.hpp"
 #include "joint_ends.hpp"
 #include "meetings.hpp"
@@ -59,12 +60,11 @@ std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
       if (is_edge(boundary, span)) {
         continue;
       }
-      const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
       if (boundary.joint_after(span) == SpanJoint::kEnd) {
-        all.push_back({own, other, {span, range.high}, 1});
+        all.push_back({own, other, end_of(boundary, span, true), 1});
       }
       if (boundary.joint_after(boundary.next_span(span, false)) == SpanJoint::kEnd) {
-        all.push_back({own, other, {span, range.low}, -1});
+        all.push_back({own, other, end_of(boundary, span, false), -1});
       }
     }
   };
@@ -81,10 +81,10 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
   if (!x) {
     return std::nullopt;
   }
-  const State kept = run.work.trial;
-  const auto there =
-      solve_at(run, path, s, *x) ? passing_at(run, passing, run.work.trial, near) : std::nullopt;
-  run.work.trial = kept;
+  const auto there = [&] {
+    const StateAside aside(run.work.trial);
+    return solve_at(run, path, s, *x) ? passing_at(run, passing, run.work.trial, near) : std::nullopt;
+  }();
   if (!there || !(std::abs(there->beside) <= kCapture * run.plan().size)) {
     return std::nullopt;
   }
@@ -142,19 +142,6 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   group.held = false;
   group.mode = found.gap_q < 0 ? -1 : 1;
   return Closing::kClosed;
-}
-
-// Places all bodies at s as the contacts of `state` have them, into run.at.state; false, and nothing done,
-// where that is not possible.
-bool settle(Run& run, const Path& path, double s, State state) {
-  std::swap(run.at.state, state);
-  if (!solve_at(run, path, s, 0)) {
-    std::swap(run.at.state, state);
-    return false;
-  }
-  std::swap(run.at.state, run.work.trial);
-  run.work.trial = run.at.state;
-  return true;
 }
 
 void report(Run& run, EventType type, const Path& path, double s, int contact, std::string cause) {
@@ -241,13 +228,12 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
       continue;
     }
     note_events(run, path, s, x);
-    std::swap(run.at.state, run.work.trial);
     if (closing == Closing::kFar) {
+      std::swap(run.at.state, run.work.trial);
       report_strike(run, path, s + x, touching);
       return x;
     }
-    if (!settle(run, path, s + x, std::move(closed))) {
-      std::swap(run.at.state, run.work.trial);
+    if (!settle(run, path, s + x, closed)) {
       return std::nullopt;
     }
     run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
@@ -284,7 +270,7 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   group.held = true;
   group.held_at = carried_coordinate(touching.follower, body_in(open, touching.follower.carrier),
                                      body_in(open, touching.follower.body));
-  if (!settle(run, path, s, std::move(open))) {
+  if (!settle(run, path, s, open)) {
     return;
   }
   run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/boundary_contact.hpp"
 #include "straight_path.hpp"
 
 #include <array>
@@ -28,9 +29,9 @@ struct Engagement {
 /// run.work.trial is left as it is.
 [[nodiscard]] std::optional<Engagement> engagement_within(Run& run, const Path& path, double s, double h);
 
-/// Moves run.at.state to where a contact closes, and closes it there; the way that this takes, or nothing
-/// where the curves do not meet. Where it cannot hold it stays open, and the bodies are marked as in each
-/// other. Adds an event.
+/// Moves run.at.state to where a contact closes, and closes it there; the part of the path that this takes,
+/// or nothing where the curves do not meet. Where it cannot hold it stays open, and the bodies are marked as
+/// in each other. Adds an event.
 [[nodiscard]] std::optional<double> engage(Run& run, const Path& path, double s, const Engagement& at);
 
 /// Why a contact of group g that may part does so in run.at.state, where its motion cannot go on; none if it

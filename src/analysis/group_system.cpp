@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "series_motion.hpp"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ bool set_local_curves(const Planned& model, const Contact& contact, const State&
   const auto set = [&](const CurveRef& ref, const Vector2d& n_W, BoundaryPlace& place,
                        CurveDimensions<double>& curve) {
     const Boundary& boundary = boundary_of(model.mechanism, ref);
-    const bool face = !boundary.is_corner(place) && boundary.at(place).kappa == 0;
+    const bool face = is_flat(boundary, place);
     if (!face) {  // whose normal is a condition of its own
       const auto found =
           place_with_normal(boundary, place, body_in(state, ref.body).X_WB.R_WB.inverse() * n_W);

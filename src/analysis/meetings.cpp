@@ -69,9 +69,7 @@ public:
 
   [[nodiscard]] ContactMeeting all(double h) {
     found_.first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
-    if (kept_) {
-      std::swap(run_.work.trial, *kept_);
-    }
+    aside_.reset();
     return std::move(found_);
   }
 
@@ -88,8 +86,8 @@ private:
   }
 
   [[nodiscard]] std::optional<Pairing> pairing_at(double x) {
-    if (!kept_) {
-      kept_ = run_.work.trial;
+    if (!aside_) {
+      aside_.emplace(run_.work.trial);
     }
     return solve_at(run_, path_, s_, x) ? std::optional(pairing(run_.work.trial, x)) : std::nullopt;
   }
@@ -270,7 +268,7 @@ private:
   const Boundary& boundary2_;
   double depth_;  // less is a touch
   ContactMeeting found_;
-  std::optional<State> kept_;  // run.work.trial, once it is used for other places
+  std::optional<StateAside> aside_;  // once run.work.trial is used for other positions
 };
 
 }  // namespace

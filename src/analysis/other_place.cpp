@@ -57,12 +57,9 @@ std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, doub
     return std::nullopt;
   }
   const double before = follower_rate(run.at.state, touching);
-  std::swap(run.at.state, over);
-  if (!solve_at(run, path, s, 0)) {
-    std::swap(run.at.state, over);
+  if (!settle(run, path, s, over)) {
     return std::nullopt;
   }
-  std::swap(run.at.state, run.work.trial);
   return RateJump{before, follower_rate(run.at.state, touching)};
 }
 

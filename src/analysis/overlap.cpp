@@ -20,8 +20,14 @@
 namespace higherpair {
 namespace {
 
+// The equivalent linkage knows one contact. Where a body is concave the two may touch a second time, and from
+// there on the motion found is wrong: it goes on with the contact that keeps the bodies apart, or the rows
+// are marked. Conics are held apart by their separation in every accepted step (contact/separation.hpp);
+// boundaries are searched for meetings before a step is taken (meetings.hpp), since a step may lead far into
+// each other.
+
 // A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
-// same way, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
+// same manner, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
 constexpr double kSameRates = 1e-6;  // of the follower's unit
 constexpr double kAtCorner = 1e-6;   // of the driver's scale
 
@@ -51,10 +57,10 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
 }
 
 // Where between run.at.state and run.work.trial the gap at the common normal near the one given closes; the
-// way's end if it cannot be followed back.
+// path's end if it cannot be followed back.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
                        const Vector2d& n_W) {
-  const TrialAside aside(run);
+  const StateAside aside(run.work.trial);
   const auto gap_in = [&](const State& state) {
     ContactMotion at;
     at.at.n_W = n_W;
@@ -66,7 +72,7 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
     return solve_at(run, path, s, x) ? gap_in(run.work.trial) : std::numeric_limits<double>::quiet_NaN();
   };
   const double before = gap_in(run.at.state);
-  const double after = gap_in(aside.state());
+  const double after = gap_in(aside.kept());
   // A row may be where they touch already.
   const bool at_once = std::abs(before) <= kOverlap * run.plan().size;
   return at_once ? 0 : root_between(gap, before, h, after).value_or(h);
@@ -86,7 +92,7 @@ std::optional<std::size_t> tracked_group(const Run& run, int contact) {
 
 // The rates of both contacts where the second one appears, x beyond run.at.state.
 RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
-  const TrialAside aside(run);
+  const StateAside aside(run.work.trial);
   RateJump rates{std::get<ContactTrack>(run.work.trial.tracks[g]).at.dq, next.at.dq};
   if (solve_at(run, path, s, x)) {
     const ContactPosition at = std::get<ContactTrack>(run.work.trial.tracks[g]).at;
@@ -111,14 +117,11 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
   const RateJump change = rates_at(run, path, g, s, x, next);
   State over = run.work.trial;
   over.tracks[g] = next;
-  const State kept = run.work.trial;
-  std::swap(run.at.state, over);
-  const bool placed = solve_at(run, path, s + h, 0);
-  std::swap(run.at.state, over);
-  if (!placed) {
-    run.work.trial = kept;
+  StateAside aside(run.work.trial);
+  if (!solve_from(run, over, path, s + h, 0)) {
     return std::nullopt;
   }
+  aside.commit();
   return change;
 }
 

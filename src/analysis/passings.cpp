@@ -60,10 +60,10 @@ std::optional<Bracket> bracket_of(const F& value, double h) {
 
 std::optional<double> passing_within(Run& run, const Path& path, double s, double h, const Passing& passing,
                                      const BoundaryPlace& near) {
-  const TrialAside aside(run);
+  const StateAside aside(run.work.trial);
   const auto beyond = [&](double x) -> std::optional<double> {
     const auto there = x == 0                      ? passing_at(run, passing, run.at.state, near)
-                       : x == h                    ? passing_at(run, passing, aside.state(), near)
+                       : x == h                    ? passing_at(run, passing, aside.kept(), near)
                        : solve_at(run, path, s, x) ? passing_at(run, passing, run.work.trial, near)
                                                    : std::nullopt;
     return there ? std::optional(there->beyond) : std::nullopt;

@@ -42,8 +42,17 @@ void accept(Run& run) {
   std::swap(run.at.state, run.work.trial);
 }
 
-// Follows a path in steps that continue the motion smoothly. Before a limit the steps cover only a share of
-// the rest, so that a limit of another group that comes first is not passed over.
+// Follows a path with the drivers as parameter, in steps each of which continues the motion smoothly
+// (step.cpp says what that takes). A step
+//   - is as long as the last ones allow (StepLength), and before a known limit covers only a share of what is
+//     left, so that a limit of another group that comes first is not passed over;
+//   - ends early where a contact by boundaries changes: it closes, comes to a joint of spans, or the bodies
+//     meet elsewhere;
+//   - is halved where it does not continue the motion. After some refusals the limit itself is solved for
+//     (LimitAhead), so that its place does not depend on the steps that led up to it;
+//   - does not end next to a change point, where rates lose their digits: a row there is interpolated across.
+// Step control: E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, chapter 6;
+// limits and change points: chapter 8, and reduction.hpp.
 class Follower {
 public:
   Follower(Run& run, const Path& path) : Follower(run, path, parts_of(run, path)) { run.at.beside.reset(); }
@@ -126,17 +135,16 @@ private:
     if (!engagement) {
       return false;
     }
-    const State kept = run_.work.trial;
+    StateAside aside(run_.work.trial);
     if (const auto passage = joint_within(run_, path_, s_, step_);
         passage && std::abs(passage->x) < std::abs(engagement->x)) {
-      run_.work.trial = kept;
       return false;
     }
     const auto x = engage(run_, path_, s_, *engagement);
     if (!x) {
-      run_.work.trial = kept;
       return false;
     }
+    aside.commit();
     s_ += *x;
     open_ = has_open_contact(run_.at.state);
     return true;
@@ -219,12 +227,12 @@ private:
       }
       return false;
     }
-    const State kept = run_.work.trial;
     if (meeting->x != 0) {
+      StateAside aside(run_.work.trial);
       if (!solve_at(run_, path_, s_, meeting->x)) {
-        run_.work.trial = kept;
         return false;
       }
+      aside.commit();
       for (const SharedTouch& touch : meetings.sharing) {
         note_shared_places_until(run_, path_, touch, s_, meeting->x);
       }

@@ -20,7 +20,7 @@ constexpr double kNearRoot = 1e-7;    // steps of Newton's method below this fal
 constexpr double kNoStep = 1e-15;
 constexpr double kAtStepEnd = 1e-9;  // of the unit of s: a change point at the end of a step
 constexpr double kCrosses = 1e-13;   // of the size: an ε that is rounding
-constexpr double kParabola = 0.04;   // of the way: how far the branch may be from a parabola
+constexpr double kParabola = 0.04;   // of the path: how far the branch may be from a parabola
 constexpr double kFarAhead = 64;     // of the step: how far a limit may lie ahead
 
 }  // namespace

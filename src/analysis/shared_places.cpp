@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/analysis/touching_places.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "meetings.hpp"
 #include "other_place.hpp"
 #include "passings.hpp"
@@ -67,12 +68,11 @@ std::vector<Passing> ends_around(const Run& run, const Contact& contact, const N
   std::vector<Passing> ends;
   const auto add = [&](const CurveRef& own, const CurveRef& other, int span) {
     const Boundary& boundary = boundary_of(run.mechanism(), own);
-    const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
     if (boundary.joint_after(span) != SpanJoint::kSmooth) {
-      ends.push_back({own, other, {span, range.high}, 1});
+      ends.push_back({own, other, end_of(boundary, span, true), 1});
     }
     if (boundary.joint_after(boundary.next_span(span, false)) != SpanJoint::kSmooth) {
-      ends.push_back({own, other, {span, range.low}, -1});
+      ends.push_back({own, other, end_of(boundary, span, false), -1});
     }
   };
   add(contact.first, contact.second, place.place1.span);

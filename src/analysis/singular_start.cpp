@@ -90,10 +90,8 @@ void settle_coupled(Run& run, std::size_t g) {
 // path is predicted to lead to one of the two positions there.
 bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
   const Group& group = run.plan().groups[g];
-  const State kept = run.at.state;
   run.work.trial = run.at.state;
   const std::vector<Reduction::Point> positions = Reduction(run, path, g, 0).positions_at(path.length);
-  run.at.state = kept;
   if (positions.size() < 2) {
     return false;
   }
@@ -187,8 +185,8 @@ State without_rates(State state) {
 std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& groups, std::size_t driver,
                                   double reach) {
   std::vector<Departure> found;
-  const State start = run.at.state;
-  const State at_rest = without_rates(start);
+  const StateAside start(run.at.state);
+  const State at_rest = without_rates(start.kept());
   std::vector<double> there = run.at.drivers;
   there[driver] += reach;
   Path path;
@@ -201,7 +199,7 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
       const bool other = (combination >> i & 1U) != 0;
       taken = is_coupled(run, groups[i])
                   ? aim_coupled(run, groups[i], path, other)
-                  : take_mode(run, groups[i], start.groups[groups[i]].mode * (other ? -1 : 1), there);
+                  : take_mode(run, groups[i], start.kept().groups[groups[i]].mode * (other ? -1 : 1), there);
     }
     if (!taken || !solve_at(run, path, 0, path.length)) {
       continue;
@@ -221,7 +219,6 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
       found.push_back(std::move(departure));
     }
   }
-  run.at.state = start;
   return found;
 }
 

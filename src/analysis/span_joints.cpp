@@ -1,6 +1,7 @@
 #include "span_joints.hpp"
 
 #include "group_solver.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/edges.hpp"
 #include "higherpair/geometry/newton_root.hpp"
 #include "higherpair/geometry/roots.hpp"
@@ -26,16 +27,7 @@ const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t sid
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
 }
 
-Bounds range_of(const Boundary& boundary, int span) {
-  return boundary.spans()[static_cast<std::size_t>(span)]->range();
-}
-
-BoundaryPlace end_of(const Boundary& boundary, int span, bool high) {
-  const Bounds range = range_of(boundary, span);
-  return {span, high ? range.high : range.low};
-}
-
-// The way along a span [m, on corners rad].
+// The distance along a span [m, on corners rad].
 double arc_between(const Boundary& boundary, const BoundaryPlace& from, double t) {
   return (t - from.t) * boundary.at(from).speed;
 }
@@ -121,7 +113,7 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
   double length = h;
   for (Turn& turn : turned) {
     const Changed at = turn.at;
-    const State kept = run.work.trial;
+    StateAside aside(run.work.trial);
     const auto speed = [&](double x) {
       mark_places(run);
       return solve_at(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNoValue;
@@ -135,8 +127,7 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
                                run.at.state.contacts[at.contact].place[at.side].span;
     if (elsewhere) {
       length = *x;
-    } else {
-      run.work.trial = kept;
+      aside.commit();
     }
   }
   return length;
@@ -168,11 +159,6 @@ double beyond_joint(const Boundary& boundary, const BoundaryPlace& place, const 
     return -sense * arc_between(boundary, place, passage.after.t);
   }
   return boundary.size();
-}
-
-double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
-  const double kappa = boundary.at(place).kappa;
-  return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
 }
 
 const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
@@ -208,7 +194,8 @@ double acceleration_of(const Run& run, int joint) {
 void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
   ContactMotion& motion = state.contacts[passage.contact];
   motion.place[passage.side] = place;
-  const double rho = radius_at(boundary_at(run, passage.contact, passage.side), place);
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const double rho = radius_of(boundary.at(place), boundary.is_corner(place));
   (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
 }
 
@@ -284,11 +271,11 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
   if (turned.empty() && !changed_place(run)) {
     return std::nullopt;
   }
-  State kept = run.work.trial;
+  StateAside aside(run.work.trial);
   const double length = length_without_return(run, path, turned, s, h);
   const auto first = first_passage(run, path, turned, s, length);
-  if (!first) {
-    std::swap(run.work.trial, kept);
+  if (first) {
+    aside.commit();
   }
   return first;
 }

@@ -106,10 +106,9 @@ bool goes_on(const Run& run, std::size_t g, double h) {
          (is_smooth(group, run.at.state, run.work.trial, h, run.plan().size) && keeps_contacts(run, group));
 }
 
-// The mode of a group at s: that of run.at.state, but beyond a change point of the present step the other
-// one.
-int mode_at(const Run& run, std::size_t g, double s, double step) {
-  int mode = run.at.state.groups[g].mode;
+// The mode of a group at s: that of `from`, but beyond a change point of the present step the other one.
+int mode_at(const Run& run, const State& from, std::size_t g, double s, double step) {
+  int mode = from.groups[g].mode;
   for (const Crossing& crossing : run.work.crossings) {
     if (crossing.group == g && (s - crossing.s) * step > 0) {
       mode = -mode;
@@ -118,16 +117,19 @@ int mode_at(const Run& run, std::size_t g, double s, double step) {
   return mode;
 }
 
-// Places the groups before `end` in run.work.trial, `x` beyond run.at.state, which is at s on the path;
-// whether the motion leads there is not asked.
-bool place_before(Run& run, const Path& path, std::size_t end, double s, double x) {
+// Places the groups before `end` and their rates in run.work.trial, `x` beyond `from`, which is at s on the
+// path; whether the motion leads there is not asked.
+bool solve_groups(Run& run, const State& from, const Path& path, std::size_t end, double s, double x) {
   path.positions(s + x, run.work.drivers);
   for (std::size_t g = 0; g < end; ++g) {
-    run.work.trial.groups[g].mode = mode_at(run, g, s + x, path.length);
-    if (place_group(model_of(run), g, run.at.state, x, run.work.drivers, run.work.trial) !=
-        GroupStatus::kOk) {
+    run.work.trial.groups[g].mode = mode_at(run, from, g, s + x, path.length);
+    if (place_group(model_of(run), g, from, x, run.work.drivers, run.work.trial) != GroupStatus::kOk) {
       return false;
     }
+  }
+  path.motions(s + x, run.work.motions);
+  for (std::size_t g = 0; g < end; ++g) {
+    set_group_rates(model_of(run), g, run.work.motions, run.work.trial);
   }
   return true;
 }
@@ -148,7 +150,7 @@ GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
 // through it: where the branches only come near each other the step has jumped.
 bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
   const auto at = [&] {
-    const TrialAside aside(run);
+    const StateAside aside(run.work.trial);
     return Reduction(run, path, g, s).crossing_within(h);
   }();
   path.positions(s + h, run.work.drivers);
@@ -234,18 +236,23 @@ std::optional<std::size_t> broken_off(const Run& run, double h) {
 }
 
 bool solve_at(Run& run, const Path& path, double s, double x) {
-  return solve_before(run, path, run.plan().groups.size(), s, x);
+  return solve_from(run, run.at.state, path, s, x);
+}
+
+bool solve_from(Run& run, const State& from, const Path& path, double s, double x) {
+  return solve_groups(run, from, path, run.plan().groups.size(), s, x);
+}
+
+bool settle(Run& run, const Path& path, double s, const State& from) {
+  if (!solve_from(run, from, path, s, 0)) {
+    return false;
+  }
+  run.at.state = run.work.trial;
+  return true;
 }
 
 bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x) {
-  if (!place_before(run, path, end, s, x)) {
-    return false;
-  }
-  path.motions(s + x, run.work.motions);
-  for (std::size_t g = 0; g < end; ++g) {
-    set_group_rates(model_of(run), g, run.work.motions, run.work.trial);
-  }
-  return true;
+  return solve_groups(run, run.at.state, path, end, s, x);
 }
 
 bool place_anew(Run& run, const std::vector<double>& drivers) {

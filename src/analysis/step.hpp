@@ -9,20 +9,28 @@
 
 namespace higherpair {
 
-/// While it exists, run.work.trial serves for other positions within a step; then it is again what it was.
-class TrialAside {
+/// Lets a state of a run serve for other positions; at the end of the scope it is again what it was, unless
+/// `commit` was called.
+class StateAside {
 public:
-  explicit TrialAside(Run& run) : run_(run), kept_(run.work.trial) {}
-  TrialAside(const TrialAside&) = delete;
-  TrialAside& operator=(const TrialAside&) = delete;
-  ~TrialAside() { std::swap(run_.work.trial, kept_); }
+  explicit StateAside(State& state) : state_(state), kept_(state) {}
+  StateAside(const StateAside&) = delete;
+  StateAside& operator=(const StateAside&) = delete;
+  ~StateAside() {
+    if (!committed_) {
+      std::swap(state_, kept_);
+    }
+  }
 
-  /// What run.work.trial was.
-  [[nodiscard]] const State& state() const { return kept_; }
+  /// What the state was.
+  [[nodiscard]] const State& kept() const { return kept_; }
+  /// Leaves the state as it is now.
+  void commit() { committed_ = true; }
 
 private:
-  Run& run_;
+  State& state_;
   State kept_;
+  bool committed_ = false;
 };
 
 [[nodiscard]] inline Planned model_of(const Run& run) {
@@ -55,7 +63,14 @@ struct StepResult {
 /// the modes of run.at.state and without asking whether they agree with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
 
-/// The same for the groups before `end` only.
+/// The same from another state at s than run.at.state.
+[[nodiscard]] bool solve_from(Run& run, const State& from, const Path& path, double s, double x);
+
+/// Places all groups at s in the modes of `from` and near it, and makes that run.at.state; false, and
+/// run.at.state as it was, where that is not possible.
+[[nodiscard]] bool settle(Run& run, const Path& path, double s, const State& from);
+
+/// The same as `solve_at` for the groups before `end` only.
 [[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
 /// Places all groups at the drivers' positions in run.work.trial in the modes of run.at.state, however far

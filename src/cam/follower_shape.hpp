@@ -37,14 +37,14 @@ struct Centre {
 [[nodiscard]] Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest);
 
 /// What the tangent of the pressure angle is made of: the motion of the centre against the cam along the
-/// follower's way, with its sign, and across it.
+/// follower's path, with its sign, and across it.
 struct Inclination {
   double along = 0;
   double across = 0;
 };
 [[nodiscard]] Inclination inclination_of(const Centre& centre);
 
-/// Curvature of the centre's way against the cam, > 0 where its centre of curvature is on the cam's side:
+/// Curvature of the centre's path against the cam, > 0 where its centre of curvature is on the cam's side:
 /// κ = -n·a/|w|².
 [[nodiscard]] double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre);
 

@@ -1,5 +1,6 @@
 #include "higherpair/contact/boundary_contact.hpp"
 
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
@@ -28,10 +29,6 @@ End end_at(const Boundary& boundary, const BoundaryPlace& place, const Pose<doub
   return {point, boundary.is_corner(place), X_WB * point.p_B, X_WB.R_WB * point.n_B};
 }
 
-double radius_of(const End& end) {
-  return end.corner ? 0 : end.point.kappa == 0 ? kInf : 1 / end.point.kappa;
-}
-
 // How two ends lie relative to each other, with t = n1 turned.
 struct Offset {
   Vector2d n_W, t_W;
@@ -55,7 +52,7 @@ class Closure {
 public:
   explicit Closure(double extent) : extent_(extent) {}
 
-  // \param stopped  by an end, so that what is left of the error may be the way beyond it
+  // \param stopped  by an end, so that what is left of the error may be the distance beyond it
   [[nodiscard]] bool is_reached(double error, bool stopped = false) {
     const bool reached =
         error <= 4 * kEps * extent_ || (!stopped && error <= kNoiseOfClosure * extent_ && error >= last_ / 2);
@@ -70,30 +67,12 @@ private:
 
 BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offset, double q,
                            const BoundaryPlace& place1, const BoundaryPlace& place2) {
-  return {{offset.n_W, end1.p_W, end2.p_W, radius_of(end1), radius_of(end2)}, q, place1, place2, 0};
-}
-
-// An end of a span, on the span that goes on from there.
-struct SpanEnd {
-  BoundaryPlace place;
-  double way = 0;  // to it [m]
-};
-
-// None at an end of the curve or a concave corner.
-std::optional<SpanEnd> end_of_span(const Boundary& boundary, const BoundaryPlace& from, bool forward) {
-  const Bounds range = boundary.spans()[static_cast<std::size_t>(from.span)]->range();
-  const int next = boundary.next_span(from.span, forward);
-  const SpanJoint joint = boundary.joint_after(forward ? from.span : next);
-  if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
-    return std::nullopt;
-  }
-  const Bounds beyond = boundary.spans()[static_cast<std::size_t>(next)]->range();
-  const double way = std::abs((forward ? range.high : range.low) - from.t) * boundary.at(from).speed;
-  return SpanEnd{{next, forward ? beyond.low : beyond.high}, way};
-}
-
-bool is_flat(const Boundary& boundary, const BoundaryPlace& place) {
-  return !boundary.is_corner(place) && boundary.at(place).kappa == 0;
+  return {{offset.n_W, end1.p_W, end2.p_W, radius_of(end1.point, end1.corner),
+           radius_of(end2.point, end2.corner)},
+          q,
+          place1,
+          place2,
+          0};
 }
 
 // The nearer end of a flat span, on the span that goes on from there, where this is no flat one; none if both
@@ -101,12 +80,12 @@ bool is_flat(const Boundary& boundary, const BoundaryPlace& place) {
 std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const BoundaryPlace& place) {
   std::optional<SpanEnd> best;
   for (const bool forward : {false, true}) {
-    const auto end = end_of_span(boundary, place, forward);
-    if (end && !is_flat(boundary, end->place) && (!best || end->way < best->way)) {
+    const auto end = end_ahead(boundary, place, forward);
+    if (end && !is_flat(boundary, end->behind) && (!best || end->way < best->way)) {
       best = end;
     }
   }
-  return best ? std::optional(best->place) : std::nullopt;
+  return best ? std::optional(best->behind) : std::nullopt;
 }
 
 // Two flat parts that are not parallel touch beyond an end of one of them: it goes there, to the nearer end
@@ -116,15 +95,15 @@ bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundar
                  BoundaryPlace& place2, double turn, double slip) {
   const bool forward = turn > 0;  // along t
   const double sense = forward ? 1 : -1;
-  const auto end1 = end_of_span(boundary1, place1, forward);
-  const auto end2 = end_of_span(boundary2, place2, !forward);
+  const auto end1 = end_ahead(boundary1, place1, forward);
+  const auto end2 = end_ahead(boundary2, place2, !forward);
   if (end1 && !(end2 && end2->way < end1->way)) {
-    place1 = end1->place;
+    place1 = end1->behind;
     place2 = boundary2.advance(place2, slip - sense * end1->way, 0).place;
     return true;
   }
   if (end2) {
-    place2 = end2->place;
+    place2 = end2->behind;
     place1 = boundary1.advance(place1, slip + sense * end2->way, 0).place;
     return true;
   }

@@ -22,7 +22,7 @@ struct Bit {
   SheetStep step;
   double from = 0, to = 1;  // shares
   SheetPoint at_from, at_to;
-  int gap_q = 0, bend = 0;  // signs between them; bend 0: u stands still
+  int gap_q = 0, bend = 0;  // signs between them; bend 0: u does not change
 
   [[nodiscard]] int sense() const { return gap_q * bend; }
 };
@@ -101,7 +101,7 @@ private:
       }
       add_bits(sheet, step, bits);
     }
-    // Where faces or corners meet u stands still: they belong to no branch.
+    // Where faces or corners meet u does not change: they belong to no branch.
     std::vector<Bit> moving;
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(moving),
                  [](const Bit& bit) { return bit.sense() != 0; });

@@ -199,7 +199,7 @@ private:
     branch.end.q = branch.points.back().q;
   }
 
-  // dq/du = gap_u/gap_q changes its sign: at a zero, or over a stretch along which the follower stands still.
+  // dq/du = gap_u/gap_q changes its sign: at a zero, or over a stretch along which the follower is at rest.
   void add_extremes(BranchDraft& draft) {
     const TracePath& path = draft.path;
     const double unit = unit2_ / unit1_;

@@ -1,4 +1,5 @@
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "polyline_crossings.hpp"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, cons
   if (!boundary.is_corner(nearest.place)) {
     return nearest.place;
   }
-  const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
+  const Bounds range = range_of(boundary, span);
   const double middle = (range.low + range.high) / 2;
   const double turn = nearest_turn(angle_of(p_B - nearest.at) - middle, 0);
   if (std::abs(turn) <= range.width() / 2) {
@@ -120,8 +121,7 @@ BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, cons
   const bool forward = boundary.joint_after(before) == SpanJoint::kEnd ||
                        (turn > 0 && boundary.joint_after(span) != SpanJoint::kEnd);
   const int next = forward ? boundary.next_span(span, true) : before;
-  const Bounds beyond = boundary.spans()[static_cast<std::size_t>(next)]->range();
-  return {next, forward ? beyond.low : beyond.high};
+  return end_of(boundary, next, !forward);
 }
 
 Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d& p_B) {

@@ -15,7 +15,7 @@ struct TraceLeg {
   double q_a = 0, q_b = 0;
 };
 
-/// The way of one branch.
+/// The course of one branch.
 struct TracePath {
   bool opposed = true;
   std::vector<TraceLeg> legs;       ///< by rising u

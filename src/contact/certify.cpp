@@ -46,6 +46,80 @@ std::array<double, 2> interval_of(const ContactPair& pair, const CurveContact& c
   return {root.q[0] + turn - margin, root.q[1] + turn + margin};
 }
 
+// Holds a list of contacts against the roots that exact arithmetic has decided.
+class Comparison {
+public:
+  Comparison(const ContactPair& pair, double u, const std::vector<DecidedRoot>& roots)
+      : pair_(pair), problem_(make_problem(pair, u)), roots_(roots), matched_(roots.size(), 0) {}
+
+  // The interval of a contact whose root is found; none where the decision is another one.
+  [[nodiscard]] std::optional<std::array<double, 2>> certified(const CurveContact& contact) {
+    const auto k = nearest_root(contact);
+    if (!k) {
+      return std::nullopt;
+    }
+    ++matched_[*k];
+    const DecidedRoot& root = roots_[*k];
+    agrees_ =
+        agrees_ && (!root.decision.free || *root.decision.free == contact.free || is_crowded(contact, root));
+    return interval_of(pair_, contact, root);
+  }
+
+  [[nodiscard]] bool agrees() const { return agrees_; }
+
+  // Whether every root has as many contacts in the list as were decided, but next to fragile ones.
+  [[nodiscard]] bool accounts_for_all(const std::vector<CurveContact>& contacts) const {
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+      const DecidedRoot& root = roots_[k];
+      const double fragile_by = root.multiplicity >= 4 ? kFragileFourfold : kFragile;
+      const bool near_fragile = std::any_of(contacts.begin(), contacts.end(), [&](const CurveContact& c) {
+        return is_fragile(c) && off(c, root) <= fragile_by * scale_of(c);
+      });
+      if (matched_[k] != root.decision.contacts && !near_fragile && !root.decision.degenerate &&
+          !is_far(problem_, root.middle)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  [[nodiscard]] double off(const CurveContact& contact, const DecidedRoot& root) const {
+    return distance(contact, root, pair_.motion2.turns);
+  }
+
+  [[nodiscard]] double scale_of(const CurveContact& contact) const {
+    return pair_.motion2.turns ? 1 : problem_.length + std::abs(contact.q) + contact.p_W.norm();
+  }
+
+  [[nodiscard]] std::optional<std::size_t> nearest_root(const CurveContact& contact) const {
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+      const DecidedRoot& root = roots_[k];
+      const bool fits = matched_[k] < root.decision.contacts && root.decision.opposed == contact.opposed;
+      if (fits && off(contact, root) <= kSameRoot * scale_of(contact) &&
+          (!best || off(contact, root) < off(contact, roots_[*best]))) {
+        best = k;
+      }
+    }
+    return best;
+  }
+
+  // Next to another contact rounding decides which of the two cuts in.
+  [[nodiscard]] bool is_crowded(const CurveContact& contact, const DecidedRoot& root) const {
+    return std::any_of(roots_.begin(), roots_.end(), [&](const DecidedRoot& other) {
+      return &other != &root && other.decision.contacts > 0 &&
+             off(contact, other) <= kCrowded * scale_of(contact);
+    });
+  }
+
+  const ContactPair& pair_;
+  TangencyProblem problem_;
+  const std::vector<DecidedRoot>& roots_;
+  std::vector<int> matched_;  // contacts of the list, of each root
+  bool agrees_ = true;
+};
+
 }  // namespace
 
 Certificate certify_contacts(const ContactPair& pair, double u, const CurveContacts& list) {
@@ -62,61 +136,20 @@ Certificate certify_contacts(const ContactPair& pair, double u, const CurveConta
   if (!roots) {
     return certificate;
   }
-  const bool turns = pair.motion2.turns;
-  certificate.status = CertificateStatus::kCertified;
-  const auto disagree = [&] { certificate.status = CertificateStatus::kDisagreement; };
-  const TangencyProblem problem = make_problem(pair, u);
-  const auto scale_of = [&](const CurveContact& contact) {
-    return turns ? 1 : problem.length + std::abs(contact.q) + contact.p_W.norm();
-  };
-  std::vector<int> matched(roots->size(), 0);
-  bool fragile = false;
+  Comparison comparison(pair, u, *roots);
+  bool fragile = false, all_found = true;
   for (std::size_t i = 0; i < list.contacts.size(); ++i) {
-    const CurveContact& contact = list.contacts[i];
-    if (is_fragile(contact)) {
+    if (is_fragile(list.contacts[i])) {
       fragile = true;
       continue;
     }
-    const double scale = scale_of(contact);
-    std::optional<std::size_t> best;
-    for (std::size_t k = 0; k < roots->size(); ++k) {
-      const DecidedRoot& root = (*roots)[k];
-      const double off = distance(contact, root, turns);
-      const bool fits = matched[k] < root.decision.contacts && root.decision.opposed == contact.opposed;
-      if (fits && off <= kSameRoot * scale && (!best || off < distance(contact, (*roots)[*best], turns))) {
-        best = k;
-      }
-    }
-    if (!best) {
-      disagree();
-      continue;
-    }
-    ++matched[*best];
-    const DecidedRoot& root = (*roots)[*best];
-    // Next to another contact rounding decides which of the two cuts in.
-    const bool crowded = std::any_of(roots->begin(), roots->end(), [&](const DecidedRoot& other) {
-      return &other != &root && other.decision.contacts > 0 &&
-             distance(contact, other, turns) <= kCrowded * scale;
-    });
-    if (!crowded && root.decision.free && *root.decision.free != contact.free) {
-      disagree();
-    }
-    certificate.intervals[i] = interval_of(pair, contact, root);
+    certificate.intervals[i] = comparison.certified(list.contacts[i]);
+    all_found = all_found && certificate.intervals[i];
   }
-  for (std::size_t k = 0; k < roots->size(); ++k) {
-    const DecidedRoot& root = (*roots)[k];
-    const double fragile_by = root.multiplicity >= 4 ? kFragileFourfold : kFragile;
-    const bool near_fragile = std::any_of(list.contacts.begin(), list.contacts.end(), [&](const auto& c) {
-      return is_fragile(c) && distance(c, root, turns) <= fragile_by * scale_of(c);
-    });
-    if (matched[k] != root.decision.contacts && !near_fragile && !root.decision.degenerate &&
-        !is_far(problem, root.middle)) {
-      disagree();
-    }
-  }
-  if (fragile && certificate.status == CertificateStatus::kCertified) {
-    certificate.status = CertificateStatus::kAtLimit;
-  }
+  const bool agrees = all_found && comparison.agrees() && comparison.accounts_for_all(list.contacts);
+  certificate.status = !agrees   ? CertificateStatus::kDisagreement
+                       : fragile ? CertificateStatus::kAtLimit
+                                 : CertificateStatus::kCertified;
   return certificate;
 }
 

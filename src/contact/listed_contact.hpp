@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// What distances at a position are measured against [m]: size_of_pair() with the way between the bodies.
+/// What distances at a position are measured against [m]: size_of_pair() with the distance of the bodies.
 [[nodiscard]] double size_at(const ContactPair& pair, double u, double q);
 
 /// What find_contact looks for, taken from the list of all contacts: for pairs on which no safe step exists,

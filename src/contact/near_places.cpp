@@ -1,6 +1,7 @@
 #include "higherpair/contact/near_places.hpp"
 
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -208,7 +209,7 @@ bool is_on_edge(const Boundary& boundary, const BoundaryPlace& end, const Vector
   if (!boundary.is_corner(end)) {
     return false;
   }
-  const Bounds range = boundary.spans()[static_cast<std::size_t>(end.span)]->range();
+  const Bounds range = range_of(boundary, end.span);
   return std::abs(nearest_turn(angle_of(n_B) - (range.low + range.high) / 2, 0)) <= range.width() / 2;
 }
 
@@ -231,9 +232,7 @@ std::optional<NearPlace> end_near(const EndOver& over, const BoundaryPlace& end,
   if (is_on_edge(*over.own, end, over.X_WO->R_WB.inverse() * Vector2d(-(over.X_WC->R_WB * point.n_B)))) {
     return std::nullopt;
   }
-  const double rho = over.other->is_corner(*foot) ? 0
-                     : point.kappa == 0           ? std::numeric_limits<double>::infinity()
-                                                  : 1 / point.kappa;
+  const double rho = radius_of(point, over.other->is_corner(*foot));
   const NearPlace place{{-(over.X_WC->R_WB * point.n_B), p_W, *over.X_WC * point.p_B, 0, rho}, end, *foot, 1};
   if (over.end == 1) {
     return place;
@@ -274,12 +273,11 @@ void add_ends(const EndOver& over, const Pose<double>& X_1O, const Pieces& other
     }
   };
   for (int span = 0; span < static_cast<int>(own.spans().size()); ++span) {
-    const Bounds range = own.spans()[static_cast<std::size_t>(span)]->range();
     if (own.joint_after(span) == SpanJoint::kEnd) {
-      add({span, range.high});
+      add(end_of(own, span, true));
     }
     if (own.joint_after(own.next_span(span, false)) == SpanJoint::kEnd) {
-      add({span, range.low});
+      add(end_of(own, span, false));
     }
   }
 }

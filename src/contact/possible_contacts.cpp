@@ -55,7 +55,7 @@ std::vector<Image> images_of(const std::vector<PossiblePlace>& places, bool turn
   return images;
 }
 
-// Which boxes hang together: each points to another one of its set, the first to itself.
+// Which boxes are connected: each points to another one of its set, the first to itself.
 class Sets {
 public:
   explicit Sets(std::size_t count) : parent_(count) {

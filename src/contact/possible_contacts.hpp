@@ -12,7 +12,7 @@ struct PossiblePlace {
   bool opposed = false;
 };
 
-/// The boxes, each set of those that hang together merged: whose normals (and turning coordinates) are, up to
+/// The boxes, each connected set of them merged: whose normals (and turning coordinates) are, up to
 /// whole turns, nearer to each other than the tolerance [rad], on the same or on neighbouring pieces.
 /// \param range  of a sliding follower: the bounds of q are cut by it
 [[nodiscard]] std::vector<PossibleContact> merge_places(const SupportPair& pair, const Interval& theta1,

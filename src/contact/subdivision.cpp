@@ -284,16 +284,4 @@ SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double
   return find_contacts_by_subdivision(curves, u, options);
 }
 
-std::string_view describe(SubdivisionStatus status) {
-  switch (status) {
-    case SubdivisionStatus::kComplete:
-      return "every contact is listed, each proven to be one";
-    case SubdivisionStatus::kUndecided:
-      return "what is not listed lies within the tolerance of the places that are not decided";
-    case SubdivisionStatus::kExhausted:
-      break;
-  }
-  return "the search ended before the places that are not decided were as small as the tolerance";
-}
-
 }  // namespace higherpair

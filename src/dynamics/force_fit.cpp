@@ -153,7 +153,7 @@ void ForceFitter::move(double to, ForceFit& fit) {
   position_.at = to;
 }
 
-// The parameter at which the drivers have gone a share of their straight way from here to `to`.
+// The parameter at which the drivers have gone a share of their straight path from here to `to`.
 double ForceFitter::place_of(double share, double to) {
   std::size_t most = 0;
   const auto way = [&](std::size_t i) { return drivers_[i].position - was_[i].position; };

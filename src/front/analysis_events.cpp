@@ -1,4 +1,4 @@
-// What happens on the way to a row.
+// What happens on the path to a row.
 #include "analysis_impl.hpp"
 
 #include <algorithm>

@@ -27,8 +27,8 @@ namespace higherpair {
                                            const Units& units);
 
 /// A run goes on at the beginning of every block of so many rows as a scout has come there (RowScout), unless
-/// that stands otherwise: rows do not hang on those of the blocks before, and blocks worked out on several
-/// threads are the same to the last bit.
+/// the scout is in another state: rows do not depend on those of the blocks before, and blocks worked out on
+/// several threads are the same to the last bit.
 inline constexpr std::int64_t kBlockRows = 4096;
 
 /// The row loop: from the schedule of the drivers to the row of a table, with what happens on the path.

@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// Between two positions of the drivers, into how many parts their way is divided to see whether dyads reach
+/// Between two positions of the drivers, into how many parts their path is divided to see whether dyads reach
 /// there.
 [[nodiscard]] int closure_parts(const DesignSetup& setup, std::span<const double> from,
                                 std::span<const double> to);

@@ -21,7 +21,7 @@ public:
 
   /// What the profile is with these numbers; none where it has a mistake with them.
   [[nodiscard]] std::shared_ptr<const Model::Data> data_of(std::span<const double> x) const;
-  /// The same by the ordinary way, for messages.
+  /// The same read as any profile is, for messages.
   [[nodiscard]] Result<Model> model_of(std::span<const double> x) const;
 
   [[nodiscard]] bool is_linear() const { return linear_; }

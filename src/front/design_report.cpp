@@ -98,7 +98,7 @@ private:
     return text_of_design(setup_, x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
   }
 
-  // By the ordinary way: the text is read, and started from its poses.
+  // As any profile: the text is read, and started from its poses.
   Result<DesignScore> score_of_text(const std::string& text, std::span<const double> x) {
     const Model::Data& before = setup_.numbers.model().data();
     const auto model = Model::from_text(text, before.name, before.document->overrides());

@@ -28,11 +28,11 @@ struct SlopePlace {
   std::optional<double> driver;
 };
 
-/// Derivatives by implicit differentiation of the rows of a run (analysis/sensitivity.hpp). An extreme hangs
-/// on its own row alone. Not covered, and left to differences: numbers that depend on the variables in
-/// another way than linearly; contacts of curves with ends, and such as may part; jerk; figures of check();
-/// means over many rows of columns other than those of bodies and points; candidates that do not assemble all
-/// the way.
+/// Derivatives by implicit differentiation of the rows of a run (analysis/sensitivity.hpp). An extreme
+/// depends on its own row alone. Not covered, and left to differences: numbers that depend on the variables
+/// in another way than linearly; contacts of curves with ends, and such as may part; jerk; figures of
+/// check(); means over many rows of columns other than those of bodies and points; candidates that do not
+/// assemble all the way.
 class RunSlopes {
 public:
   /// None where the task is not covered. \param setup  outlives this

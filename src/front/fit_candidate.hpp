@@ -11,7 +11,7 @@
 
 namespace higherpair {
 
-/// A mechanism with given numbers that stands at its first position, and where its drivers are to be in each
+/// A mechanism with given numbers at its first position, and where its drivers are to be in each
 /// measured row.
 struct FitCandidate {
   std::shared_ptr<const Model::Data> data;

@@ -1,5 +1,6 @@
 #include "higherpair/front/fit_curve.hpp"
 
+#include "fit_statistics.hpp"
 #include "higherpair/geometry/boundary_fit.hpp"
 #include "higherpair/io/suggestion.hpp"
 
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
 namespace higherpair {
@@ -111,15 +111,14 @@ std::string curve_text(const CurveFitReport& report) {
                      report.type, value(0), value(1), value(2), value(3), value(4));
 }
 
-}  // namespace
+struct PointColumns {
+  const MeasuredColumn* x;
+  const MeasuredColumn* y;
+  std::string unit;
+};
 
-const std::vector<std::string>& fitted_curve_names() {
-  static const std::vector<std::string> names = {"line",     "circle",    "ellipse",
-                                                 "parabola", "hyperbola", "conic"};
-  return names;
-}
-
-Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve, double confidence) {
+// The columns of the points, whose numbers are lengths in one unit.
+Result<PointColumns> point_columns(const MeasuredTable& points) {
   const auto x = coordinate(points, "x"), y = coordinate(points, "y");
   if (!x || !y) {
     return tl::unexpected(x ? y.error() : x.error());
@@ -137,48 +136,73 @@ Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve,
                                            (*x)->unit.empty() ? "no unit" : (*x)->unit,
                                            (*y)->unit.empty() ? "no unit" : (*y)->unit));
   }
+  return PointColumns{*x, *y, (*x)->unit.empty() ? "mm" : (*x)->unit};
+}
+
+// Its numbers with their intervals, in the report's unit and degrees.
+void add_numbers(const BoundaryFit& fit, const Form& form, CurveFitReport& report) {
+  // Of a line's point and normal two are free.
+  const std::size_t freedoms_used = form.type == "line" ? 2 : form.names.size();
+  const double quantile = student_quantile(
+      static_cast<double>(report.points.size()) - static_cast<double>(freedoms_used), report.confidence);
+  for (std::size_t i = 0; i < form.names.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double scale = form.angles[i] ? kDegrees : 1;
+    const double error = scale * std::sqrt(fit.covariance(k, k));
+    report.numbers.push_back({form.names[i], form.angles[i] ? "deg" : report.unit, scale * fit.parameters[i],
+                              error, quantile * error});
+  }
+}
+
+void set_distances(const BoundaryFit& fit, CurveFitReport& report) {
+  for (std::size_t i = 0; i < report.points.size(); ++i) {
+    report.points[i].distance = fit.distances[i];
+    if (i == 0 || std::abs(fit.distances[i]) > std::abs(report.largest)) {
+      report.largest = fit.distances[i];
+      report.largest_line = report.points[i].line;
+    }
+  }
+  report.rms = fit.rms;
+  report.noise = fit.noise;
+}
+
+}  // namespace
+
+const std::vector<std::string>& fitted_curve_names() {
+  static const std::vector<std::string> names = {"line",     "circle",    "ellipse",
+                                                 "parabola", "hyperbola", "conic"};
+  return names;
+}
+
+Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve, double confidence) {
+  const auto measured = point_columns(points);
+  if (!measured) {
+    return tl::unexpected(measured.error());
+  }
   CurveFitReport report;
-  report.unit = (*x)->unit.empty() ? "mm" : (*x)->unit;
+  report.unit = measured->unit;
   report.confidence = confidence;
   std::vector<Vector2d> places;
   for (std::size_t k = 0; k < points.lines.size(); ++k) {
-    if (std::isnan((*x)->values[k]) || std::isnan((*y)->values[k])) continue;
-    places.emplace_back((*x)->values[k], (*y)->values[k]);
-    report.points.push_back({points.lines[k], places.back().x(), places.back().y(), 0});
+    const Vector2d p(measured->x->values[k], measured->y->values[k]);
+    if (p.hasNaN()) continue;
+    places.push_back(p);
+    report.points.push_back({points.lines[k], p.x(), p.y(), 0});
   }
-  const std::string& wanted = fitted_curve_names()[static_cast<std::size_t>(curve)];
   const auto fit = fitted(places, curve);
   if (!fit) {
     const std::string more =
         fit.error() == BoundaryFitError::kTooFew ? fmt::format(": at least {} are needed", least_count(curve))
         : fit.error() == BoundaryFitError::kOtherForm ? ": try --curve conic, or measure more of the curve"
                                                       : "";
-    return refuse({points.source, 0, 0}, fmt::format("no {} can be fitted: the {} points {}{}", wanted,
+    return refuse({points.source, 0, 0}, fmt::format("no {} can be fitted: the {} points {}{}",
+                                                     fitted_curve_names()[static_cast<std::size_t>(curve)],
                                                      places.size(), describe(fit.error()), more));
   }
   const Form form = form_of(*fit);
   report.type = form.type;
-  const auto freedoms = static_cast<double>(places.size()) -
-                        (form.type == "line" ? 2.0 : static_cast<double>(form.names.size()));
-  const double quantile = freedoms > 0 ? boost::math::quantile(boost::math::complement(
-                                             boost::math::students_t(freedoms), (1 - confidence) / 2))
-                                       : std::nan("");
-  for (std::size_t i = 0; i < form.names.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    const double scale = form.angles[i] ? kDegrees : 1;
-    const double error = scale * std::sqrt(fit->covariance(k, k));
-    report.numbers.push_back({form.names[i], form.angles[i] ? "deg" : report.unit, scale * fit->parameters[i],
-                              error, quantile * error});
-  }
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    report.points[i].distance = fit->distances[i];
-    if (i == 0 || std::abs(fit->distances[i]) > std::abs(report.largest)) {
-      report.largest = fit->distances[i];
-      report.largest_line = report.points[i].line;
-    }
-  }
-  report.rms = fit->rms;
-  report.noise = fit->noise;
+  add_numbers(*fit, form, report);
+  set_distances(*fit, report);
   report.text = fmt::format(
       "# {} fitted to {} points of {}: rms distance {:.3g} {}; lengths in {}, angles in deg{}\ncurves.fitted "
       "= {}\n",

@@ -43,7 +43,7 @@ public:
   void show(const Eigen::VectorXd& x, FitTable& table) const;
   /// The same of a change of the motion: frames turn and scale it, places and offsets have no part in it.
   [[nodiscard]] FitTable change_shown(const Eigen::VectorXd& x, FitTable change) const;
-  /// Derivative of what is shown by an unknown that the motion does not hang on. \param table  the motion
+  /// Derivative of what is shown by an unknown that the motion does not depend on. \param table  the motion
   [[nodiscard]] FitTable derivative(const Eigen::VectorXd& x, const FitTable& table,
                                     const FitUnknown& unknown) const;
 

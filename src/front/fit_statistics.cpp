@@ -104,6 +104,76 @@ double variance_factor(const FitProblem& problem, const FitSolution& solution, i
   return correction * correction * variance / (mean * mean);
 }
 
+// The unknowns that are not at a bound beyond which they would go on; notes which are.
+std::vector<Eigen::Index> free_unknowns(const FitProblem& problem, const FitSolution& solution,
+                                        const Eigen::MatrixXd& jacobian, FitStatistics& statistics) {
+  const Eigen::VectorXd scales = scales_of(problem, solution);
+  const Eigen::VectorXd slope = jacobian.transpose() * scales.cwiseAbs2().cwiseProduct(solution.residuals);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index k = 0; k < problem.size(); ++k) {
+    const bool at_bound = (solution.x(k) <= problem.low()(k) && slope(k) >= 0) ||
+                          (solution.x(k) >= problem.high()(k) && slope(k) <= 0);
+    statistics.at_bound[static_cast<std::size_t>(k)] = at_bound;
+    if (!at_bound) free.push_back(k);
+  }
+  return free;
+}
+
+// Derivatives by the free unknowns in units of the noise. Not weighted by the loss: the curvature of robust
+// ones is in the factor of the variance.
+Eigen::MatrixXd noise_jacobian(const FitProblem& problem, const FitSolution& solution,
+                               const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& free) {
+  Eigen::VectorXd plain(jacobian.rows());
+  for (std::size_t i = 0; i < problem.values().size(); ++i) {
+    const std::size_t column = problem.values()[i].column;
+    plain(place(i)) = solution.constant[column]
+                          ? 0
+                          : std::sqrt(problem.data().columns[column].weight) / solution.noise[column];
+  }
+  return plain.asDiagonal() * jacobian(Eigen::all, free);
+}
+
+// Which of the free unknowns the columns do not say.
+void find_undetermined(const FitProblem& problem, const FitSolution& solution, const Eigen::MatrixXd& J,
+                       const std::vector<Eigen::Index>& free, FitStatistics& statistics) {
+  std::vector<std::string> names;
+  for (const Eigen::Index k : free) names.push_back(problem.unknowns()[static_cast<std::size_t>(k)].name);
+  std::vector<bool> determined(free.size(), true);
+  statistics.undetermined = idle_directions(J, solution.x(free), names, determined);
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    statistics.determined[static_cast<std::size_t>(free[k])] = determined[k];
+  }
+}
+
+void set_errors(const Eigen::MatrixXd& covariance, const std::vector<Eigen::Index>& free,
+                FitStatistics& statistics) {
+  const auto is_determined = [&](std::size_t k) {
+    return statistics.determined[static_cast<std::size_t>(free[k])];
+  };
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    if (!is_determined(k)) continue;
+    statistics.errors(free[k]) = std::sqrt(covariance(place(k), place(k)));
+    for (std::size_t l = 0; l < free.size(); ++l) {
+      if (!is_determined(l)) continue;
+      const double product = covariance(place(k), place(k)) * covariance(place(l), place(l));
+      statistics.correlation(free[k], free[l]) = k == l ? 1
+                                                 : product > 0
+                                                     ? covariance(place(k), place(l)) / std::sqrt(product)
+                                                     : kNoValue;
+    }
+  }
+}
+
+// Whether the residuals can be held against deviations that are given.
+bool has_all_deviations(const FitProblem& problem, const FitSolution& solution) {
+  const std::vector<FitColumn>& columns = problem.data().columns;
+  bool all = problem.data().task.loss == FitLoss::kSquares;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    all = all && (solution.constant[c] || (columns[c].deviation && columns[c].weight == 1));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::VectorXd& x,
@@ -137,6 +207,12 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
   return sentences;
 }
 
+double student_quantile(double freedoms, double confidence) {
+  return freedoms > 0 ? boost::math::quantile(
+                            boost::math::complement(boost::math::students_t(freedoms), (1 - confidence) / 2))
+                      : kNoValue;
+}
+
 FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solution) {
   const auto n = static_cast<std::size_t>(problem.size());
   FitStatistics statistics;
@@ -146,66 +222,19 @@ FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solut
   statistics.determined.assign(n, true);
   const auto jacobian = problem.jacobian(solution.x);
   if (!jacobian) return statistics;
-  const Eigen::VectorXd scales = scales_of(problem, solution);
-  const Eigen::VectorXd slope = jacobian->transpose() * scales.cwiseAbs2().cwiseProduct(solution.residuals);
-  std::vector<Eigen::Index> free;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Index k = place(i);
-    statistics.at_bound[i] = (solution.x(k) <= problem.low()(k) && slope(k) >= 0) ||
-                             (solution.x(k) >= problem.high()(k) && slope(k) <= 0);
-    if (statistics.at_bound[i]) continue;
-    free.push_back(k);
-    names.push_back(problem.unknowns()[i].name);
+  const std::vector<Eigen::Index> free = free_unknowns(problem, solution, *jacobian, statistics);
+  for (const FitProblem::Value& value : problem.values()) {
+    statistics.freedoms += solution.constant[value.column] ? 0 : 1;
   }
-  int count = 0;
-  for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    count += solution.constant[problem.values()[i].column] ? 0 : 1;
-  }
-  statistics.freedoms = count - static_cast<int>(free.size());
+  statistics.freedoms -= static_cast<int>(free.size());
   if (free.empty()) return statistics;
-  // Derivatives of what the loss leaves: of robust ones the curvature is in the factor of the variance.
-  Eigen::VectorXd plain = scales;
-  for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    const std::size_t column = problem.values()[i].column;
-    plain(place(i)) = solution.constant[column]
-                          ? 0
-                          : std::sqrt(problem.data().columns[column].weight) / solution.noise[column];
-  }
-  Eigen::MatrixXd J(jacobian->rows(), place(free.size()));
-  Eigen::VectorXd x(J.cols());
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    J.col(place(k)) = plain.cwiseProduct(jacobian->col(free[k]));
-    x(place(k)) = solution.x(free[k]);
-  }
-  std::vector<bool> determined(free.size(), true);
-  statistics.undetermined = idle_directions(J, x, names, determined);
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    statistics.determined[static_cast<std::size_t>(free[k])] = determined[k];
-  }
+  const Eigen::MatrixXd J = noise_jacobian(problem, solution, *jacobian, free);
+  find_undetermined(problem, solution, J, free, statistics);
   if (statistics.freedoms < 1) return statistics;
   const double variance = variance_factor(problem, solution, statistics.freedoms);
-  const Eigen::MatrixXd covariance = variance * covariance_shape(J);
-  const double confidence = problem.data().task.confidence;
-  statistics.quantile = boost::math::quantile(
-      boost::math::complement(boost::math::students_t(statistics.freedoms), (1 - confidence) / 2));
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    for (std::size_t l = 0; determined[k] && l < free.size(); ++l) {
-      if (!determined[l]) continue;
-      const double product = covariance(place(k), place(k)) * covariance(place(l), place(l));
-      statistics.correlation(free[k], free[l]) = k == l ? 1
-                                                 : product > 0
-                                                     ? covariance(place(k), place(l)) / std::sqrt(product)
-                                                     : kNoValue;
-    }
-    if (determined[k]) statistics.errors(free[k]) = std::sqrt(covariance(place(k), place(k)));
-  }
-  const std::vector<FitColumn>& columns = problem.data().columns;
-  bool all_given = problem.data().task.loss == FitLoss::kSquares;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    all_given = all_given && (solution.constant[c] || (columns[c].deviation && columns[c].weight == 1));
-  }
-  if (all_given) {
+  statistics.quantile = student_quantile(statistics.freedoms, problem.data().task.confidence);
+  set_errors(variance * covariance_shape(J), free, statistics);
+  if (has_all_deviations(problem, solution)) {
     statistics.noise_ratio = std::sqrt(variance);
     statistics.chance = boost::math::cdf(boost::math::complement(
         boost::math::chi_squared(statistics.freedoms), variance * statistics.freedoms));

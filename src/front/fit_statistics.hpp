@@ -22,6 +22,9 @@ struct FitStatistics {
   double chance = FitReport::kUndefined;
 };
 
+/// Half the interval of this confidence over the standard error, of Student's t; NaN without freedoms.
+[[nodiscard]] double student_quantile(double freedoms, double confidence);
+
 [[nodiscard]] FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solution);
 
 /// The directions in which unknowns x can go without any change of the residuals, named.

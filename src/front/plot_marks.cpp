@@ -40,7 +40,7 @@ std::vector<Stretch> bad_stretches(std::span<const RowStatus> statuses) {
   return stretches;
 }
 
-// Where on the way to its row an event is, and between which rows.
+// Where on the path to its row an event is, and between which rows.
 struct Between {
   std::size_t before, after;
   double share;

@@ -14,7 +14,7 @@ public:
   /// To be called with every row, in order, before its columns are filled.
   void note(const Run& run);
 
-  /// The way of the contact point along both curves since the first row in which the contact touched [m];
+  /// The path of the contact point along both curves since the first row in which the contact touched [m];
   /// none on and after a row that breaks the path, and of contacts by_boundary.
   /// \param arcs  now, of ContactDetails
   [[nodiscard]] std::optional<std::array<double, 2>> ways(const Run& run, std::size_t contact,

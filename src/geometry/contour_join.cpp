@@ -80,7 +80,7 @@ EndIndex other_end(EndIndex end) {
   return end ^ 1U;
 }
 
-// The way from an end on over pieces that are not used yet: the ends at which it enters them.
+// The path from an end over pieces that are not used yet: the ends at which it enters them.
 std::vector<EndIndex> way_from(EndIndex end, const std::vector<EndIndex>& partner, std::vector<char>& used) {
   std::vector<EndIndex> way;
   while (end != kNone && used[end / 2] == 0) {

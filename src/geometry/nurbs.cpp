@@ -1,4 +1,5 @@
 #include "higherpair/geometry/spline_span.hpp"
+#include "numeric/b_splines.hpp"
 #include "polynomial_span.hpp"
 
 #include <array>
@@ -8,44 +9,11 @@ namespace higherpair {
 namespace {
 
 constexpr auto kMostTerms = static_cast<std::size_t>(kHighestNurbsDegree) + 1;
-using Polynomial = std::array<double, kMostTerms>;
-
-// sum += (constant + slope t) p
-void add(Polynomial& sum, const Polynomial& p, double constant, double slope) {
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    sum[k] += constant * p[k] + (k > 0 ? slope * p[k - 1] : 0);
-  }
-}
-
-// The B-splines that do not vanish between the knots k and k + 1, as powers of the distance from knot k: the
-// j-th belongs to the control point k - degree + j. Cox and de Boor's recursion.
-std::array<Polynomial, kMostTerms> basis(const NurbsCurve& curve, std::size_t k) {
-  const auto degree = static_cast<std::size_t>(curve.degree);
-  const auto& u = curve.knots;
-  std::array<Polynomial, kMostTerms> b{};
-  b[degree][0] = 1;
-  for (std::size_t r = 1; r <= degree; ++r) {
-    for (std::size_t j = degree - r; j <= degree; ++j) {
-      const std::size_t i = k - degree + j;
-      Polynomial sum{};
-      if (j > degree - r) {
-        const double width = u[i + r] - u[i];
-        add(sum, b[j], (u[k] - u[i]) / width, 1 / width);
-      }
-      if (j < degree) {
-        const double width = u[i + r + 1] - u[i + 1];
-        add(sum, b[j + 1], (u[i + r + 1] - u[k]) / width, -1 / width);
-      }
-      b[j] = sum;
-    }
-  }
-  return b;
-}
 
 Eigen::MatrixXd powers_between(const NurbsCurve& curve, std::size_t k) {
   const auto degree = static_cast<std::size_t>(curve.degree);
   const bool rational = !curve.weights.empty();
-  const auto b = basis(curve, k);
+  const auto b = b_splines_between<kMostTerms>(curve.knots, degree, k);
   Eigen::MatrixXd powers = Eigen::MatrixXd::Zero(curve.degree + 1, rational ? 3 : 2);
   for (std::size_t j = 0; j <= degree; ++j) {
     const std::size_t i = k - degree + j;

@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<Vector2d>;
 
-constexpr double kSharpest = 150 * kPi / 180;  // a turn of the way at a point beyond which it turns back
+constexpr double kSharpest = 150 * kPi / 180;  // a turn at a point beyond which the points go back
 constexpr double kWidest = 3;  // from the last point of a closed curve to the first, in largest other steps
 constexpr double kSamePlace = 1e-12;  // distance of points that coincide, relative to the size of all
 
@@ -127,7 +127,7 @@ std::vector<double> arc_lengths(const std::vector<double>& t, const Eigen::Matri
   return s;
 }
 
-// Where the spline is much slower than its parameter wants it, or goes against the way of the points.
+// Where the spline is much slower than its parameter wants it, or goes against the order of the points.
 std::optional<SplineFault> fault_of_curve(const Span& span, const Points& points,
                                           const std::vector<double>& t) {
   constexpr int kProbes = 4;

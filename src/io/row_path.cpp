@@ -7,8 +7,8 @@
 namespace higherpair {
 namespace {
 
-// Of positions that are given one by one the parameter is the way: the drivers' straight ways from row to row
-// added up, so that rows on the way in one direction make no difference.
+// Of positions that are given one by one the parameter is the path: the drivers' straight paths from row to
+// row added up, so that rows on the way in one direction make no difference.
 RowPath path_through(const DriverSchedule& schedule) {
   const auto last = static_cast<std::size_t>(schedule.size() - 1);
   std::vector<std::vector<DriverMotion>> rows;

@@ -1,5 +1,8 @@
 #include "higherpair/linkage/four_bar_limits.hpp"
 
+#include "higherpair/linkage/angles.hpp"
+#include "higherpair/linkage/rrr_dyad.hpp"
+
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -37,7 +40,7 @@ Rotation<double> times(double sign, const Rotation<double>& u) {
   return {sign * u.cos, sign * u.sin};
 }
 
-/// Where Y and Z cancel each other X lies on the ground link, and they swing about together: a way of moving
+/// Where Y and Z cancel each other X lies on the ground link, and they swing about together: a branch
 /// of its own, which the others meet where all are in line.
 std::vector<FourBarLimit> limits_of_folded(const FourBar& linkage, const Triangle& triangle, double w_X) {
   std::vector<FourBarLimit> limits;

@@ -1,9 +1,10 @@
 #include "higherpair/linkage/grashof.hpp"
 
+#include "higherpair/linkage/angles.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -27,25 +28,6 @@ std::array<double, 4> sorted_lengths(const FourBar& linkage) {
   std::array<double, 4> sorted = lengths_of(linkage);
   std::sort(sorted.begin(), sorted.end());
   return sorted;
-}
-
-FourBar with_length(const FourBar& linkage, FourBarLink link, double length) {
-  std::array<double, 4> lengths = lengths_of(linkage);
-  lengths[static_cast<std::size_t>(link) - 1] = length;
-  return {lengths[0], lengths[1], lengths[2], lengths[3], linkage.theta1};
-}
-
-/// The lengths > 0 of a link with which the four balance, rising, each once.
-std::vector<double> balanced_lengths(const FourBar& linkage, FourBarLink link) {
-  const std::array<double, 4> others = sorted_lengths(with_length(linkage, link, 0));
-  const double a = others[1], b = others[2], c = others[3];
-  assert(a > 0);
-  std::vector<double> lengths{std::abs(balance(a, b, -c, 0.0)), balance(a, c, -b, 0.0),
-                              balance(b, c, -a, 0.0), balance(a, b, c, 0.0)};
-  std::sort(lengths.begin(), lengths.end());
-  lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
-  if (lengths.front() == 0) lengths.erase(lengths.begin());
-  return lengths;
 }
 
 }  // namespace
@@ -105,34 +87,6 @@ bool turns_fully(const FourBar& linkage, FourBarLink link) {
     default:
       return false;
   }
-}
-
-std::vector<LengthInterval> lengths_for(const FourBar& linkage, FourBarLink link, GrashofClass wanted) {
-  const std::vector<double> bounds = balanced_lengths(linkage, link);
-  std::vector<LengthInterval> intervals;
-  if (wanted == GrashofClass::kChangePoint) {
-    for (const double length : bounds) intervals.push_back({length, length});
-    return intervals;
-  }
-  double begin = 0;
-  for (const double end : bounds) {
-    if (classify_grashof(with_length(linkage, link, 0.5 * (begin + end))) == wanted) {
-      intervals.push_back({begin, end});
-    }
-    begin = end;
-  }
-  if (wanted == GrashofClass::kCannotClose) {
-    intervals.push_back({begin, std::numeric_limits<double>::infinity()});
-  }
-  return intervals;
-}
-
-std::optional<double> transmission_angle(const FourBar& linkage, double theta2) {
-  const FourBarLoop<double> loop = loop_of(linkage);
-  const Reach<double> reach =
-      reach_at(loop.stretch, loop.fold, Rotation<double>::from_angle(theta2 - linkage.theta1));
-  if (status_at_angle(reach, theta2, linkage.theta1) == LinkageStatus::kNotAssemblable) return std::nullopt;
-  return transmission_from(reach.stretch, reach.fold);
 }
 
 std::optional<TransmissionRange> transmission_range(const FourBar& linkage) {

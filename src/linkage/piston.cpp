@@ -1,21 +1,12 @@
 #include "higherpair/linkage/piston.hpp"
 
+#include "higherpair/geometry/vector.hpp"
+
 #include <cassert>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-/// By the chain rule, from x(θ) and its derivatives.
-PistonMotion with_rates(double x, double x_1, double x_2, const AngleMotion& crank) {
-  return {x, x_1 * crank.omega, x_2 * crank.omega * crank.omega + x_1 * crank.alpha};
-}
-
-/// 1 - cos θ without cancellation.
-double versine(double theta) {
-  const double half = std::sin(0.5 * theta);
-  return 2 * half * half;
-}
 
 /// m = 1/w - 1 at the angle where the error of the velocity is largest: the root of the header's G. G is
 /// convex and positive at 90°, so that Newton's steps from there go down until rounding stops them.
@@ -31,26 +22,6 @@ double worst_velocity(double lambda, double mu, double m_90) {
 }
 
 }  // namespace
-
-PistonMotion exact_piston_motion(double r, double l, const AngleMotion& crank) {
-  assert(r > 0 && r < l);
-  const double lambda = r / l;
-  const double s = std::sin(crank.theta), c = std::cos(crank.theta);
-  const double q = lambda * s;
-  const double w = std::sqrt((1 - q) * (1 + q));
-  const double x = r * versine(crank.theta) + l * q * q / (1 + w);
-  const double x_1 = r * s * (1 + lambda * c / w);
-  const double x_2 = r * (c + lambda * ((c - s) * (c + s) / w + q * q * c * c / (w * w * w)));
-  return with_rates(x, x_1, x_2, crank);
-}
-
-PistonMotion harmonic_piston_motion(double r, double l, const AngleMotion& crank) {
-  assert(r >= 0 && l > 0);
-  const double lambda = r / l;
-  const double s = std::sin(crank.theta), c = std::cos(crank.theta);
-  return with_rates(r * (versine(crank.theta) + 0.5 * lambda * s * s), r * s * (1 + lambda * c),
-                    r * (c + lambda * (c - s) * (c + s)), crank);
-}
 
 HarmonicError harmonic_error(double lambda) {
   assert(lambda > 0 && lambda < 1);

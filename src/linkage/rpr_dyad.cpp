@@ -10,7 +10,6 @@ RprMotion rpr_dyad(const PointMotion& A, const PointMotion& B, double e, Assembl
 
   RprMotion motion;
   motion.reach = rpr_reach(D, e, extent_of(A.p_W, B.p_W));
-  motion.reach_rate = rpr_reach_rate(D, D_dot);
   motion.status = status_of(motion.reach);
   if (motion.status == LinkageStatus::kNotAssemblable) return motion;
 

@@ -12,7 +12,6 @@ RrpMotion rrp_dyad(const PointMotion& A, const GuideMotion& guide, double r, Ass
 
   RrpMotion motion;
   motion.reach = {r + seen.p.y(), r - seen.p.y(), noise};
-  motion.reach_rate = {seen.v.y(), -seen.v.y()};
   motion.status = status_of(motion.reach);
   if (motion.status == LinkageStatus::kNotAssemblable) return motion;
 

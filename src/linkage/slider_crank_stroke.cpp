@@ -1,7 +1,7 @@
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 
 #include "higherpair/geometry/vector.hpp"
-#include "higherpair/linkage/driver.hpp"
+#include "higherpair/linkage/angles.hpp"
 #include "higherpair/linkage/reach.hpp"
 
 #include <cassert>

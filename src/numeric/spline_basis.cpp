@@ -1,18 +1,13 @@
 #include "numeric/spline_basis.hpp"
 
+#include "numeric/b_splines.hpp"
+
 #include <algorithm>
 
 namespace higherpair::spline_basis {
 namespace {
 
 using Eigen::MatrixXd;
-
-// Adds (constant + slope t) p.
-void add(Polynomial& sum, const Polynomial& p, double constant, double slope) {
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    sum[k] += constant * p[k] + (k > 0 ? slope * p[k - 1] : 0);
-  }
-}
 
 // The value of a polynomial's k-th derivative at t, over k!.
 double taylor(const Polynomial& p, int k, double t) {
@@ -38,32 +33,9 @@ Basis::Basis(const SplineTask& task)
     knots_.push_back(knot(task, i));
   }
   for (Index i = 0; i < intervals(); ++i) {
-    splines_.push_back(splines_on(i));
+    splines_.push_back(b_splines_between<kHighest + 1>(knots_, static_cast<std::size_t>(degree_),
+                                                       static_cast<std::size_t>(i + degree_)));
   }
-}
-
-// Cox and de Boor's recursion.
-Splines Basis::splines_on(Index interval) const {
-  Splines b{};
-  b[static_cast<std::size_t>(degree_)][0] = 1;
-  const double origin = at(interval);
-  for (int k = 1; k <= degree_; ++k) {
-    for (int j = degree_ - k; j <= degree_; ++j) {
-      const Index i = interval - degree_ + j;
-      const auto own = static_cast<std::size_t>(j);
-      Polynomial sum{};
-      if (j > degree_ - k) {
-        const double width = at(i + k) - at(i);
-        add(sum, b[own], (origin - at(i)) / width, 1 / width);
-      }
-      if (j < degree_) {
-        const double width = at(i + k + 1) - at(i + 1);
-        add(sum, b[own + 1], (at(i + k + 1) - origin) / width, -1 / width);
-      }
-      b[own] = sum;
-    }
-  }
-  return b;
 }
 
 double Basis::knot(const SplineTask& task, int i) const {

@@ -48,7 +48,6 @@ public:
   }
 
 private:
-  [[nodiscard]] Splines splines_on(Index interval) const;
   [[nodiscard]] double at(Index i) const { return knots_[static_cast<std::size_t>(i + degree_)]; }
   [[nodiscard]] double knot(const SplineTask& task, int i) const;
 

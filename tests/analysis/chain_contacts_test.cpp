@@ -1,7 +1,7 @@
 // Rows of discs and ovals that touch: where they are given they are those of a run that follows the motion.
 #include "analysis/chain_testing.hpp"
 #include "analysis/random_cam.hpp"
-#include "higherpair/linkage/four_bar.hpp"
+#include "linkage/four_bar_motion.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,5 @@
 #include "equal_discs.hpp"
+#include "linkage/slider_crank_profile.hpp"
 #include "run_testing.hpp"
 
 #include <fmt/ranges.h>
@@ -155,23 +156,7 @@ TEST(SingularStarts, RowsBesideACrossingOfContactsAreNotSingular) {
 }
 
 // Driven by its piston a slider-crank starts and ends in its dead centres, 120 and 60.
-constexpr const char* kDrivenPiston = R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.crank]
-points = { O = [0, 0], A = [30, 0] }
-[bodies.rod]
-pose = { x = 30 }
-points = { A = [0, 0], B = [90, 0] }
-[bodies.piston]
-pose = { x = 120 }
-points.B = [0, 0]
-[joints]
-main      = { type = "revolute", between = ["ground.O", "crank.O"] }
-big_end   = { type = "revolute", between = ["crank.A", "rod.A"] }
-small_end = { type = "revolute", between = ["rod.B", "piston.B"] }
-cylinder  = { type = "prismatic", between = ["ground.O", "piston.B"], direction = [1, 0] }
-[driver]
+const std::string kDrivenPiston = testing::slider_crank_profile(30, 90) + R"([driver]
 joint = "cylinder"
 start = 120
 end = 60
@@ -181,7 +166,7 @@ samples = 7
 TEST(SingularStarts, AndEndsOfAStrokeAreRowsAndTheLimitIsSaidOnce) {
   for (const Settings& settings : {Settings{}, Settings{"driver.end=50", "driver.samples=8"},
                                    Settings{"driver.start=110", "driver.end=50", "driver.samples=7"}}) {
-    const RunTable motion = analyze_text(kDrivenPiston, settings);
+    const RunTable motion = analyze_text(kDrivenPiston.c_str(), settings);
     ASSERT_EQ(motion.failure(), "");
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double x = motion.value(k, "driver");

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
-#include "higherpair/linkage/four_bar.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/inverted_slider_crank.hpp"
 #include "linkage/scotch_yoke.hpp"
 #include "linkage/slider_crank.hpp"

@@ -2,7 +2,7 @@
 #include "contact/pair_follower.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/linkage/four_bar.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "random_pairs.hpp"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "contact_laws.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/rolling.hpp"
-#include "higherpair/linkage/four_bar.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "random_pairs.hpp"
 
 #include <cmath>

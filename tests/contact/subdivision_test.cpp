@@ -394,10 +394,5 @@ TEST(Subdivision, FollowsAChangeOfScale) {
   }
 }
 
-TEST(Subdivision, ExplainsEachStatus) {
-  EXPECT_NE(describe(SubdivisionStatus::kComplete), describe(SubdivisionStatus::kUndecided));
-  EXPECT_NE(describe(SubdivisionStatus::kUndecided), describe(SubdivisionStatus::kExhausted));
-}
-
 }  // namespace
 }  // namespace higherpair

@@ -1,5 +1,6 @@
 // Reactions and efforts that can be written down by hand.
 #include "dynamics/dynamics_testing.hpp"
+#include "linkage/slider_crank_profile.hpp"
 
 #include <cmath>
 
@@ -146,34 +147,8 @@ s = {{ joint = "slide", stiffness = 55, free_length = -0.2, damping = 3 }}
 }
 
 TEST(SliderCrank, HoldsAForceOnItsSliderByTheTorqueOfTheTextbook) {
-  Analysis press(R"([bodies.ground]
-points.O = [0, 0]
-[bodies.crank]
-points.O = [0, 0]
-points.A = [0.05, 0]
-[bodies.rod]
-pose = { x = 0.05, y = 0, angle = 0 }
-points.A = [0, 0]
-points.B = [0.17, 0]
-[bodies.piston]
-pose = { x = 0.22, y = 0, angle = 0 }
-points.B = [0, 0]
-points.T = [0.02, 0.013]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.A]
-type = "revolute"
-between = ["crank.A", "rod.A"]
-[joints.B]
-type = "revolute"
-between = ["rod.B", "piston.B"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "piston.B"]
-direction = [1, 0]
-[driver]
-joint = "O"
+  Analysis press(testing::slider_crank_profile(0.05, 0.17, "points.T = [0.02, 0.013]") + R"([driver]
+joint = "main"
 start = 0.4
 [loads]
 gas = { body = "piston", point = "T", force = [-310, 0] }
@@ -186,10 +161,10 @@ gas = { body = "piston", point = "T", force = [-310, 0] }
     EXPECT_NEAR(reactions.drivers[0].effort.value(), torque, 1e-11);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), torque, 1e-11);
     // The rod is a two-force member: it pushes the piston with F along x and -F tan φ along y.
-    const JointReaction& on_piston = reactions.joints[press.joint("B")];
+    const JointReaction& on_piston = reactions.joints[press.joint("small_end")];
     EXPECT_NEAR(on_piston.fx.value(), F, 1e-10);
     EXPECT_NEAR(on_piston.fy.value(), -F * std::tan(phi), 1e-10);
-    const JointReaction& guide = reactions.joints[press.joint("guide")];
+    const JointReaction& guide = reactions.joints[press.joint("cylinder")];
     EXPECT_EQ(guide.fx.value(), 0);
     EXPECT_NEAR(guide.fy.value(), F * std::tan(phi), 1e-10);
     EXPECT_NEAR(guide.moment.value(), -F * 0.013, 1e-11);

@@ -1,3 +1,4 @@
+#include "linkage/slider_crank_profile.hpp"
 #include "sliding_cam.hpp"
 
 #include <cmath>
@@ -226,31 +227,8 @@ TEST(LashedTappet, HasTheSameEventsWhateverTheRows) {
 
 // Crank 20, rod 60 on a slide along x: x = 20 cos θ + √(60² - 20² sin² θ), between 40 and 80.
 std::string slider_crank(const std::string& ends) {
-  return R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.crank]
-points.O = [0, 0]
-points.A = [20, 0]
-[bodies.rod]
-pose = { x = 20, y = 0 }
-points.A = [0, 0]
-points.B = [60, 0]
-[bodies.slider]
-pose = { x = 80, y = 0 }
-points.B = [0, 0]
-[joints]
-O = { type = "revolute", between = ["ground.O", "crank.O"] }
-A = { type = "revolute", between = ["crank.A", "rod.A"] }
-B = { type = "revolute", between = ["rod.B", "slider.B"] }
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slider.B"]
-direction = [1, 0]
-)" + ends +
-         R"(
-[driver]
-joint = "O"
+  return testing::slider_crank_profile(20, 60, "", ends) + R"([driver]
+joint = "main"
 start = 0
 end = 360
 samples = 37
@@ -260,7 +238,7 @@ samples = 37
 TEST(GuideWithEnds, EndsTheMotionWhereTheSliderLeavesItAndTakesItUpWhereItIsBack) {
   const Motion motion = motion_of(model_of(slider_crank("from = 50")));
   EXPECT_FALSE(motion.good());
-  const auto x = motion.column("guide.position");
+  const auto x = motion.column("cylinder.position");
   for (std::size_t k = 0; k < motion.size(); ++k) {
     const double theta = 10.0 * static_cast<double>(k) * testing::kDegree;
     const double wanted = 20 * std::cos(theta) + std::sqrt(3600 - 400 * std::sin(theta) * std::sin(theta));
@@ -276,8 +254,8 @@ TEST(GuideWithEnds, EndsTheMotionWhereTheSliderLeavesItAndTakesItUpWhereItIsBack
   const double at = std::acos(-0.35) / testing::kDegree;
   EXPECT_NEAR(ends[0].driver, at, 1e-9);
   EXPECT_NEAR(ends[1].driver, 360 - at, 1e-9);
-  EXPECT_EQ(ends[0].item, "guide");
-  EXPECT_THAT(ends[0].cause, HasSubstr("joint guide comes to the end of its line, `from`"));
+  EXPECT_EQ(ends[0].item, "cylinder");
+  EXPECT_THAT(ends[0].cause, HasSubstr("joint cylinder comes to the end of its line, `from`"));
 }
 
 TEST(GuideWithEnds, ThatIsLongEnoughChangesNothing) {
@@ -289,7 +267,7 @@ TEST(GuideWithEnds, ThatIsLongEnoughChangesNothing) {
 TEST(GuideWithEnds, IsSaidWhereItCannotStart) {
   const auto motion = model_of(slider_crank("from = 0\nto = 70")).run();
   ASSERT_FALSE(motion);
-  EXPECT_THAT(to_string(motion.error()), HasSubstr("joint guide would be beyond the end of its line"));
+  EXPECT_THAT(to_string(motion.error()), HasSubstr("joint cylinder would be beyond the end of its line"));
 }
 
 TEST(GuideWithEnds, IsNotNamedWhereTheLinksCannotReachEachOther) {

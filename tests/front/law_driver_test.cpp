@@ -1,6 +1,7 @@
 // Motions whose driver follows a law.
 #include "cam_profile.hpp"
 #include "higherpair/front/model.hpp"
+#include "linkage/slider_crank_profile.hpp"
 #include "sliding_cam.hpp"
 
 #include <cmath>
@@ -20,27 +21,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // A crank and slider, stroke in the driver's direction; or the slide alone, with a mass.
-const std::string kLawCrank = R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.crank]
-points.O = [0, 0]
-points.A = [31, 0]
-[bodies.rod]
-pose = { x = 31 }
-points.A = [0, 0]
-points.B = [87, 0]
-[bodies.piston]
-pose = { x = 118 }
-points.B = [0, 0]
-mass = 2
-center_of_mass = [0, 0]
-[joints]
-main      = { type = "revolute", between = ["ground.O", "crank.O"] }
-big_end   = { type = "revolute", between = ["crank.A", "rod.A"] }
-small_end = { type = "revolute", between = ["rod.B", "piston.B"] }
-cylinder  = { type = "prismatic", between = ["ground.O", "piston.B"], direction = [1, 0] }
-[driver]
+const std::string kLawCrank =
+    testing::slider_crank_profile(31, 87, "mass = 2\ncenter_of_mass = [0, 0]") + R"([driver]
 joint = "main"
 law = "turn"
 )";

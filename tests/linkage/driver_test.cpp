@@ -1,5 +1,4 @@
-#include "higherpair/linkage/driver.hpp"
-
+#include "higherpair/linkage/angles.hpp"
 #include "linkage/linkage_testing.hpp"
 
 namespace higherpair {

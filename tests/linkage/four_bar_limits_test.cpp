@@ -1,6 +1,7 @@
 #include "higherpair/linkage/four_bar_limits.hpp"
 
 #include "higherpair/linkage/grashof.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/linkage_testing.hpp"
 
 namespace higherpair {

@@ -1,6 +1,6 @@
-#include "higherpair/linkage/four_bar.hpp"
 
 #include "higherpair/geometry/motion.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/linkage_testing.hpp"
 
 namespace higherpair {

@@ -1,5 +1,6 @@
 #include "higherpair/linkage/grashof.hpp"
 
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/linkage_testing.hpp"
 
 namespace higherpair {
@@ -71,62 +72,12 @@ TEST(Grashof, ALinkTurnsFullyIfItsRangeIsAFullTurn) {
   EXPECT_GT(full, 500);
 }
 
-constexpr std::array kClasses{GrashofClass::kCannotClose, GrashofClass::kChangePoint,
-                              GrashofClass::kCrankRocker, GrashofClass::kRockerCrank,
-                              GrashofClass::kDoubleCrank, GrashofClass::kDoubleRocker,
-                              GrashofClass::kTripleRocker};
-
-TEST(Grashof, LengthsForAClassReproduceTheTextbookDifference) {
-  const auto data = textbook("grashof_003");
-  const FourBar linkage{number(data["frame"]), number(data["s"]), 0, number(data["rocker"]), 0};
-  const auto intervals = lengths_for(linkage, FourBarLink::kCoupler, GrashofClass::kCrankRocker);
-  ASSERT_EQ(intervals.size(), 1U);
-  EXPECT_EQ(intervals[0].begin, number(data["x_min"]));
-  EXPECT_EQ(intervals[0].end, number(data["x_max"]));
-  EXPECT_EQ(intervals[0].end - intervals[0].begin, number(data["difference"]));
-  // With 10 < x < 30 the coupler is the shortest, but then x + 100 > 30 + 60.
-  const auto double_rocker = lengths_for(linkage, FourBarLink::kCoupler, GrashofClass::kDoubleRocker);
-  EXPECT_TRUE(double_rocker.empty());
-  const auto open = lengths_for(linkage, FourBarLink::kCoupler, GrashofClass::kCannotClose);
-  ASSERT_EQ(open.size(), 2U);
-  EXPECT_EQ(open[0].end, 10);
-  EXPECT_EQ(open[1].begin, 190);
-  EXPECT_TRUE(std::isinf(open[1].end));
-}
-
-TEST(Grashof, LengthsForAllClassesShareOutTheHalfLine) {
-  Random random(44);
-  for (int i = 0; i < 3000; ++i) {
-    const std::array<double, 4> r{random.between(0.2, 3), random.between(0.2, 3), random.between(0.2, 3),
-                                  random.between(0.2, 3)};
-    const FourBar linkage{r[0], r[1], r[2], r[3], 0};
-    const auto link = static_cast<FourBarLink>(1 + i % 4);
-    const double length = r[static_cast<std::size_t>(i % 4)];
-    for (const GrashofClass wanted : kClasses) {
-      int inside = 0;
-      for (const LengthInterval& interval : lengths_for(linkage, link, wanted)) {
-        if (interval.begin < length && length < interval.end) ++inside;
-      }
-      EXPECT_EQ(inside, classify_grashof(linkage) == wanted ? 1 : 0) << name_of(wanted);
-    }
-  }
-}
-
-TEST(Grashof, EveryBoundBetweenClassesIsAChangePoint) {
+TEST(Grashof, LengthsThatBalanceInDecimalsAreChangePoints) {
   // 0.3, 0.7, 1.1: decimals whose sums are not exact in binary.
-  const auto bounds = lengths_for({0.7, 0.3, 0, 1.1, 0}, FourBarLink::kCoupler, GrashofClass::kChangePoint);
-  ASSERT_EQ(bounds.size(), 4U);
-  const std::array<double, 4> expected{0.1, 0.7, 1.5, 2.1};
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(bounds[i].begin, bounds[i].end);
-    EXPECT_AT_MOST(std::abs(bounds[i].begin - expected[i]), 4e-16);
-    EXPECT_EQ(classify_grashof({0.7, 0.3, bounds[i].begin, 1.1, 0}), GrashofClass::kChangePoint);
+  for (const double coupler : {0.1, 0.7, 1.5, 2.1}) {
+    EXPECT_EQ(classify_grashof({0.7, 0.3, coupler, 1.1, 0}), GrashofClass::kChangePoint) << coupler;
+    EXPECT_NE(classify_grashof({0.7, 0.3, coupler + 1e-13, 1.1, 0}), GrashofClass::kChangePoint);
   }
-  // Two equal pairs need no third bound: 0 is no length, and two bounds coincide.
-  const auto fewer = lengths_for({2, 2, 0, 4, 0}, FourBarLink::kCoupler, GrashofClass::kChangePoint);
-  ASSERT_EQ(fewer.size(), 2U);
-  EXPECT_EQ(fewer[0].begin, 4);
-  EXPECT_EQ(fewer[1].begin, 8);
 }
 
 TEST(Grashof, AgreesWithTheRangesOfCrankAndCoupler) {
@@ -159,24 +110,24 @@ TEST(Grashof, AgreesWithTheRangesOfCrankAndCoupler) {
   }
 }
 
-TEST(Transmission, IsTheAngleBetweenCouplerAndRocker) {
+// The angle between the lines of coupler and rocker; none where the linkage cannot be assembled.
+std::optional<double> transmission_angle(const FourBar& linkage, double theta2) {
+  const FourBarMotion motion = four_bar_by_crank(linkage, {theta2, 1, 0}, AssemblyMode::kPlus);
+  if (motion.status == LinkageStatus::kNotAssemblable) return std::nullopt;
+  return std::abs(std::remainder(motion.theta3 - motion.theta4, kPi));
+}
+
+TEST(Transmission, NoAngleOfTheCrankLeavesItsRange) {
   Random random(42);
-  Worst worst;
   for (int i = 0; i < 5000; ++i) {
     const FourBar linkage{random.between(0.2, 3), random.between(0.2, 3), random.between(0.2, 3),
                           random.between(0.2, 3), random.angle()};
-    const double theta2 = random.angle();
-    const FourBarMotion motion = four_bar_by_crank(linkage, {theta2, 1, 0}, AssemblyMode::kPlus);
-    const std::optional<double> angle = transmission_angle(linkage, theta2);
-    ASSERT_EQ(angle.has_value(), motion.status != LinkageStatus::kNotAssemblable);
+    const std::optional<double> angle = transmission_angle(linkage, random.angle());
     if (!angle) continue;
-    const double between = std::abs(std::remainder(motion.theta3 - motion.theta4, kPi));
-    worst.see(std::abs(*angle - between));
     const auto range = transmission_range(linkage);
     ASSERT_TRUE(range);
-    EXPECT_TRUE(*angle >= range->smallest - 1e-14 && *angle <= range->largest + 1e-14);
+    EXPECT_TRUE(*angle >= range->smallest - 4e-14 && *angle <= range->largest + 4e-14);
   }
-  EXPECT_AT_MOST(worst.value(), 4e-14);
 }
 
 TEST(Transmission, ExtremesAreAtTheCrankAnglesTheyNameOnBothSidesOfTheFrame) {

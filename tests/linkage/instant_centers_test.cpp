@@ -1,8 +1,8 @@
 #include "higherpair/linkage/instant_centers.hpp"
 
-#include "higherpair/linkage/four_bar.hpp"
-#include "higherpair/linkage/rrr_dyad.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/moving_ends.hpp"
+#include "linkage/rrr_motion.hpp"
 #include "linkage/slider_crank.hpp"
 
 #include <Eigen/LU>

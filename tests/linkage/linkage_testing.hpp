@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/geometry_testing.hpp"
-#include "higherpair/linkage/driver.hpp"
+#include "linkage/driver_range.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/linkage/prp_dyad.hpp"
 #include "higherpair/linkage/rpr_dyad.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/inverted_slider_crank.hpp"
 #include "linkage/linkage_testing.hpp"
 #include "linkage/scotch_yoke.hpp"
@@ -166,7 +166,6 @@ TEST(Pack, KernelsBetweenMovingEndsRunOnSeveralConfigurationsAtOnce) {
   const auto reach = rpr_reach(D, Pack(-0.4), Pack(1));
   const auto position = rpr_position(D, Pack(-0.4), reach, Pack(-1));
   const auto rates = rpr_rates(position, Pack(-0.4), D_dot, D_ddot);
-  const auto slack_rate = rrr_reach_rate(D, D_dot).slack(rrr_reach(D, Pack(0.7), Pack(0.5), Pack(1)));
   const auto split = split_along(directions(), {Pack(0.6), Pack(0.8)}, D);
   for (std::size_t i = 0; i < 2; ++i) {
     const Vector2d D_i(D.x().lane[i], D.y().lane[i]), v(1.1, -0.3), a(0.2, 0.8);
@@ -174,7 +173,6 @@ TEST(Pack, KernelsBetweenMovingEndsRunOnSeveralConfigurationsAtOnce) {
     const auto one = rpr_position(D_i, -0.4, one_reach, -1.0);
     expect_lane(position.u.sin, i, one.u.sin);
     expect_lane(rates.s_ddot, i, rpr_rates(one, -0.4, v, a).s_ddot);
-    expect_lane(slack_rate, i, rrr_reach_rate(D_i, v).slack(rrr_reach(D_i, 0.7, 0.5, 1.0)));
     const auto one_split = split_along(Rotation<double>::from_angle(kTheta[i]), {0.6, 0.8}, D_i);
     expect_lane(split.s1, i, one_split.s1);
     expect_lane(split.s2, i, one_split.s2);

@@ -8,6 +8,43 @@ namespace {
 
 using namespace higherpair::testing;
 
+/// Motion of a piston, from its outer dead centre towards the crank's pivot: a slider-crank without offset.
+struct PistonMotion {
+  double x = 0;  ///< [m]
+  double v = 0;  ///< [m/s]
+  double a = 0;  ///< [m/s²]
+};
+
+/// By the chain rule, from x(θ) and its derivatives.
+PistonMotion with_rates(double x, double x_1, double x_2, const AngleMotion& crank) {
+  return {x, x_1 * crank.omega, x_2 * crank.omega * crank.omega + x_1 * crank.alpha};
+}
+
+/// 1 - cos θ without cancellation.
+double versine(double theta) {
+  const double half = std::sin(0.5 * theta);
+  return 2 * half * half;
+}
+
+// The formulas of the header.
+PistonMotion exact_piston_motion(double r, double l, const AngleMotion& crank) {
+  const double lambda = r / l;
+  const double s = std::sin(crank.theta), c = std::cos(crank.theta);
+  const double q = lambda * s;
+  const double w = std::sqrt((1 - q) * (1 + q));
+  const double x = r * versine(crank.theta) + l * q * q / (1 + w);
+  const double x_1 = r * s * (1 + lambda * c / w);
+  const double x_2 = r * (c + lambda * ((c - s) * (c + s) / w + q * q * c * c / (w * w * w)));
+  return with_rates(x, x_1, x_2, crank);
+}
+
+PistonMotion harmonic_piston_motion(double r, double l, const AngleMotion& crank) {
+  const double lambda = r / l;
+  const double s = std::sin(crank.theta), c = std::cos(crank.theta);
+  return with_rates(r * (versine(crank.theta) + 0.5 * lambda * s * s), r * s * (1 + lambda * c),
+                    r * (c + lambda * (c - s) * (c + s)), crank);
+}
+
 TEST(Piston, MovesLikeTheSliderCrankSeenFromItsOuterDeadCentre) {
   Random random(111);
   Worst worst;

@@ -43,28 +43,6 @@ TEST(RrpDyad, JoinsAMovingPointToAMovingGuideAndMovesByTheDerivatives) {
   check.expect_small();
 }
 
-TEST(RrpDyad, ReachRateIsTheDerivativeOfTheReachAlsoBeyondTheLimit) {
-  Random random(64);
-  Worst worst;
-  int beyond = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const MovingPoint A = random_point(random);
-    const MovingGuide guide = random_guide(random);
-    const double r = random.between(0.2, 2);
-    const RrpMotion motion = rrp_dyad(A.at(0), guide.at(0), r, AssemblyMode::kPlus);
-    const auto reach_at = [&](double t) {
-      const Reach<double> reach = rrp_dyad(A.at(t), guide.at(t), r, AssemblyMode::kPlus).reach;
-      return std::array<double, 2>{reach.stretch, reach.fold};
-    };
-    const auto expected = differentiate<2>(reach_at, {false, false}, 0.002);
-    worst.see(std::abs(motion.reach_rate.stretch - expected.first[0]));
-    worst.see(std::abs(motion.reach_rate.fold - expected.first[1]));
-    if (motion.status == LinkageStatus::kNotAssemblable) ++beyond;
-  }
-  EXPECT_GT(beyond, 100);
-  EXPECT_AT_MOST(worst.value(), 1e-11);
-}
-
 /// Tolerance in units of what the rate could be at most, for a linkage at least half-way from a dead point.
 void expect_rates(double omega, double expected_omega, double alpha, double expected_alpha) {
   EXPECT_AT_MOST(relative_error(omega, expected_omega), 2e-13);

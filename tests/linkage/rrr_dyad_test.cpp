@@ -1,7 +1,6 @@
-#include "higherpair/linkage/rrr_dyad.hpp"
-
-#include "higherpair/linkage/four_bar.hpp"
+#include "linkage/four_bar_motion.hpp"
 #include "linkage/moving_ends.hpp"
+#include "linkage/rrr_motion.hpp"
 
 namespace higherpair {
 namespace {
@@ -125,42 +124,6 @@ TEST(RrrDyad, JoinsTwoMovingPointsAndMovesByTheDerivatives) {
   }
   EXPECT_AT_MOST(closure.value(), 1e-14);
   check.expect_small();
-}
-
-TEST(RrrDyad, ReachRateIsTheDerivativeOfTheReachAlsoBeyondTheLimit) {
-  Random random(53);
-  Worst worst;
-  int beyond = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const MovingPoint A = random_point(random), B = random_point(random);
-    const double a = random.between(0.2, 2), b = random.between(0.2, 2);
-    const RrrMotion motion = rrr_dyad(A.at(0), B.at(0), a, b, AssemblyMode::kPlus);
-    const auto reach_at = [&](double t) {
-      const Reach<double> reach = rrr_dyad(A.at(t), B.at(t), a, b, AssemblyMode::kPlus).reach;
-      return std::array<double, 2>{reach.stretch, reach.fold};
-    };
-    const auto expected = differentiate<2>(reach_at, {false, false}, 0.002);
-    worst.see(std::abs(motion.reach_rate.stretch - expected.first[0]));
-    worst.see(std::abs(motion.reach_rate.fold - expected.first[1]));
-    if (motion.status == LinkageStatus::kNotAssemblable) ++beyond;
-  }
-  EXPECT_GT(beyond, 100);
-  EXPECT_AT_MOST(worst.value(), 1e-11);
-}
-
-TEST(RrrDyad, AtAChangePointTheSlackVanishesTogetherWithItsRate) {
-  // B swings out to the full stretch and back: it touches the limit at t = 0.
-  const double a = 0.7, b = 1.1;
-  const auto B_at = [&](double t) {
-    const Vector2d p = (a + b) * std::cos(t) * Vector2d(0.6, 0.8);
-    return PointMotion{p, -(a + b) * std::sin(t) * Vector2d(0.6, 0.8), Vector2d::Zero()};
-  };
-  for (const double t : {-0.3, 0.0, 0.3}) {
-    const RrrMotion motion = rrr_dyad(PointMotion{}, B_at(t), a, b, AssemblyMode::kPlus);
-    EXPECT_EQ(motion.status, t == 0 ? LinkageStatus::kSingular : LinkageStatus::kOk);
-    const double expected = (a + b) * (a + b) * std::sin(2 * t);  // of (a + b)² sin² t
-    EXPECT_AT_MOST(std::abs(motion.reach_rate.slack(motion.reach) - expected), 2e-15);
-  }
 }
 
 TEST(RrrDyad, TellsEachStatus) {

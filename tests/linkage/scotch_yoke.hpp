@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/linkage/driver.hpp"
+#include "linkage/driver_range.hpp"
 
 #include <optional>
 

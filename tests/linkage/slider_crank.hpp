@@ -1,9 +1,9 @@
 #pragma once
 
-#include "higherpair/linkage/driver.hpp"
-#include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
 #include "higherpair/linkage/slider_crank_stroke.hpp"
+#include "linkage/driver_range.hpp"
+#include "linkage/rrp_loop.hpp"
 
 #include <optional>
 

@@ -1,7 +1,6 @@
 #include "checks.hpp"
 
 #include "higherpair/contact/details.hpp"
-#include "higherpair/linkage/four_bar.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -116,8 +115,6 @@ void check_closed_form(const Case& reference, const ContactPosition& at) {
 }  // namespace
 
 void check_four_bar() {
-  const FourBarLoop<double> loop = make_four_bar_loop(kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4);
-  const FourBar linkage{kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4, 0};
   for (int step = 0; step < kStepsPerTurn; ++step) {
     const double theta2 = driver_position(step);
     const FourBarByHand::Motion hand = kFourBar.at(theta2);
@@ -128,21 +125,6 @@ void check_four_bar() {
         differentiate([](double angle) { return kFourBar.at(angle).theta4; }, theta2, 0.01);
     require(std::abs(rates.first - hand.omega4) <= 1e-11, "the four-bar by hand has wrong velocities");
     require(std::abs(rates.second - hand.alpha4) <= 1e-9, "the four-bar by hand has wrong accelerations");
-
-    // σ = +1 of the library is the joint on the other side of the diagonal.
-    const FourBarMotion motion = four_bar_by_crank(linkage, {theta2, 1, 0}, AssemblyMode::kMinus);
-    require(motion.rates && angle_difference(motion.theta4, hand.theta4) <= 1e-14 &&
-                std::abs(motion.rates->omega4 - hand.omega4) <= 1e-14 &&
-                std::abs(motion.rates->alpha4 - hand.alpha4) <= 1e-13,
-            "four_bar_by_crank differs from the four-bar by hand");
-    const auto u_M = Rotation<double>::from_angle(theta2);
-    const FourBarPosition<double> position = four_bar_position(loop, u_M, -1.0);
-    const RrrRates<double> kernel = four_bar_rates(loop, position, u_M, 1.0, 0.0);
-    require(std::abs(position.links.u_b.cos - std::cos(hand.theta4)) <= 1e-14 &&
-                std::abs(position.links.u_b.sin - std::sin(hand.theta4)) <= 1e-14 &&
-                std::abs(kernel.omega_b - hand.omega4) <= 1e-14 &&
-                std::abs(kernel.alpha_b - hand.alpha4) <= 1e-13,
-            "the four-bar kernel differs from the four-bar by hand");
   }
 }
 

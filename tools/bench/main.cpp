@@ -8,7 +8,6 @@
 #include "higherpair/drawing/scene.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/check.hpp"
-#include "higherpair/linkage/four_bar.hpp"
 #include "laws.hpp"
 #include "linkages.hpp"
 #include "long_runs.hpp"
@@ -74,29 +73,11 @@ void add([[maybe_unused]] const std::string& name, [[maybe_unused]] const Functi
 #endif
 }
 
-void register_four_bars(double floor) {
+void register_floor(double floor) {
   const auto nothing = [] {};
   add("four_bar/by_hand (the floor)", [=](benchmark::State& state) {
     const auto step = [](int k) { benchmark::DoNotOptimize(kFourBar.at(driver_position(k))); };
     run_turns(state, floor, step, nothing);
-  });
-  add("four_bar/four_bar_by_crank", [=](benchmark::State& state) {
-    const FourBar linkage{kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4, 0};
-    const auto step = [&](int k) {
-      benchmark::DoNotOptimize(four_bar_by_crank(linkage, {driver_position(k), 1, 0}, AssemblyMode::kMinus));
-    };
-    run_turns(state, floor, step, nothing);
-  });
-  add("four_bar/kernel (unit vectors)", [=](benchmark::State& state) {
-    const FourBarLoop<double> loop = make_four_bar_loop(kFourBar.r1, kFourBar.r2, kFourBar.r3, kFourBar.r4);
-    const auto turn = Rotation<double>::from_angle(driver_position(1));
-    Rotation<double> u_M;
-    const auto step = [&](int) {
-      const FourBarPosition<double> position = four_bar_position(loop, u_M, -1.0);
-      benchmark::DoNotOptimize(four_bar_rates(loop, position, u_M, 1.0, 0.0));
-      u_M = (u_M * turn).normalised();
-    };
-    run_turns(state, floor, step, [&] { u_M = {}; });
   });
 }
 
@@ -421,7 +402,7 @@ int run(int argc, char** argv) {
   }
 
   const double floor = measure_floor();
-  register_four_bars(floor);
+  register_floor(floor);
   register_watt_by_hand(watt.by_hand, floor);
   register_laws(laws, floor);
   register_design(design, floor);

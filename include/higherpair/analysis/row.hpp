@@ -34,7 +34,7 @@ struct MotionRow {
 
 enum class EventType {
   kLimitPosition,  ///< the drivers cannot go further on this branch
-  kDeadPoint,      ///< passed through: branches cross, or the output loses the input
+  kDeadPoint,      ///< passed through: a change point, where branches cross, or the output loses the input
   kStrokeEnd,      ///< the output reverses
   kConforming,     ///< κ1 + κ2 = 0: beyond, the bodies cut into each other at the contact
   kSecondContact,  ///< of the same two bodies, with which the motion goes on
@@ -52,7 +52,7 @@ enum class EventType {
 struct RunEvent {
   EventType type = EventType::kLimitPosition;
   double driver = 0;         ///< coordinate of the first driven joint [rad or m]
-  double share = 0;          ///< of the drivers' way from the row before to this one
+  double share = 0;          ///< of the drivers' path from the row before to this one
   std::optional<int> joint;  ///< what it happens at, if one can be named
   std::optional<int> contact;
   std::string cause;            ///< a sentence

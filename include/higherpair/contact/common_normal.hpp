@@ -49,7 +49,7 @@ struct TangentPosition {
 }
 
 /// The equivalent link between the centres of curvature, written without radii so that it stays finite for
-/// lines and points: with κ = 1/ρ and K = κ1 + κ2
+/// lines and points (docs/method.md derives it): with κ = 1/ρ and K = κ1 + κ2
 ///     w1 = κ1/K,   w2 = κ2/K,   w = κ1 κ2/K,   z = 1/K.
 struct EquivalentLink {
   double w1 = 0, w2 = 0;  ///< [1]

@@ -9,6 +9,7 @@
 
 namespace higherpair {
 
+/// How contacts and assemblies are listed.
 struct BranchesSettings {
   bool certify = false;     ///< decide every contact in exact arithmetic
   double tolerance = 1e-9;  ///< largest closure error, of the size of the mechanism
@@ -54,8 +55,8 @@ struct BranchesReport {
 /// Whether this build can certify contacts: it has exact arithmetic.
 [[nodiscard]] bool can_certify();
 
-/// Lists them. Fails where there is none, with the reason, and as kInternal where exact arithmetic does not
-/// agree.
+/// All contacts and all assemblies at the first positions of the drivers. Fails where there is none, with
+/// the reason, and as kInternal where exact arithmetic does not agree.
 [[nodiscard]] Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings = {});
 
 }  // namespace higherpair

@@ -11,6 +11,7 @@
 
 namespace higherpair {
 
+/// What is checked, and against which limits.
 struct CheckSettings {
   bool in_time = false;                       ///< the motion in time, as RunSettings::in_time
   double tolerance = 1e-9;                    ///< as RunSettings::tolerance

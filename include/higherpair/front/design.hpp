@@ -10,7 +10,7 @@
 
 namespace higherpair {
 
-/// In place of what the profile says.
+/// Each that is set replaces what [design] of the profile says.
 struct DesignSettings {
   std::optional<std::uint64_t> seed;
   std::optional<int> starts;
@@ -72,18 +72,18 @@ struct DesignReport {
     std::vector<double> variables;
     double objective = 0;
     bool holds = false;  ///< all constraints
-    std::string
-        text;  ///< of the first DesignSettings::best: the profile, of the first one DesignReport::text
+    /// The profile, of the first DesignSettings::best; of the first one it is DesignReport::text.
+    std::string text;
   };
 
   std::string title;
   std::vector<Variable> variables;
   std::vector<Objective> objectives;
   std::vector<Constraint> constraints;
-  /// The whole objective: paths and targets by their squares, times their weights, and what is to be small.
+  /// The whole objective: paths and targets by their squares, times their weights, and what has to be small.
   double before = 0;
   double after = 0;
-  bool starts_good = false;         ///< whether the profile as it was assembles all the way on one branch
+  bool starts_good = false;         ///< whether the whole path of the profile as it was is on one branch
   bool path_good = false;           ///< whether the new one does
   bool holds = false;               ///< whether all constraints hold, and path_good
   std::string method;               ///< of the local searches: "least squares", …

@@ -9,7 +9,7 @@
 
 namespace higherpair {
 
-/// Which curves of a model go out, and what of them.
+/// Which curves of a model are exported, and what of them.
 struct ExportSettings {
   enum class Path {
     kCurve,   ///< the curve itself
@@ -25,7 +25,7 @@ struct ExportSettings {
   std::optional<double> reach;
 };
 
-/// A curve that is ready to go out, in the frame of its body.
+/// A curve to be written, in the frame of its body.
 struct ExportedCurve {
   std::string name;  ///< "BODY.CURVE", and "-pitch" or "-cutter" where it is that path
   Boundary boundary;
@@ -38,7 +38,7 @@ struct ExportedCurve {
 [[nodiscard]] Result<std::vector<ExportedCurve>> exported_curves(const Model& model,
                                                                  const ExportSettings& settings);
 
-/// How near to the curve what goes out is.
+/// How closely the file follows the curve.
 struct ExportAccuracy {
   /// Largest distance of arcs and lines (of CSV: of lines between its points) from the curve [m]; none:
   /// kDefaultExportTolerance of the size of each curve. At least 1e-9 of it.

@@ -22,12 +22,12 @@ struct FitProgress {
   double off = 0;      ///< of the best so far: root mean square of the residuals, each by its column's spread
 };
 
-/// In place of what [fit] of the profile says.
+/// Each that is set replaces what [fit] of the profile says.
 struct FitSettings {
   std::optional<FitLoss> loss;
   std::optional<double> confidence;  ///< of the intervals, within 0 … 1
-  std::vector<std::string>
-      columns;  ///< names or globs of the measured columns that count; empty: the profile's
+  std::vector<std::string> columns;  ///< names or globs of the measured columns that count; empty: the
+                                     ///< profile's
   std::vector<std::string> offsets;  ///< columns whose zero is not known, besides those of the profile
   std::optional<int> starts;
   std::optional<std::uint64_t> seed;

@@ -13,14 +13,16 @@ namespace higherpair {
 // The maps of a mechanism's contacts: every contact of two curves over the driver's turn, as branches in the
 // plane of the coordinates of the two joints, in the profile's units. Branches are numbered from 1.
 
+/// What is mapped, and how finely.
 struct MapSettings {
   std::optional<std::int64_t> samples;  ///< rows over the range, >= 2; none: as many as the profile's run has
   double tolerance = 1e-9;              ///< largest overlap of a contact that counts as free, of the size
   const std::atomic<bool>* stop = nullptr;  ///< once true, the map is given up
 };
 
+/// A contact on a branch; in the profile's units.
 struct MapRow {
-  double driver = 0;
+  double driver = 0;    ///< coordinate of the driver's joint
   double position = 0;  ///< of the follower
   double x = 0;         ///< contact point
   double y = 0;
@@ -28,6 +30,7 @@ struct MapRow {
   bool free = false;  ///< the bodies are free of each other
 };
 
+/// Where a branch begins or ends.
 struct MapEndReport {
   std::string type;  ///< "fold", "conforming", "infinity", "range", "closed"
   double driver = 0;
@@ -35,6 +38,7 @@ struct MapEndReport {
   std::optional<int> other;  ///< number of the branch that merges there
 };
 
+/// A curve of contacts that neither ends nor meets another one in between.
 struct MapBranchReport {
   bool opposed = false;
   int turns = 0;  ///< of the driver after which it closes; 0: it does not
@@ -44,6 +48,7 @@ struct MapBranchReport {
   std::vector<MapRow> extremes;      ///< of the follower
 };
 
+/// Where branches merge or cross, or a contact is conforming.
 struct MapEventReport {
   std::string type;  ///< "fold", "crossing", "conforming"
   MapRow at;
@@ -51,10 +56,11 @@ struct MapEventReport {
   std::vector<int> branches;
 };
 
+/// Another branch that comes near the mechanism's own one.
 struct NeighbourReport {
   int branch = 0;
-  double driver = 0;
-  double distance = 0;
+  double driver = 0;    ///< where
+  double distance = 0;  ///< between the follower's coordinates there
 };
 
 /// The branch that the mechanism is on.
@@ -62,10 +68,11 @@ struct OwnBranch {
   int branch = 0;
   double driver = 0;  ///< at the start
   double position = 0;
-  std::optional<NeighbourReport> at_start;
-  std::optional<NeighbourReport> nearest;
+  std::optional<NeighbourReport> at_start;  ///< the nearest at the start
+  std::optional<NeighbourReport> nearest;   ///< the nearest on the whole map
 };
 
+/// The map of one contact.
 struct ContactMapReport {
   std::string contact;
   std::string refusal;  ///< why there is no map; empty: there is
@@ -78,6 +85,7 @@ struct ContactMapReport {
   std::optional<OwnBranch> own;
 };
 
+/// The maps of a mechanism's contacts.
 struct MapReport {
   std::string title;
   std::string length_unit, angle_unit;

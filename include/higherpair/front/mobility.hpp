@@ -43,7 +43,7 @@ struct MobilityFindings {
 /// - `four_bars` [{`ground`, `crank`, `coupler`, `rocker`, `lengths` [r1 … r4], `grashof`, `margin`
 ///   (p + q - s - l), `full_turn`, `limits`, `transmission`}]: `full_turn` {`crank`, `coupler`, `rocker`};
 ///   `limits` the same with lists of {`crank`, `coupler`, `rocker`, `change_point`}: positions in which that
-///   link stands still, its dead points as a driver; `transmission` {`smallest`, `at_smallest`, `largest`,
+///   link is at rest, its dead points as a driver; `transmission` {`smallest`, `at_smallest`, `largest`,
 ///   `at_largest`}; all angles from the line of the ground pivots
 /// - `slider_cranks` [{`guide`, `crank`, `coupler`, `slider` (null: a slot), `joint`, `inversion`,
 ///   `r2`, `r3`, `offset`, `stroke`, `harmonic`, `quick_return`}]: `stroke` null or {`length`,

@@ -14,7 +14,7 @@
 
 namespace higherpair {
 
-/// A key of a profile and the value that it is to have: `path` as of the option --set
+/// A key of a profile and its new value: `path` as of the option --set
 /// ("bodies.cam.curves.disc.radius"; items of lists by number from 0, "bodies.crank.points.A.0"), a number in
 /// the profile's units, or TOML text ("25.4 mm").
 struct Setting {
@@ -53,8 +53,8 @@ public:
                                           std::vector<DriverProgram> programs = {});
 
   /// The same model with other numbers or keys. Where only numbers differ the order of solution is kept and
-  /// its dimensions are filled in anew. For models that were read; see with(Mechanism) for one that was
-  /// built.
+  /// its dimensions are filled in anew. For models that were read; with_mechanism() is for
+  /// those that were built.
   [[nodiscard]] Result<Model> with(std::span<const Setting> settings) const;
   [[nodiscard]] Result<Model> with(std::initializer_list<Setting> settings) const {
     return with(std::span(settings.begin(), settings.size()));

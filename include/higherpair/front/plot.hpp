@@ -10,6 +10,7 @@
 
 namespace higherpair {
 
+/// What is plotted against what.
 struct PlotSettings {
   std::vector<std::string> y;    ///< names or globs of columns, at least one
   std::optional<std::string> x;  ///< a column; none: the (first) driver, in time the time

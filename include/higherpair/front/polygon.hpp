@@ -10,6 +10,7 @@
 
 namespace higherpair {
 
+/// Which polygons of which position.
 struct PolygonSettings {
   double at = 0;                            ///< position of the (first) driver, in its unit
   bool forces = false;                      ///< also the force polygon of every body
@@ -26,7 +27,7 @@ struct Polygons {
   std::optional<std::string> limit;
 };
 
-/// Polygons in SI units in those of tables.
+/// Converts polygons from SI units to those of tables.
 void to_units(std::vector<Polygon>& polygons, const Units& units);
 
 /// The polygons where the driver, coming from its first position, is at `at`. With several drivers they are

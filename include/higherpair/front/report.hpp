@@ -19,8 +19,8 @@ struct ReportSettings {
   std::int64_t most_rows = 1441;        ///< >= 2; of a longer run the page holds every n-th row and the last
   std::string source;                   ///< text of the profile, shown at the foot; empty: none
   const std::atomic<bool>* stop = nullptr;  ///< once true, the run ends and there is no page
-  std::function<void(std::int64_t row, std::int64_t size)>
-      progress;  ///< called after every row; may be empty
+  /// Called after every row; may be empty.
+  std::function<void(std::int64_t row, std::int64_t size)> progress;
 };
 
 /// An interactive page about a run, and how the run went.

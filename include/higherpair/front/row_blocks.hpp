@@ -34,10 +34,9 @@ using BlockTexts = std::vector<std::string>;
 /// run is stopped.
 /// \pre no row of the analysis has been taken
 /// \param threads  so many; 0: as many as there are cores to be used
-/// \param texts    makes from a block what is written of it, on any thread, several at once. The texts that
-/// it
-///                 is given are empty, and as many as it has left of an earlier block: their memory is used
-///                 again
+/// \param texts    makes what is written of a block, on any thread, several at once; the texts that it gets
+///                 are empty, as many as it left of an earlier block, so that their memory is used again
+/// \param take     gets the blocks and their texts in order, one at a time; false ends the run
 void run_blocks(Analysis& analysis, int threads,
                 const std::function<void(const RowBlock&, BlockTexts&)>& texts,
                 const std::function<bool(const RowBlock&, const BlockTexts&)>& take);

@@ -129,7 +129,9 @@ struct SlopeTable {
   bool stopped = false;
 };
 
-/// \param columns  names or globs; words have no derivatives
+/// Differentiates whole columns, row by row, with all that sensitivity() says of derivatives. Fails as it
+/// does, and for columns of words, which have none.
+/// \param columns  names or globs
 /// \param begin    called once before the first row, with the columns and numbers
 /// \param take     takes a row; false ends it
 [[nodiscard]] Result<SlopeTable> sensitivity_rows(const Model& model, const std::vector<std::string>& columns,

@@ -75,7 +75,7 @@ inline constexpr double kCurved = 0.05;
 
 struct ToleranceVariants {
   std::int64_t count = 0;
-  std::int64_t good = 0;           ///< so many run all the way
+  std::int64_t good = 0;           ///< how many of them have a path that is good
   std::vector<VariantBand> bands;  ///< of the report's results
   bool stopped = false;
 };

@@ -31,9 +31,8 @@ struct BodyMotion {
 
 /// Motion of the frame of a rigid body from the motions of two of its points A and B.
 /// \param p_A, p_B where the points are in the body's frame [m]; they must differ.
-/// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|: the direction of b - a is used,
-/// and of
-///                 the relative velocity and acceleration only what a rigid body can have (the part along
+/// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|. Used are the direction of b - a
+///                 and, of the relative velocity and acceleration, what a rigid body can have (the part along
 ///                 ẑ×(b - a)).
 /// The angle is in (-π, π]. ω = (ẑ×r)·(v_b - v_a)/r², α = (ẑ×r)·(a_b - a_a)/r² with r = b - a.
 [[nodiscard]] BodyMotion body_motion_from_points(const Vector2d& p_A, const PointMotion& a,

@@ -42,7 +42,7 @@ struct Pose {
   Rotation<T> R_WB;
   Vector2<T> p_WB = Vector2<T>::Zero();  ///< origin of B in W [m]
 
-  /// The place in W of the point p_B of the body [m].
+  /// The position in W of the point p_B of the body [m].
   [[nodiscard]] Vector2<T> operator*(const Vector2<T>& p_B) const { return R_WB * p_B + p_WB; }
 
   /// The point of the body that is at p_W: inverse of the product [m].

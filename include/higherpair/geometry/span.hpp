@@ -16,7 +16,7 @@ struct SpanPoint {
   double speed = 1;  ///< ds/dt > 0 [m per unit of the parameter]; of a corner dφ/dt = 1
 };
 
-/// A smooth part of a boundary by a parameter that grows along t, with the material on the left of the way.
+/// A smooth part of a boundary by a parameter that grows along t, with the material on its left.
 /// Points, normals and curvatures are continuous over its range, and through inflections: unlike the angle of
 /// the normal a parameter has no singularity there. A new kind of curve is a class that gives this.
 class Span {
@@ -41,7 +41,7 @@ using SpanPtr = std::shared_ptr<const Span>;
 /// on the outside of a conic it is run through from `to` to `from`.
 /// \pre is_conic(curve); from < to <= from + 2π; an open conic has all of these normals
 [[nodiscard]] SpanPtr conic_span(const Curve& curve, double from, double to);
-/// A straight edge, the material on the left of the way. \pre the two points differ
+/// A straight edge, the material on its left. \pre the two points differ
 [[nodiscard]] SpanPtr face_span(const Vector2d& from_B, const Vector2d& to_B);
 /// A convex corner, its normals turning counter-clockwise from `from` to `to` [rad]. \pre from < to
 [[nodiscard]] SpanPtr corner_span(const Vector2d& at_B, double from, double to);

@@ -26,8 +26,8 @@ enum class PieceKind {
 /// a piece of its own; where none follows, the boundary ends.
 struct SupportPiece {
   PieceKind kind = PieceKind::kArc;
-  Bounds
-      phi;  ///< normals [rad]; of a face: encloses the angle of its normal; of a closed curve without meaning
+  /// Normals [rad]; of a face: encloses the angle of its normal; of a closed curve without meaning.
+  Bounds phi;
   Bounds along;  ///< of a face: p·t of its ends, t = normal turned +90° [m]; ±infinity: no end
 };
 

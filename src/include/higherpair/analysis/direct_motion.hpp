@@ -8,8 +8,8 @@
 namespace higherpair {
 
 /// The positions of a mechanism on a branch without following it there: what drivers, dyads and slides place
-/// one after the other in closed form stands in the same way on a branch however the drivers came to where
-/// they are. Far quicker than a Run where many sets of dimensions are tried and most of them do not even
+/// one after the other in closed form depends on the branch and on where the drivers are, not on how they
+/// came there. Far quicker than a Run where many sets of dimensions are tried and most of them do not even
 /// close; what happens between two positions remains unseen.
 class DirectMotion {
 public:

@@ -12,9 +12,9 @@ namespace higherpair {
 /// A number of a body, of one of its points, of a contact, a joint or the driver in every row of a run; SI
 /// units, ground frame.
 struct ChainColumn {
-  /// kPressure: angle in [0, π/2] between the normal and the way that the joint of the contact's second body
-  /// leaves its point. kForceX, kForceY, kMoment: what a joint does to its second body (JointReaction).
-  /// kEffort, kEffortByPower: what drives (DriverEffort).
+  /// kPressure: angle in [0, π/2] between the normal and the direction in which the joint of the contact's
+  /// second body lets its point move. kForceX, kForceY, kMoment: what a joint does to its second body
+  /// (JointReaction). kEffort, kEffortByPower: what drives (DriverEffort).
   enum class Quantity {
     kPressure,
     kX,

@@ -26,8 +26,8 @@ struct StartFailure {
   std::optional<Slip> slip;  ///< set where a rolling contact would have to slip
 };
 
-/// The straight way of the drivers from one row to the next. Its coordinate s runs from 0 to `length`: with
-/// one driver the change of that driver's coordinate, with several the share of the way.
+/// The straight path of the drivers from one row to the next. Its coordinate s runs from 0 to `length`: with
+/// one driver the change of that driver's coordinate, with several the share of the path.
 struct Path {
   std::vector<double> from;
   std::vector<double> to;

@@ -29,7 +29,7 @@ struct CamSize {
 [[nodiscard]] std::optional<CamSize> size_of(const FlankOrigin& cam);
 
 /// Largest pressure angles as handbooks take them at the centre of a round follower: between the normal of
-/// the pitch curve and the way of the centre. With u the velocity of the centre for a unit rate of the
+/// the pitch curve and the path of the centre. With u the velocity of the centre for a unit rate of the
 /// follower, q′ its rate for a unit rate of the cam and v that of the cam's material at the centre,
 ///     tan α = |u q′ - v·û| / |û × v|,   û = u/|u|.
 struct PressureLimits {

@@ -19,7 +19,7 @@ inline constexpr double kTurn = 2 * kPi;  ///< of the driver [rad]
 struct BoundaryPair;
 class BoundaryTrace;
 
-/// The driver coordinates that a map covers: one whole turn from `start`, or the way from `start` to `end`.
+/// The driver coordinates that a map covers: one whole turn from `start`, or the range from `start` to `end`.
 struct MapRange {
   double start = 0;            ///< [rad or m]
   double end = 0;              ///< of a sliding driver [m], either side of start; ignored where it turns

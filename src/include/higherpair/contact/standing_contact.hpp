@@ -18,9 +18,10 @@ struct StandingContact {
   ContactPosition at;
 };
 
-/// The contact in which the follower, at q, stands whatever the driver does. None where the driver changes
-/// anything, where the gap is larger than `tolerance` [m], or where ∂gap/∂q tells how the follower moves.
-/// Concentric discs are such a pair, and an arm that points to the centre of a disc that turns about it.
+/// The contact in which the follower, at q, is at rest whatever the driver does. None where the driver
+/// changes anything, where the gap is larger than `tolerance` [m], or where ∂gap/∂q tells how the follower
+/// moves. Concentric discs are such a pair, and an arm that points to the centre of a disc that turns about
+/// it.
 [[nodiscard]] std::optional<StandingContact> standing_contact(const ContactPair& pair, double u, double q,
                                                               double tolerance);
 

@@ -31,7 +31,7 @@ public:
 
   [[nodiscard]] double value() const { return length_; }
 
-  /// The next step, of at most `most`, where `rest` is left of the way. If that is little more than a step,
+  /// The next step, of at most `most`, where `rest` is left of the path. If that is little more than a step,
   /// it is taken at once: no remainder of rounding size is left.
   [[nodiscard]] Stride next(double rest, double most = std::numeric_limits<double>::infinity()) const {
     constexpr double kAlmostThere = 1.001;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 namespace higherpair {
@@ -104,8 +103,5 @@ struct SupportBounds {
 [[nodiscard]] SubdivisionContacts find_contacts_by_subdivision(const ContactPair& pair, double u,
                                                                double reach,
                                                                const SubdivisionOptions& options = {});
-
-/// What the status means, as a sentence.
-[[nodiscard]] std::string_view describe(SubdivisionStatus status);
 
 }  // namespace higherpair

@@ -29,9 +29,8 @@ struct ContactTrack {
 [[nodiscard]] ContactStatus step_to(ContactTrack& track, double u, int branch);
 
 /// Follows a contact to the driver coordinate u, within a range in which it is known to be smooth: nothing is
-/// looked for on the way, and nothing jumped over. False where it cannot be followed; the track is then where
-/// it was last.
-/// \param may_cross  branches may cross on the way: ∂gap/∂q may change its sign
+/// looked for on the path, and nothing jumped over. False where it cannot be followed; the track is then
+/// where it was last. \param may_cross  branches may cross on the path: ∂gap/∂q may change its sign
 [[nodiscard]] bool walk_to(ContactTrack& track, double u, bool may_cross = false);
 
 }  // namespace higherpair

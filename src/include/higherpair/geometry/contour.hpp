@@ -30,13 +30,13 @@ using ContourPiece = std::variant<LinePiece, ArcPiece, SpanPtr>;
 
 struct PieceEnd {
   Vector2d p_B = Vector2d::Zero();
-  Vector2d t_B = Vector2d::UnitX();  ///< direction of the way
+  Vector2d t_B = Vector2d::UnitX();  ///< direction of the path
 };
 
 [[nodiscard]] PieceEnd begin_of(const ContourPiece& piece);
 [[nodiscard]] PieceEnd end_of(const ContourPiece& piece);
 [[nodiscard]] ContourPiece reversed(const ContourPiece& piece);
-/// The span with the material on the left of the way.
+/// The span with the material on the left of the path.
 [[nodiscard]] SpanPtr span_of(const ContourPiece& piece);
 [[nodiscard]] std::vector<SpanPtr> spans_of(const std::vector<ContourPiece>& pieces);
 
@@ -65,7 +65,7 @@ struct FilletFault {
   enum class Kind {
     kTooLarge,  ///< the rounding does not fit between its neighbours
     kOther,     ///< a corner at a piece that is neither line nor arc
-    kCusp,      ///< the way turns back
+    kCusp,      ///< the path turns back
   } kind = Kind::kTooLarge;
   int piece = 0;                     ///< the first of the two that meet there
   Vector2d at_B = Vector2d::Zero();  ///< the corner
@@ -78,7 +78,7 @@ struct FilletFault {
 /// The largest radius up to `radius` that fits everywhere, to three digits [m]; 0: none.
 [[nodiscard]] double largest_fillet(const std::vector<ContourPiece>& pieces, bool closed, double radius);
 
-/// More than two ends meet, so that the way on is not clear.
+/// More than two ends meet, so that it is not clear how to go on.
 struct JoinFault {
   Vector2d at_B = Vector2d::Zero();
   std::vector<int> pieces;  ///< that meet there, at least three

@@ -7,7 +7,7 @@ namespace higherpair {
 /// Which flank of a tooth, seen from the centre outwards: the material of the left one is on its right.
 enum class Hand { kLeft, kRight };
 
-/// The involute of a circle: the way of the end of a taut string that is unwound from it. With the angle
+/// The involute of a circle: the path of the end of a taut string that is unwound from it. With the angle
 /// φ > 0 through which the string has rolled off and e(ψ) the unit vector at ψ,
 ///     p = center + r (e(ψ) ∓ φ e′(ψ)),    ψ = start ± φ,    κ = 1/(r φ),
 /// the upper signs for a right flank. The flank of a gear's tooth, convex, its material on the side of the

@@ -30,7 +30,7 @@ struct SplineFault {
   enum class Kind {
     kTooFew,     ///< fewer than degree + 1
     kRepeated,   ///< points `first` and `second` coincide
-    kTurnsBack,  ///< at point `first` the way turns by more than 150°: a cusp, or points not in their order
+    kTurnsBack,  ///< at point `first` the path turns by more than 150°: a cusp, or points not in their order
     kOpen,  ///< closed, but from the last point to the first it is `distance` [m]: `factor` largest steps
     kCusp,  ///< behind point `first` the spline stops or turns back
   } kind = Kind::kTooFew;

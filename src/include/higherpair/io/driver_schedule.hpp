@@ -81,10 +81,9 @@ public:
   /// it.
   [[nodiscard]] DriverValues at_time(double time_si, std::size_t driver) const;
 
-  /// When the drivers, on their way from the row before to `row`, pass a place: a single driver by its law of
-  /// motion, several in proportion to their way. In the profile's unit.
-  /// \param position  of a single driver, in the profile's unit;
-  /// \param share  of the way
+  /// When the drivers, on their path from the row before to `row`, pass a place: a single driver by its law
+  /// of motion, several in proportion to their path. In the profile's unit. \param position  of a single
+  /// driver, in the profile's unit; \param share  of the path
   [[nodiscard]] double passing_time(std::int64_t row, double position, double share) const;
 
   /// One driver in one row. \pre 0 <= row < size(), driver < driver_count().

@@ -10,7 +10,7 @@
 namespace higherpair {
 
 /// The path that the drivers take through the rows of a schedule: of equally spaced rows its parameter is the
-/// number of the row, of positions that are given one by one the way that the drivers have gone, in time the
+/// number of the row, of positions that are given one by one the path that the drivers have gone, in time the
 /// time [s].
 struct RowPath {
   DriverPath path;

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace higherpair {
 
@@ -35,27 +34,8 @@ enum class GrashofClass {
 /// \pre `link` is not ground.
 [[nodiscard]] bool turns_fully(const FourBar& linkage, FourBarLink link);
 
-/// An open interval of lengths; a single length where begin == end (of a change point).
-struct LengthInterval {
-  double begin = 0;  ///< [m]
-  double end = 0;    ///< [m]; infinite for kCannotClose alone
-};
-
-/// The lengths > 0 of one link for which the four-bar is of a class, given the other three (the link's own
-/// length in `linkage` is not read), in rising order. Two intervals of one class may have an end in common:
-/// that length is a change point.
-///
-/// With a <= b <= c the others, the class can change only where a sum balances: at x = b + c - a, a + c - b,
-/// |a + b - c| and a + b + c.
-/// \pre the other three lengths are finite and > 0.
-[[nodiscard]] std::vector<LengthInterval> lengths_for(const FourBar& linkage, FourBarLink link,
-                                                      GrashofClass wanted);
-
-/// The transmission angle, between the lines of coupler and rocker, at crank angle θ2: 0 to π/2 [rad]; the
-/// same in both modes; 0 at a dead point; empty where the linkage cannot be assembled.
-[[nodiscard]] std::optional<double> transmission_angle(const FourBar& linkage, double theta2);
-
-/// The crank angles mirrored at the ground link have the same transmission angles.
+/// The transmission angle is the one between the lines of coupler and rocker, 0 to π/2 [rad]: the same in
+/// both modes and at crank angles mirrored at the ground link.
 struct TransmissionRange {
   double smallest = 0;     ///< [rad]
   double largest = 0;      ///< [rad], at most π/2
@@ -64,7 +44,7 @@ struct TransmissionRange {
 };
 
 /// Extremes of the transmission angle over all angles of the crank that can be assembled: at the crank in
-/// line with the ground link, or 0 at a limit position, or π/2 on the way. Empty if there are none.
+/// line with the ground link, or 0 at a limit position, or π/2 in between. Empty if there are none.
 [[nodiscard]] std::optional<TransmissionRange> transmission_range(const FourBar& linkage);
 
 }  // namespace higherpair

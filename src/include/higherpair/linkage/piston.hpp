@@ -1,30 +1,16 @@
 #pragma once
 
-#include "higherpair/linkage/driver.hpp"
-
 namespace higherpair {
 
-/// Motion of a piston, from its outer dead centre towards the crank's pivot: a slider-crank without offset.
-struct PistonMotion {
-  double x = 0;  ///< [m]
-  double v = 0;  ///< [m/s]
-  double a = 0;  ///< [m/s²]
-};
-
-/// With θ the crank's angle from the outer dead centre, λ = r/l, q = λ sin θ, w = √(1 - q²):
-///     x = r (1 - cos θ) + l (1 - w),   dx/dθ = r sin θ (1 + λ cos θ/w).
-/// \param r  crank [m]
-/// \param l  connecting rod [m]
-/// \pre 0 < r < l.
-[[nodiscard]] PistonMotion exact_piston_motion(double r, double l, const AngleMotion& crank);
-
-/// The first two harmonics, w ≈ 1 - q²/2 by the binomial series:
-///     x = r (1 - cos θ) + r²/(2l) sin² θ,   dx/dθ = r (sin θ + r/(2l) sin 2θ),
-///     d²x/dθ² = r (cos θ + (r/l) cos 2θ).
-/// \pre r >= 0, l > 0.
-[[nodiscard]] PistonMotion harmonic_piston_motion(double r, double l, const AngleMotion& crank);
-
-/// The largest error |exact - harmonic| over a turn at constant speed, and where: also at -θ and π ± θ.
+/// A piston moves from its outer dead centre towards the crank's pivot (a slider-crank without offset). With
+/// θ the crank's angle from the outer dead centre, crank r, rod l, λ = r/l, q = λ sin θ, w = √(1 - q²),
+/// exactly
+///     x = r (1 - cos θ) + l (1 - w),   dx/dθ = r sin θ (1 + λ cos θ/w),
+/// and by its first two harmonics, w ≈ 1 - q²/2,
+///     x = r (1 - cos θ) + r²/(2l) sin² θ,   dx/dθ = r (sin θ + λ/2 sin 2θ),   d²x/dθ² = r (cos θ + λ cos
+///     2θ).
+/// This is the largest error |exact - harmonic| over a turn at constant speed, and where: also at -θ and π ±
+/// θ.
 struct HarmonicError {
   struct Largest {
     double error = 0;  ///< in units of r, rω, rω² for x, v, a

@@ -70,19 +70,6 @@ template <class T>
           T(kReachRoundings) * eps * abs(fold.half_swing) * (abs(psi.sin) + eps)};
 }
 
-/// How fast a reach changes while the ends of what closes the linkage move, in its unit per second. Where a
-/// limit is touched but not crossed (a change point), the slack and its rate vanish together.
-template <class T>
-struct ReachRate {
-  T stretch{0};
-  T fold{0};
-
-  /// d(slack)/dt: of the one of the two that is the slack.
-  [[nodiscard]] T slack(const Reach<T>& reach) const {
-    return select(reach.stretch < reach.fold, stretch, fold);
-  }
-};
-
 /// √(stretch · fold), and 0 where one of them is negative.
 template <class T>
 [[nodiscard]] T root_of(const Reach<T>& reach) {

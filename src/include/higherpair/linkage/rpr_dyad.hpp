@@ -71,14 +71,7 @@ template <class T>
   return {square, square, T(kReachRoundings) * eps * (d * (d + extent) + eps * (e * e + extent * extent))};
 }
 
-/// 2 D·Ḋ [m²/s].
-template <class T>
-[[nodiscard]] ReachRate<T> rpr_reach_rate(const Vector2<T>& D, const Vector2<T>& D_dot) {
-  const T growth = T(2) * (D.x() * D_dot.x() + D.y() * D_dot.y());
-  return {growth, growth};
-}
-
-/// What hangs between two moving pins.
+/// A link with a guide between two moving pins.
 struct RprMotion {
   struct Rates {
     double omega = 0;  ///< of the guide [rad/s]
@@ -87,11 +80,10 @@ struct RprMotion {
     double s_ddot = 0;
   };
   LinkageStatus status = LinkageStatus::kNotAssemblable;
-  Reach<double> reach;           ///< [m²]; like its rate it holds with every status
-  ReachRate<double> reach_rate;  ///< [m²/s]
-  Rotation<double> u;            ///< unit direction of the guide
-  double s = 0;                  ///< [m]
-  std::optional<Rates> rates;    ///< with kOk only
+  Reach<double> reach;         ///< [m²]; holds with every status
+  Rotation<double> u;          ///< unit direction of the guide
+  double s = 0;                ///< [m]
+  std::optional<Rates> rates;  ///< with kOk only
 };
 
 /// \param e     offset of the guide from A, with sign [m]

@@ -1,16 +1,13 @@
 #pragma once
 
 #include "higherpair/geometry/motion.hpp"
-#include "higherpair/linkage/driver.hpp"
 #include "higherpair/linkage/reach.hpp"
-
-#include <optional>
 
 namespace higherpair {
 
 /// Two links joined to each other at C, to known points A and B at their other ends: the triangle
 ///     a u_a - b u_b = D,   u_a from A to C, u_b from B to C, D = B - A,   d = |D|.
-/// Mode σ = +1: C lies left of the way from A to B.
+/// Mode σ = +1: C lies left of the line from A to B.
 ///     u_a, u_b = D/d turned to (x, y):  x_a = (d² + a² - b²)/(2da),  x_b = -(d² + b² - a²)/(2db),
 ///     y_a = σ√(stretch·fold)/(2da),     y_b = σ√(stretch·fold)/(2db),
 ///     sin of the angle from u_a to u_b = σ√(stretch·fold)/(2ab): the determinant of the closure.
@@ -90,38 +87,5 @@ template <class T>
   return {(sum - d) * (sum + d), (d - difference) * (d + difference),
           T(kReachRoundings) * eps * (d * (d + extent) + eps * sum * sum)};
 }
-
-/// d(d²)/dt = 2 D·Ḋ, with opposite signs [m²/s].
-template <class T>
-[[nodiscard]] ReachRate<T> rrr_reach_rate(const Vector2<T>& D, const Vector2<T>& D_dot) {
-  const T growth = T(2) * (D.x() * D_dot.x() + D.y() * D_dot.y());
-  return {-growth, growth};
-}
-
-/// What hangs between two moving points.
-struct RrrMotion {
-  struct Rates {
-    double omega_a = 0;  ///< [rad/s]
-    double omega_b = 0;
-    double alpha_a = 0;  ///< [rad/s²]
-    double alpha_b = 0;
-    Vector2d v_WC = Vector2d::Zero();  ///< of the joint C [m/s]
-    Vector2d a_WC = Vector2d::Zero();  ///< [m/s²]
-  };
-  LinkageStatus status = LinkageStatus::kNotAssemblable;
-  Reach<double> reach;               ///< [m²]; like its rate it holds with every status
-  ReachRate<double> reach_rate;      ///< [m²/s]
-  Rotation<double> u_a;              ///< unit direction from A to C
-  Rotation<double> u_b;              ///< unit direction from B to C
-  Vector2d p_WC = Vector2d::Zero();  ///< the joint [m]
-  std::optional<Rates> rates;        ///< with kOk only
-};
-
-/// Links of lengths a (from A) and b (from B) [m] that meet at C.
-/// kSingular: their directions are parallel to within rounding, or A and B coincide (then one of infinitely
-/// many positions is given). Near a change point this knows less than `four_bar.hpp`: |AB| alone is held
-/// against a ± b. \pre a > 0, b > 0.
-[[nodiscard]] RrrMotion rrr_dyad(const PointMotion& A, const PointMotion& B, double a, double b,
-                                 AssemblyMode mode);
 
 }  // namespace higherpair

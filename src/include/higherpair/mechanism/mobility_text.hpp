@@ -37,7 +37,7 @@ namespace higherpair {
 
 /// The same for a mechanism that a plan places with conditions left over: whether the rank has room for them.
 /// None without surplus, and for a driver and a follower that are to roll on each other: whether they can is
-/// seen along the way, and how far they slip is said then.
+/// seen along the path, and how far they slip is said then.
 [[nodiscard]] std::optional<std::string> surplus_objection(const Mechanism& mechanism, const Plan& plan,
                                                            const std::vector<double>& drivers);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/linkage/angles.hpp"
 #include "higherpair/linkage/reach.hpp"
 
 #include <array>
@@ -40,11 +41,6 @@ struct DriverRange {
                                               ///< before angles are brought into (-π, π]
 };
 
-/// The angle in [0, π] at which a line is zero: cos ψ = c is solved as tan²(ψ/2) = (1-c)/(1+c), the ratio of
-/// the values at both ends, which keeps a few roundings of ψ also near 0 and π.
-/// \pre The ends have opposite signs, or one of them is zero.
-[[nodiscard]] double root_angle(const CosineLine<double>& line);
-
 /// The range of an angle theta = centre + ψ that can be assembled iff stretch(ψ) >= 0 and fold(ψ) >= 0.
 /// stretch falls from ψ = 0 to ±π, fold rises, and their sum is positive. Limits are `root_angle`s.
 [[nodiscard]] DriverRange angle_range(const CosineLine<double>& stretch, const CosineLine<double>& fold,
@@ -56,11 +52,5 @@ struct DriverRange {
 /// The status at a driver's angle that was given in ground: the difference theta - theta1 carries a rounding
 /// of each of the two, and so more noise than the kernel, which gets it as a unit vector, can know.
 [[nodiscard]] LinkageStatus status_at_angle(Reach<double> reach, double theta, double theta1);
-
-/// `angle` brought into (-π, π] by whole turns [rad].
-[[nodiscard]] double principal_angle(double angle);
-
-/// The angle of `u` + `reference`, in (-π, π] [rad].
-[[nodiscard]] double absolute_angle(const Rotation<double>& u, double reference);
 
 }  // namespace higherpair

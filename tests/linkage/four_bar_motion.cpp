@@ -1,4 +1,4 @@
-#include "higherpair/linkage/four_bar.hpp"
+#include "linkage/four_bar_motion.hpp"
 
 #include <cassert>
 

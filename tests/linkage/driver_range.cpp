@@ -1,23 +1,10 @@
-#include "higherpair/linkage/driver.hpp"
+#include "linkage/driver_range.hpp"
 
 namespace higherpair {
 
 LinkageStatus status_at_angle(Reach<double> reach, double theta, double theta1) {
   reach.noise *= 1 + (std::abs(theta) + std::abs(theta1)) / kReachRoundings;
   return status_of(reach);
-}
-
-double principal_angle(double angle) {
-  const double turned = std::remainder(angle, 2 * kPi);
-  return turned > -kPi ? turned : kPi;
-}
-
-double absolute_angle(const Rotation<double>& u, double reference) {
-  return principal_angle(std::atan2(u.sin, u.cos) + reference);
-}
-
-double root_angle(const CosineLine<double>& line) {
-  return 2 * std::atan2(std::sqrt(std::abs(line.at_0)), std::sqrt(std::abs(line.at_pi)));
 }
 
 namespace {

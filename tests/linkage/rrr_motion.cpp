@@ -1,4 +1,4 @@
-#include "higherpair/linkage/rrr_dyad.hpp"
+#include "linkage/rrr_motion.hpp"
 
 #include "higherpair/linkage/moving_guide.hpp"
 
@@ -13,7 +13,6 @@ RrrMotion rrr_dyad(const PointMotion& A, const PointMotion& B, double a, double 
 
   RrrMotion motion;
   motion.reach = rrr_reach(D, a, b, extent_of(A.p_W, B.p_W));
-  motion.reach_rate = rrr_reach_rate(D, D_dot);
   motion.status = status_of(motion.reach);
   if (motion.status == LinkageStatus::kNotAssemblable) return motion;
 

@@ -1,0 +1,18 @@
+#include "higherpair/linkage/angles.hpp"
+
+namespace higherpair {
+
+double principal_angle(double angle) {
+  const double turned = std::remainder(angle, 2 * kPi);
+  return turned > -kPi ? turned : kPi;
+}
+
+double absolute_angle(const Rotation<double>& u, double reference) {
+  return principal_angle(std::atan2(u.sin, u.cos) + reference);
+}
+
+double root_angle(const CosineLine<double>& line) {
+  return 2 * std::atan2(std::sqrt(std::abs(line.at_0)), std::sqrt(std::abs(line.at_pi)));
+}
+
+}  // namespace higherpair
