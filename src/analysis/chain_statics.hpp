@@ -5,6 +5,9 @@
 #include "chain_vectors.hpp"
 #include "higherpair/linkage/dyad_statics.hpp"
 #include "higherpair/mechanism/build.hpp"
+#include "numeric/arctangent.hpp"
+
+#include <limits>
 
 // Inverse dynamics of a chain on one position (T = double) or on several at once (T = Pack): what acts on
 // every body, with the inertia of its motion, is carried group by group from the end of the chain to its
@@ -52,6 +55,13 @@ struct ChainEffort {
   T by_power;
 };
 
+/// How far springs go in all rows.
+template <class T>
+struct ChainReach {
+  T shortest{-std::numeric_limits<double>::infinity()};  ///< largest of the negative squared lengths
+  T widest{0};                                           ///< largest angle of a pin from that in the poses
+};
+
 /// The state of a chain's bodies in one pack of rows, and what its joints and driver do.
 template <class T>
 struct ChainBalance {
@@ -60,7 +70,8 @@ struct ChainBalance {
   DriverRates<T> rates;
   ChainWrench<T>* wrenches;     ///< of the bodies; used up
   ChainReaction<T>* reactions;  ///< of the joints: the result
-  T* shortest;                  ///< largest of the negative squared lengths of springs so far
+  T* presses;                   ///< of the contacts: how hard each presses; the result
+  ChainReach<T>* reach;         ///< of springs so far
 };
 
 template <class T>
@@ -106,7 +117,7 @@ inline void add_spring(const ChainLoads::PointSpring& spring, const ChainBalance
   const ChainPoint<T> q = chain_point<ChainRates::kVelocities>(two, spring.second.p_B);
   const Vector2<T> way = less(q.p_W, p.p_W);
   const T square = dot(way, way);
-  *in.shortest = max(*in.shortest, -square);
+  in.reach->shortest = max(in.reach->shortest, -square);
   const T length = sqrt(square);
   const Vector2<T> u = times(safe_inverse(length), way);
   const Vector2<T> force =
@@ -132,10 +143,30 @@ inline void add_spring(const ChainLoads::LineSpring& spring, const ChainBalance<
 }
 
 template <class T>
-inline void add_spring(const ChainLoads::TurnSpring& spring, const ChainBalance<T>& in) {
-  const T torque = tension_of(spring.tension, in.driver.position, in.rates.velocity);
+inline void turn(const ChainLoads::TurnSpring& spring, const T& torque, const ChainBalance<T>& in) {
   in.wrenches[spring.first].moment = in.wrenches[spring.first].moment + torque;
   in.wrenches[spring.second].moment = in.wrenches[spring.second].moment - torque;
+}
+
+template <class T>
+inline void add_spring(const ChainLoads::TurnSpring& spring, const ChainBalance<T>& in) {
+  turn(spring, tension_of(spring.tension, in.driver.position, in.rates.velocity), in);
+}
+
+// The angle is as far from that in the poses as the one turns from the other, if that is less than half a
+// turn.
+template <class T>
+inline void add_spring(const ChainLoads::PinSpring& spring, const ChainBalance<T>& in) {
+  using std::abs;
+  using std::max;
+  const ChainBody<T>& one = in.bodies[spring.on.first];
+  const ChainBody<T>& two = in.bodies[spring.on.second];
+  const Rotation<T> turned = two.R_WB * one.R_WB.inverse() * all_lanes<T>(spring.posed.inverse());
+  const T angle = arctangent(turned.sin, turned.cos);
+  in.reach->widest = max(in.reach->widest, abs(angle));
+  turn(spring.on,
+       tension_of(spring.on.tension, T(spring.posed_angle) + angle, in.rates.first(two.omega - one.omega)),
+       in);
 }
 
 template <class T>
@@ -153,6 +184,9 @@ inline void add_loads(const ChainLoads& loads, const ChainBalance<T>& in) {
     add_spring(spring, in);
   }
   for (const ChainLoads::TurnSpring& spring : loads.turn_springs) {
+    add_spring(spring, in);
+  }
+  for (const ChainLoads::PinSpring& spring : loads.pin_springs) {
     add_spring(spring, in);
   }
 }
@@ -277,7 +311,35 @@ inline void balance_group(const RprDyad& dyad, const ChainSupports& supports, co
   }
 }
 
-/// Works out what all joints and the driver do. \pre no group is an OvalContact
+/// A contact that places a body on its joint. It presses along the normal alone, by the moment about the
+/// joint's pin, or along its slide.
+template <class T>
+inline void balance_touch(const ChainTouch& touch, const ChainSupports& supports, const ChainBalance<T>& in) {
+  const ChainBody<T>& link = in.bodies[touch.link];
+  const ChainBody<T>& body = in.bodies[touch.body];
+  const OneFreedom& freedom = touch.freedom;
+  ChainWrench<T>& wrench = in.wrenches[touch.body];
+  const Vector2<T> n(link.R_WB.cos, link.R_WB.sin);
+  const Vector2<T> p_W = chain_point<ChainRates::kNone>(link, Vector2d(touch.p_x, 0)).p_W;
+  const Vector2<T> pin = arm_of(body, freedom.p_BO);
+  const Vector2<T> pin_W = sum(body.p_WB, pin);
+  const Vector2<T> along = arm_of(in.bodies[touch.carrier], freedom.direction_W);
+  const T press = freedom.turns ? -wrench.about(pin) / cross(less(p_W, pin_W), n)
+                                : -dot(wrench.force, along) / dot(n, along);
+  in.presses[touch.contact] = press;
+  const Vector2<T> N = times(press, n);
+  wrench.push(N, less(p_W, body.p_WB));
+  if (touch.known != kGround) {
+    in.wrenches[touch.known].push(times(T(-1), N), less(p_W, in.bodies[touch.known].p_WB));
+  }
+  if (freedom.turns) {
+    carry_by_pin(supports.outer[0], touch.carrier, pin_W, wrench.force, in);
+  } else {
+    carry_by_slide(supports.outer[0], touch.body, touch.carrier, along, in);
+  }
+}
+
+/// Works out what all joints, contacts and the driver do.
 template <class T>
 inline void balance_chain(std::span<const ChainGroup> groups, const ChainStatics& statics, std::size_t bodies,
                           const ChainBalance<T>& in, ChainEffort<T>& effort) {
@@ -292,7 +354,9 @@ inline void balance_chain(std::span<const ChainGroup> groups, const ChainStatics
   }
   for (std::size_t g = groups.size(); g-- > 0;) {
     const ChainSupports& supports = statics.supports[g];
-    if (const auto* rrr = std::get_if<RrrDyad>(&groups[g].kind)) {
+    if (const ChainTouch* touch = touch_of(groups[g])) {
+      balance_touch(*touch, supports, in);
+    } else if (const auto* rrr = std::get_if<RrrDyad>(&groups[g].kind)) {
       balance_group(*rrr, supports, in);
     } else if (const auto* rrp = std::get_if<RrpDyad>(&groups[g].kind)) {
       balance_group(*rrp, supports, in);
