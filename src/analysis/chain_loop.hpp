@@ -115,9 +115,12 @@ template <ChainRates kRates, int W>
 inline void fill(const ChainRowsJob& job) {
   using T = Pack<W>;
   constexpr std::size_t kPacks = kChainRows / W;
-  const std::size_t bodies = job.bodies;
+  const std::size_t bodies = job.placed.size();
   const std::size_t groups = job.groups.size();
   Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
+  for (std::size_t i = 0; i < kPacks * bodies; ++i) {
+    room[i].placed = job.placed[i % bodies] != 0;
+  }
   Room<ChainWatch<T>, kMostChainGroups> watches(groups);
   const std::size_t joints = job.statics != nullptr ? job.statics->joints : 0;
   Room<ChainReaction<T>, kPacks * kMostChainJoints> reactions(kPacks * joints);

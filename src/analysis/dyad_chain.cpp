@@ -167,6 +167,7 @@ struct DyadChain::Impl {
   double next_cost = 0;  // of the nearest of the others
   std::vector<ChainWatch<double>> watches;
   std::vector<MotionBound> bounds;
+  std::vector<char> placed;  // the bodies of which columns want more than their turning
 
   void take_poses(const Mechanism& mechanism);
   [[nodiscard]] bool redimension(const Mechanism& mechanism);
@@ -381,6 +382,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->best_modes.resize(plan.groups.size());
   impl->watches.resize(plan.groups.size());
   impl->bounds.resize(bodies);
+  impl->placed = placed_bodies(impl->groups, columns, bodies);
   const std::vector<ChainAngle> angles = angles_of(impl->groups, bodies);
   for (ChainTask& task : impl->tasks) {
     if (task.column.quantity == Quantity::kPressure || is_force(task.column.quantity)) {
@@ -409,8 +411,8 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     }
   }
   const ChainRates rates = has_ovals(own.groups) ? ChainRates::kAccelerations : own.rates;
-  fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.bodies.size(), own.plan.size,
-                   own.tasks, own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
+  fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.placed, own.plan.size, own.tasks,
+                   own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
   if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds) ||
       (own.statics && !own.knows_forces())) {
     return false;
