@@ -11,6 +11,9 @@ namespace {
 constexpr double kSafeSine = 0.02;
 // A body that turns further from one position to the next might be whole turns off.
 constexpr double kSafeTurn = 2;
+// Of the differences of a contact's forces: how far the force may fall below its rows.
+constexpr double kDip = 0.5;
+constexpr double kDipAtEnd = 4;
 
 double squared(double x) {
   return x * x;
@@ -129,7 +132,7 @@ public:
     if (!(per_q > 0)) {
       return false;
     }
-    const MotionBound& known = at(contact.known);
+    const MotionBound& known = at(contact.touch.known);
     const OneFreedom& freedom = contact.touch.freedom;
     const PointBound joint = bound_at(at(contact.touch.carrier), freedom.p_WO);
     const PointBound center = bound_at(known, contact.on_known.center_B);
@@ -182,6 +185,26 @@ bool stays_on_branches(std::span<const ChainGroup> groups, std::span<const Chain
     }
   }
   return true;
+}
+
+bool presses_throughout(std::span<const double> forces) {
+  if (forces.size() < 5) {
+    return false;
+  }
+  const std::size_t last = forces.size() - 1;
+  const auto dip = [&](std::size_t k) {
+    const double* f = &forces[k];
+    const double second = f[-1] - 2 * f[0] + f[1];
+    const double fourth = f[-2] - 4 * f[-1] + 6 * f[0] - 4 * f[1] + f[2];
+    return kDip * (std::abs(second) + std::abs(fourth));
+  };
+  // The differences next to an end are those of the third row.
+  bool presses = std::min(forces[0], forces[1]) > kDipAtEnd * dip(2) &&
+                 std::min(forces[last], forces[last - 1]) > kDipAtEnd * dip(last - 2);
+  for (std::size_t k = 2; presses && k + 2 <= last; ++k) {
+    presses = std::min({forces[k - 1], forces[k], forces[k + 1]}) > dip(k);
+  }
+  return presses;
 }
 
 }  // namespace higherpair

@@ -32,4 +32,10 @@ struct MotionBound {
                                      std::span<const ChainWatch<double>> watches, double step, double size,
                                      std::vector<MotionBound>& bounds);
 
+/// Whether a contact presses in all rows and between them, from its forces in rows at even steps. A function
+/// is off its chord by 1/8 of its second difference, which itself changes as the fourth one says; four times
+/// as much is allowed for, which covers kinks as well. Forces that change a good deal from row to row are not
+/// judged.
+[[nodiscard]] bool presses_throughout(std::span<const double> forces);
+
 }  // namespace higherpair

@@ -18,6 +18,43 @@ ChainRates rates_for(std::span<const ChainColumn> columns) {
   return rates;
 }
 
+std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<const ChainColumn> columns,
+                                std::size_t bodies) {
+  using Quantity = ChainColumn::Quantity;
+  std::vector<char> placed(bodies, 0);
+  const auto place = [&](int body) { placed[static_cast<std::size_t>(body)] = 1; };
+  for (const ChainColumn& column : columns) {
+    if (is_force(column.quantity)) {
+      return std::vector<char>(bodies, 1);
+    }
+    const bool turning = column.quantity == Quantity::kAngle || column.quantity == Quantity::kOmega ||
+                         column.quantity == Quantity::kAlpha;
+    if (!turning && column.quantity != Quantity::kPressure) {
+      place(column.body);
+    }
+  }
+  for (const ChainGroup& group : groups) {
+    if (const ChainTouch* touch = touch_of(group)) {  // of discs or ovals: another variant has the other kind
+      place(touch->link);
+      place(touch->known);
+      place(touch->carrier);
+    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
+      place(rrr->A.body);
+      place(rrr->B.body);
+    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
+      place(rrp->A.body);
+      place(rrp->line.body);
+      if (rrp->slider) {
+        place(rrp->link);
+      }
+    } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
+      place(rpr->A.body);
+      place(rpr->B.body);
+    }
+  }
+  return placed;
+}
+
 std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies) {
   std::vector<ChainAngle> angles(bodies);
   const auto at = [&](int body) -> ChainAngle& { return angles[static_cast<std::size_t>(body)]; };

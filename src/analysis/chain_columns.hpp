@@ -34,6 +34,10 @@ struct ChainTask {
 /// The rates that the columns want.
 [[nodiscard]] ChainRates rates_for(std::span<const ChainColumn> columns);
 
+/// Of which bodies more than their turning is wanted: by columns, forces, or groups that hang on them.
+[[nodiscard]] std::vector<char> placed_bodies(std::span<const ChainGroup> groups,
+                                              std::span<const ChainColumn> columns, std::size_t bodies);
+
 /// Where the angles of all bodies come from; those of riders from their carriers.
 [[nodiscard]] std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies);
 

@@ -38,7 +38,7 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
   touch.p_x = contact.on_known.along;
   const OneFreedom& freedom = touch.freedom;
   const Vector2d arm = contact.on_body.center_B - freedom.p_BO;
-  const BodyPoint A{contact.known, contact.on_known.center_B};
+  const BodyPoint A{touch.known, contact.on_known.center_B};
   if (freedom.turns) {
     if (!(arm.norm() > 0)) {
       return std::nullopt;
@@ -80,8 +80,9 @@ std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const Pla
   if (!on_known || !on_body) {
     return std::nullopt;
   }
-  const ChainTouch touch{placing.contact, link, 0, follower.body, follower.carrier, follower.freedom};
-  const OvalContact ovals{touch, known.body, *on_known, *on_body};
+  const ChainTouch touch{placing.contact, link, 0, known.body, follower.body, follower.carrier,
+                         follower.freedom};
+  const OvalContact ovals{touch, *on_known, *on_body};
   if (on_known->along == on_known->across && on_body->along == on_body->across) {
     return dyad_of_discs(ovals);
   }

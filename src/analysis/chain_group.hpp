@@ -21,6 +21,7 @@ struct ChainTouch {
   int contact = 0;  ///< index of Mechanism::contacts
   int link = 0;     ///< that body
   double p_x = 0;   ///< the contact point in its frame, on the x axis [m]
+  int known = 0;    ///< the body before it, whose outward normal that is
   int body = 0;     ///< the body that the contact places
   int carrier = 0;
   OneFreedom freedom;  ///< of it, in the carrier's frame
@@ -29,7 +30,6 @@ struct ChainTouch {
 /// A body on a joint to a known one, of which an oval touches an oval of another known body.
 struct OvalContact {
   ChainTouch touch;  ///< the contact point is its link's origin; a body that slides does so on ground
-  int known = 0;     ///< the other body
   Oval on_known;
   Oval on_body;
 };

@@ -4,6 +4,7 @@
 #include "higherpair/linkage/rpr_dyad.hpp"
 #include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
+#include "higherpair/mechanism/build.hpp"
 
 #include <limits>
 
@@ -28,6 +29,7 @@ struct ChainBody {
   Vector2<T> a_WB = Vector2<T>(T(0), T(0));
   T omega{0};
   T alpha{0};
+  bool placed = true;  ///< false: nobody wants more of it than how it turns
 };
 
 /// What the proof that no branch was left looks at, over all positions of a group.
@@ -80,9 +82,20 @@ template <ChainRates kRates, class T>
   return point;
 }
 
+template <ChainRates kRates, class T>
+[[nodiscard]] inline ChainPoint<T> chain_point(const ChainBody<T>* bodies, const BodyPoint& point) {
+  if (point.body == kGround) {
+    return {all_lanes<T>(point.p_B), Vector2<T>(T(0), T(0)), Vector2<T>(T(0), T(0))};
+  }
+  return chain_point<kRates>(bodies[point.body], point.p_B);
+}
+
 // A body whose point p_B moves as `point`.
 template <ChainRates kRates, class T>
 inline void hang(ChainBody<T>& body, const ChainPoint<T>& point, const Vector2d& p_B) {
+  if (!body.placed) {
+    return;
+  }
   const Vector2<T> r = body.R_WB * all_lanes<T>(Vector2d(-p_B));
   body.p_WB = Vector2<T>(point.p_W.x() + r.x(), point.p_W.y() + r.y());
   if constexpr (kRates >= ChainRates::kVelocities) {
@@ -134,8 +147,8 @@ template <class T>
 
 template <ChainRates kRates, class T>
 inline void solve_group(const RrrDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
-  const ChainPoint<T> A = chain_point<kRates>(bodies[dyad.A.body], dyad.A.p_B);
-  const ChainPoint<T> B = chain_point<kRates>(bodies[dyad.B.body], dyad.B.p_B);
+  const ChainPoint<T> A = chain_point<kRates>(bodies, dyad.A);
+  const ChainPoint<T> B = chain_point<kRates>(bodies, dyad.B);
   const Vector2<T> D(B.p_W.x() - A.p_W.x(), B.p_W.y() - A.p_W.y());
   const T length_a(dyad.length_a);
   const T length_b(dyad.length_b);
@@ -197,7 +210,7 @@ template <ChainRates kRates, class T>
 inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
   using std::max;
   const ChainBody<T>& carrier = bodies[dyad.line.body];
-  const ChainPoint<T> A = chain_point<kRates>(bodies[dyad.A.body], dyad.A.p_B);
+  const ChainPoint<T> A = chain_point<kRates>(bodies, dyad.A);
   const ChainPoint<T> P = chain_point<kRates>(carrier, dyad.line.p_B);
   const Rotation<T> u = carrier.R_WB * all_lanes<T>(dyad.line.u_B);
   const ChainPoint<T> seen = seen_from_line<kRates>(u, carrier, P, A);
@@ -230,8 +243,8 @@ inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, 
 template <ChainRates kRates, class T>
 inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
   using std::max;
-  const ChainPoint<T> A = chain_point<kRates>(bodies[dyad.A.body], dyad.A.p_B);
-  const ChainPoint<T> B = chain_point<kRates>(bodies[dyad.B.body], dyad.B.p_B);
+  const ChainPoint<T> A = chain_point<kRates>(bodies, dyad.A);
+  const ChainPoint<T> B = chain_point<kRates>(bodies, dyad.B);
   const Vector2<T> D(B.p_W.x() - A.p_W.x(), B.p_W.y() - A.p_W.y());
   const T offset(offset_of(dyad));
   const Reach<T> reach = rpr_reach(D, offset, T(0));

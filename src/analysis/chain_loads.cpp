@@ -1,5 +1,6 @@
 #include "chain_loads.hpp"
 
+#include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 namespace higherpair {
@@ -28,12 +29,25 @@ bool add_spring(const Mechanism& mechanism, const Spring& spring, ChainLoads& lo
          tension});
     return true;
   }
-  // An angle between two bodies is known but for whole turns; that of the driver is given.
-  if (joint.type == JointType::kRevolute && is_driven(mechanism, *spring.joint)) {
-    loads.turn_springs.push_back({joint.first.body, joint.second.body, tension});
+  if (joint.type != JointType::kRevolute) {
+    return false;
+  }
+  // An angle is known but for whole turns: that of the driver is given, a body's on ground is the one nearest
+  // to its pose when the run starts.
+  const ChainLoads::TurnSpring turn{joint.first.body, joint.second.body, tension};
+  if (is_driven(mechanism, *spring.joint)) {
+    loads.turn_springs.push_back(turn);
     return true;
   }
-  return false;
+  if (turn.first != kGround && turn.second != kGround) {
+    return false;
+  }
+  const auto posed = [&](int body) {
+    return body == kGround ? 0 : mechanism.bodies[static_cast<std::size_t>(body)].guess_theta;
+  };
+  const double angle = posed(turn.second) - posed(turn.first);
+  loads.pin_springs.push_back({turn, angle, Rotation<double>::from_angle(angle)});
+  return true;
 }
 
 bool take_loads(const Mechanism& mechanism, ChainLoads& loads) {
@@ -43,6 +57,7 @@ bool take_loads(const Mechanism& mechanism, ChainLoads& loads) {
   loads.point_springs.clear();
   loads.line_springs.clear();
   loads.turn_springs.clear();
+  loads.pin_springs.clear();
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     if (const auto& mass = mechanism.bodies[i].mass) {
       loads.masses.push_back({static_cast<int>(i), *mass});
@@ -110,7 +125,11 @@ public:
     return take(dyad.slider->body, dyad.B.body, JointType::kRevolute, supports_.outer[1]) &&
            take(dyad.link, dyad.slider->body, JointType::kPrismatic, supports_.inner);
   }
-  bool operator()(const OvalContact& /*contact*/) const { return false; }
+  bool operator()(const OvalContact& contact) const { return (*this)(contact.touch); }
+  bool operator()(const ChainTouch& touch) const {
+    return take(touch.body, touch.carrier, touch.freedom.turns ? JointType::kRevolute : JointType::kPrismatic,
+                supports_.outer[0]);
+  }
 
 private:
   bool take(int held, int other, JointType type, ChainSupport& support) const {
@@ -126,14 +145,16 @@ private:
 
 bool take_statics(const Mechanism& mechanism, const Plan& plan, std::span<const ChainGroup> groups,
                   ChainStatics& statics) {
-  if (!mechanism.contacts.empty() || !plan.idle_bodies.empty() ||
-      mechanism.joints.size() > kMostChainJoints || !take_loads(mechanism, statics.loads)) {
+  if (!plan.idle_bodies.empty() || mechanism.joints.size() > kMostChainJoints ||
+      !take_loads(mechanism, statics.loads)) {
     return false;
   }
   statics.joints = mechanism.joints.size();
+  statics.contacts = mechanism.contacts.size();
   statics.supports.assign(groups.size(), {});
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (!std::visit(TakeSupports(mechanism, plan.groups[g], statics.supports[g]), groups[g].kind)) {
+    const TakeSupports take(mechanism, plan.groups[g], statics.supports[g]);
+    if (!(groups[g].discs ? take(*groups[g].discs) : std::visit(take, groups[g].kind))) {
       return false;
     }
   }

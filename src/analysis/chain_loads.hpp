@@ -43,6 +43,12 @@ struct ChainLoads {
     int first = 0, second = 0;  ///< bodies of the joint
     Tension tension;
   };
+  /// On the coordinate of another pin.
+  struct PinSpring {
+    TurnSpring on;
+    double posed_angle = 0;  ///< that coordinate in the poses [rad]
+    Rotation<double> posed;  ///< the rotation by it
+  };
 
   Vector2d gravity_W = Vector2d::Zero();
   std::vector<Mass> masses;
@@ -50,6 +56,7 @@ struct ChainLoads {
   std::vector<PointSpring> point_springs;
   std::vector<LineSpring> line_springs;
   std::vector<TurnSpring> turn_springs;
+  std::vector<PinSpring> pin_springs;
 };
 
 /// A joint of a group, which holds a body of it.
@@ -63,7 +70,8 @@ struct ChainSupport {
 /// The joints of a group. Driven: `outer[0]` is the driven one. RRR: `outer` hold link a and b, `inner` link
 /// a. RRP: `outer[0]` holds the link, `inner` the link at C, `outer[1]` is the guide on its line; where there
 /// is no slider the link lies on that itself. RPR: `outer[0]` holds the link at A, `outer[1]` the slider at
-/// B, and `inner` is the guide that holds the link; where there is no slider B lies on it itself.
+/// B, and `inner` is the guide that holds the link; where there is no slider B lies on it itself. Contacts:
+/// `outer[0]` holds the body that the contact places.
 struct ChainSupports {
   std::array<ChainSupport, 2> outer;
   ChainSupport inner;
@@ -74,12 +82,15 @@ struct ChainStatics {
   ChainLoads loads;
   std::vector<ChainSupports> supports;  ///< of the groups
   std::size_t joints = 0;               ///< of the mechanism
-  /// Squared length of the shortest spring between points in all rows: the result of fill_chain_rows().
+  std::size_t contacts = 0;
+  /// Results of fill_chain_rows(): the squared length of the shortest spring between points in all rows, and
+  /// the largest angle of a sprung pin from that in the poses.
   double shortest2 = 0;
+  double widest = 0;
 };
 
-/// Fills it in; false where a group or a spring is not for a chain: contacts, torsion springs on other pins
-/// than the driven one, bodies whose turning nothing sets.
+/// Fills it in; false where a group or a spring is not for a chain: torsion springs on pins between two
+/// moving bodies but for the driven one, bodies whose turning nothing sets.
 /// \param groups  as chain_group() makes them of the plan
 [[nodiscard]] bool take_statics(const Mechanism& mechanism, const Plan& plan,
                                 std::span<const ChainGroup> groups, ChainStatics& statics);

@@ -61,7 +61,7 @@ template <class T>
 // -0 becomes 0, as what a joint cannot do is written elsewhere.
 template <class T>
 [[nodiscard]] inline T force_of_rows(const ChainColumn& column, const ChainReaction<T>* reactions,
-                                     const ChainEffort<T>& effort) {
+                                     const T* presses, const ChainEffort<T>& effort) {
   switch (column.quantity) {
     case Quantity::kForceX:
       return reactions[column.body].force.x() + T(0);
@@ -69,6 +69,8 @@ template <class T>
       return reactions[column.body].force.y() + T(0);
     case Quantity::kMoment:
       return reactions[column.body].moment + T(0);
+    case Quantity::kContactForce:
+      return presses[column.body] + T(0);
     case Quantity::kEffort:
       return effort.effort + T(0);
     default:
@@ -113,14 +115,19 @@ template <ChainRates kRates, int W>
 inline void fill(const ChainRowsJob& job) {
   using T = Pack<W>;
   constexpr std::size_t kPacks = kChainRows / W;
-  const std::size_t bodies = job.bodies;
+  const std::size_t bodies = job.placed.size();
   const std::size_t groups = job.groups.size();
   Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
+  for (std::size_t i = 0; i < kPacks * bodies; ++i) {
+    room[i].placed = job.placed[i % bodies] != 0;
+  }
   Room<ChainWatch<T>, kMostChainGroups> watches(groups);
   const std::size_t joints = job.statics != nullptr ? job.statics->joints : 0;
   Room<ChainReaction<T>, kPacks * kMostChainJoints> reactions(kPacks * joints);
   Room<ChainWrench<T>, kMostChainBodies> wrenches(job.statics != nullptr ? bodies : 0);
-  T shortest(-std::numeric_limits<double>::infinity());
+  const std::size_t contacts = job.statics != nullptr ? job.statics->contacts : 0;
+  Room<T, kPacks * kMostChainBodies> presses(kPacks * contacts);
+  ChainReach<T> reach;
   const ChainSchedule& schedule = job.schedule;
   for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
     std::array<ChainDriver<T>, kPacks> driver;
@@ -145,7 +152,7 @@ inline void fill(const ChainRowsJob& job) {
       for (std::size_t i = 0; i < kPacks && job.statics != nullptr; ++i) {
         balance_chain<T>(job.groups, *job.statics, bodies,
                          {room.data() + i * bodies, driver[i], rates[i], wrenches.data(),
-                          reactions.data() + i * joints, &shortest},
+                          reactions.data() + i * joints, presses.data() + i * contacts, &reach},
                          effort[i]);
       }
     }
@@ -153,7 +160,8 @@ inline void fill(const ChainRowsJob& job) {
       for (std::size_t i = 0; i < kPacks; ++i) {
         const T values =
             is_force(task.column.quantity)
-                ? force_of_rows(task.column, reactions.data() + i * joints, effort[i])
+                ? force_of_rows(task.column, reactions.data() + i * joints, presses.data() + i * contacts,
+                                effort[i])
                 : value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies);
         values.store(&task.values[k + i * W]);
       }
@@ -165,7 +173,8 @@ inline void fill(const ChainRowsJob& job) {
                       largest_lane(watches[g].far2)};
   }
   if (job.statics != nullptr) {
-    job.statics->shortest2 = -largest_lane(shortest);
+    job.statics->shortest2 = -largest_lane(reach.shortest);
+    job.statics->widest = largest_lane(reach.widest);
   }
 }
 

@@ -40,7 +40,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
   std::array<Touch<T>, kPacks> touch;
   for (std::size_t i = 0; i < kPacks; ++i) {
     const ChainBody<T>* pack = bodies + i * stride;
-    const ChainBody<T>& known = pack[contact.known];
+    const ChainBody<T>& known = pack[contact.touch.known];
     joint[i] =
         chain_point<ChainRates::kAccelerations>(pack[contact.touch.carrier], contact.touch.freedom.p_WO);
     const ChainPoint<T> center = chain_point<ChainRates::kNone>(known, contact.on_known.center_B);
@@ -61,7 +61,8 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
   numbers.begin(before);
   for (std::size_t i = 0; i < kPacks; ++i) {
     ChainBody<T>* pack = bodies + i * stride;
-    const Rates<T> rates = rates_at(contact, touch[i], guess[i].normal(), joint[i], pack[contact.known]);
+    const Rates<T> rates =
+        rates_at(contact, touch[i], guess[i].normal(), joint[i], pack[contact.touch.known]);
     place_bodies(contact, guess[i], touch[i], rates, joint[i], pack);
     const std::size_t at = 1 + i * W;
     numbers.put(at, driver[i].position, guess[i], rates);

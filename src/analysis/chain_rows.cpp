@@ -30,7 +30,7 @@ Fill widest() {
 
 void fill_chain_rows(const ChainRowsJob& job) {
   assert(job.schedule.position.size() % kChainRows == 0);
-  assert(job.bodies <= kMostChainBodies && job.groups.size() <= kMostChainGroups);
+  assert(job.placed.size() <= kMostChainBodies && job.groups.size() <= kMostChainGroups);
   static const Fill fill_widest = widest();
   fill_widest(job);
 }

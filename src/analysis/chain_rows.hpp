@@ -34,8 +34,9 @@ struct ChainRowsJob {
   std::span<const double> modes;  ///< of the groups: +1 or -1
   const ChainSchedule& schedule;
   ChainRates rates;
-  std::size_t bodies;  ///< so many, with ground and the links between discs
-  double size;         ///< of the mechanism [m]; for contacts of ovals
+  std::span<const char>
+      placed;   ///< of the bodies, with ground and the links between discs: see placed_bodies()
+  double size;  ///< of the mechanism [m]; for contacts of ovals
   std::span<ChainTask> tasks;
   std::span<ChainWatch<double>> watches;  ///< of the groups: the result for all rows
   std::span<OvalRow> ovals;         ///< of the groups: where a contact is in the first row, then the last

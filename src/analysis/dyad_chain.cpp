@@ -94,7 +94,7 @@ OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& sta
   OvalRow row;
   row.position = position;
   row.turn = body.X_WB.R_WB;
-  row.n_W = contact.first.body == of.known ? motion.at.n_W : Vector2d(-motion.at.n_W);
+  row.n_W = contact.first.body == of.touch.known ? motion.at.n_W : Vector2d(-motion.at.n_W);
   row.phi_dot = motion.rates.phi_dot;
   row.gap_q = state.groups[g].sine;
   row.gap_q_rate = state.groups[g].sine_rate;
@@ -152,7 +152,8 @@ struct DyadChain::Impl {
   double step = 0;  // the longest between two rows
   std::size_t rows = 0;
   ChainRates rates = ChainRates::kNone;  // that the columns want
-  std::vector<ChainTask> tasks;
+  std::vector<ChainTask> tasks;  // those asked for; behind them the forces of contacts that must not pull
+  std::size_t asked = 0;
   std::vector<ChainGroup> groups;         // of the plan
   std::optional<ChainStatics> statics;    // where forces are wanted
   bool needs_size = false;                // for dyads whose sine is a length, contacts, springs
@@ -166,6 +167,7 @@ struct DyadChain::Impl {
   double next_cost = 0;  // of the nearest of the others
   std::vector<ChainWatch<double>> watches;
   std::vector<MotionBound> bounds;
+  std::vector<char> placed;  // the bodies of which columns want more than their turning
 
   void take_poses(const Mechanism& mechanism);
   [[nodiscard]] bool redimension(const Mechanism& mechanism);
@@ -176,6 +178,7 @@ struct DyadChain::Impl {
   [[nodiscard]] bool take_modes(const Run& run);
   [[nodiscard]] bool take_mode_of_disc(const Run& run, std::size_t g);
   void place_as(const Run& run, const Group& group);
+  [[nodiscard]] bool knows_forces() const;
 };
 
 void DyadChain::Impl::take_poses(const Mechanism& mechanism) {
@@ -314,6 +317,21 @@ void DyadChain::Impl::place_as(const Run& run, const Group& group) {
   }
 }
 
+// Whether springs have directions and angles, and contacts press on the whole way.
+bool DyadChain::Impl::knows_forces() const {
+  const auto is_known = [&](const ChainLoads::PinSpring& spring) {
+    const auto omega = [&](int body) { return bounds[static_cast<std::size_t>(body)].omega; };
+    return statics->widest + step * (omega(spring.on.first) + omega(spring.on.second)) < kPi;
+  };
+  const auto presses = [&](const ChainTask& task) {
+    return presses_throughout(std::span(task.values).first(rows));
+  };
+  const auto& pins = statics->loads.pin_springs;
+  return statics->shortest2 >= std::pow(kShortestSpring * plan.size, 2) &&
+         std::all_of(pins.begin(), pins.end(), is_known) &&
+         std::all_of(tasks.begin() + static_cast<std::ptrdiff_t>(asked), tasks.end(), presses);
+}
+
 DyadChain::DyadChain(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 DyadChain::DyadChain(DyadChain&& other) noexcept = default;
 DyadChain& DyadChain::operator=(DyadChain&& other) noexcept = default;
@@ -342,6 +360,12 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
       !take_statics(mechanism, plan, impl->groups, impl->statics.emplace())) {
     return std::nullopt;
   }
+  impl->asked = columns.size();
+  for (std::size_t c = 0; impl->statics && c < mechanism.contacts.size(); ++c) {
+    if (!mechanism.contacts[c].both_sides) {
+      columns.push_back({static_cast<int>(c), std::nullopt, Quantity::kContactForce});
+    }
+  }
   for (const ChainColumn& column : columns) {
     impl->tasks.push_back(
         {column, Vector2d::Zero(), {}, {}, std::vector<double>(impl->schedule.position.size())});
@@ -358,6 +382,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->best_modes.resize(plan.groups.size());
   impl->watches.resize(plan.groups.size());
   impl->bounds.resize(bodies);
+  impl->placed = placed_bodies(impl->groups, columns, bodies);
   const std::vector<ChainAngle> angles = angles_of(impl->groups, bodies);
   for (ChainTask& task : impl->tasks) {
     if (task.column.quantity == Quantity::kPressure || is_force(task.column.quantity)) {
@@ -386,10 +411,10 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     }
   }
   const ChainRates rates = has_ovals(own.groups) ? ChainRates::kAccelerations : own.rates;
-  fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.bodies.size(), own.plan.size,
-                   own.tasks, own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
+  fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.placed, own.plan.size, own.tasks,
+                   own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
   if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds) ||
-      (own.statics && !(own.statics->shortest2 >= std::pow(kShortestSpring * own.plan.size, 2)))) {
+      (own.statics && !own.knows_forces())) {
     return false;
   }
   for (ChainTask& task : own.tasks) {

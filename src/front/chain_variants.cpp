@@ -80,6 +80,11 @@ std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::s
       return NamedColumn{{index, std::nullopt, Quantity::kMoment}, dimension::kTorque};
     }
   }
+  for (std::size_t c = 0; c < mechanism.contacts.size(); ++c) {
+    if (name == mechanism.contacts[c].name + ".force") {
+      return NamedColumn{{static_cast<int>(c), std::nullopt, Quantity::kContactForce}, dimension::kForce};
+    }
+  }
   const Driver& driver = mechanism.drivers.front();
   const std::string prefix = driver.name.empty() ? "driver" : "driver." + driver.name;
   const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;

@@ -29,10 +29,11 @@ template <class T>
   const auto wide = low > T(kTanEighth) * high;
   const T t = select(wide, low - high, low) / select(wide, low + high, high);
   const T z = t * t;
-  T p = T(kP[10]);
-  for (int k = 9; k >= 0; --k) {
-    p = p * z + T(kP[static_cast<std::size_t>(k)]);
-  }
+  // By pairs, which do not wait for each other.
+  const auto pair = [&](std::size_t k) { return T(kP[k]) + T(kP[k + 1]) * z; };
+  const T z2 = z * z;
+  const T z4 = z2 * z2;
+  const T p = (pair(0) + pair(2) * z2) + ((pair(4) + pair(6) * z2) + (pair(8) + T(kP[10]) * z2) * z4) * z4;
   // The angle is base + s (t + rest), each octant with its base, a multiple of π/4.
   const T tail = t * z * p;
   const auto left = x < T(0);

@@ -1,8 +1,10 @@
 // Rows of linkages in closed form: where they are proven they are those of a run that follows the motion.
 #include "analysis/chain_testing.hpp"
+#include "analysis/random_cam.hpp"
 #include "analysis/random_mechanism.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -116,6 +118,37 @@ TEST(DyadChain, LinksWithoutLengthAndFarOriginsAreNotProven) {
   }
   EXPECT_FALSE(chain->solve(far));
   EXPECT_TRUE(chain->solve(mechanism));
+}
+
+// Every column alone, which leaves out what only the others need, to the last bit.
+void compare_columns(const Mechanism& mechanism, const std::vector<DriverMotion>& rows) {
+  const auto plan = make_plan(mechanism);
+  const auto columns = all_columns(mechanism);
+  auto chain = DyadChain::of(mechanism, *plan, rows, columns);
+  if (!chain || !chain->solve(mechanism)) {
+    return;
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    auto alone = DyadChain::of(mechanism, *plan, rows, {columns[i]});
+    ASSERT_TRUE(alone && alone->solve(mechanism));
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      ASSERT_EQ(alone->values(0)[k], chain->values(i)[k]) << "row " << k << " of column " << i;
+    }
+  }
+}
+
+TEST(DyadChain, AColumnIsTheSameWhateverElseIsAskedFor) {
+  constexpr std::array kDyads{RandomGroup::kRrr, RandomGroup::kRrp, RandomGroup::kRrpS, RandomGroup::kRpr,
+                              RandomGroup::kRprS};
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomMechanism made = RandomBuilder(seed, 8, kDyads).build();
+    compare_columns(made.mechanism, turn(made.start, 0.4, 20));
+    const Mechanism cam =
+        RandomCam(seed, 1).build(seed % 2 == 0 ? CamShape::kDisc : CamShape::kOval, CamShape::kDisc);
+    const bool turns = cam.joints[0].type == JointType::kRevolute;
+    compare_columns(cam, turn(turns ? cam.bodies[1].guess_theta : 0.0, turns ? 0.3 : 0.05, 20));
+  }
 }
 
 TEST(DyadChain, IsOnlyForOneDriverAndDyadsWithoutContactsAndEnds) {

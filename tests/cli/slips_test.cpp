@@ -17,6 +17,7 @@ using higherpair::testing::ProgramTest;
 using higherpair::testing::read_file;
 using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -65,6 +66,48 @@ TEST_F(Slips, AnInputOfVerifyIsNotWrittenTo) {
   EXPECT_EQ(run("verify p.toml table.csv --json p.toml").code, 2);
   EXPECT_EQ(read_file(folder_ / "table.csv"), "driver[deg]\n0\n");
   EXPECT_EQ(read_file(profile_), text_);
+}
+
+// By whatever name: pictures and pages have to be named for what they are.
+TEST_F(Slips, AnOutputThatTheProfileReadsIsRefusedByEveryCommand) {
+  copy_profiles({"spline_cam"});
+  fs::copy_file(shipped_profile("spline_cam.csv"), folder_ / "spline_cam.csv");
+  for (const char* link : {"link.svg", "link.html", "link.toml", "link.h5"}) {
+    fs::create_symlink("spline_cam.csv", folder_ / link);
+  }
+  std::ofstream(folder_ / "table.csv") << "driver[deg],follower.angle[deg]\n0,0\n";
+  const std::string points = file("spline_cam.csv");
+  for (const std::string arguments : {"analyze spline_cam.toml --csv spline_cam.csv",
+                                      "step spline_cam.toml --json spline_cam.csv",
+                                      "forces spline_cam.toml --hdf5 link.h5",
+                                      "analyze spline_cam.toml --events spline_cam.csv",
+                                      "branches spline_cam.toml --csv spline_cam.csv",
+                                      "mobility spline_cam.toml --json spline_cam.csv",
+                                      "check spline_cam.toml --csv spline_cam.csv",
+                                      "map spline_cam.toml --csv spline_cam.csv",
+                                      "map spline_cam.toml -o link.svg",
+                                      "draw spline_cam.toml -o link.svg",
+                                      "plot spline_cam.toml --y follower.alpha -o link.svg",
+                                      "polygon spline_cam.toml --at 30 -o link.svg",
+                                      "export spline_cam.toml --curve cam.outline -o spline_cam.csv",
+                                      "report spline_cam.toml -o link.html",
+                                      "sensitivity spline_cam.toml --json spline_cam.csv",
+                                      "sensitivity spline_cam.toml --rows spline_cam.csv",
+                                      "fit spline_cam.toml table.csv -o link.toml",
+                                      "fit spline_cam.toml table.csv -o o --csv spline_cam.csv",
+                                      "design spline_cam.toml -o link.toml",
+                                      "design spline_cam.toml -o o --report link.html",
+                                      "sweep spline_cam.toml -o spline_cam.csv",
+                                      "verify spline_cam.toml table.csv --json spline_cam.csv"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err,
+                AnyOf(HasSubstr(" is a file that the profile reads; give the output a name of its own"),
+                      HasSubstr("built without HDF5")))
+        << arguments;
+    EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+    EXPECT_EQ(file("spline_cam.csv"), points) << arguments;
+  }
 }
 
 TEST_F(Slips, StandardOutputThatGoesIntoTheProfileIsRefused) {

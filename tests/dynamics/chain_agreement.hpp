@@ -2,7 +2,9 @@
 
 #include "analysis/chain_testing.hpp"
 #include "geometry/geometry_testing.hpp"
+#include "higherpair/dynamics/contact_forces.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/mechanism/build.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +40,9 @@ inline std::vector<ChainColumn> force_columns(const Mechanism& mechanism) {
       columns.push_back({j, std::nullopt, Q::kMoment});
     }
   }
+  for (int c = 0; c < static_cast<int>(mechanism.contacts.size()); ++c) {
+    columns.push_back({c, std::nullopt, Q::kContactForce});
+  }
   columns.push_back({0, std::nullopt, Q::kEffort});
   columns.push_back({0, std::nullopt, Q::kEffortByPower});
   return columns;
@@ -46,6 +51,9 @@ inline std::vector<ChainColumn> force_columns(const Mechanism& mechanism) {
 /// NaN where it is not defined.
 inline double force_of(const ChainColumn& column, const Reactions& reactions) {
   using Q = ChainColumn::Quantity;
+  if (column.quantity == Q::kContactForce) {
+    return reactions.contacts[static_cast<std::size_t>(column.body)].force.value_or(NAN);
+  }
   const JointReaction& joint = reactions.joints[static_cast<std::size_t>(column.body)];
   const DriverEffort& driver = reactions.drivers.front();
   switch (column.quantity) {
@@ -124,6 +132,13 @@ inline std::string objection(const Run& run) {
   return "";
 }
 
+/// Whether a contact opens on the way, in a row or between two.
+inline bool a_contact_opens(const Run& start, const std::vector<DriverMotion>& rows) {
+  const DriverPath path = straight_path({rows.front()}, {rows.back()}, static_cast<double>(rows.size() - 1));
+  return !start.mechanism().contacts.empty() && !follow_contact_forces(start, path).openings.empty();
+}
+
+/// \param rows  on a straight way, if there are contacts and forces are wanted
 inline ChainAgreement agreement(const Mechanism& mechanism, const std::vector<DriverMotion>& rows,
                                 bool forces) {
   ChainAgreement result;
@@ -149,6 +164,7 @@ inline ChainAgreement agreement(const Mechanism& mechanism, const std::vector<Dr
   std::optional<InverseDynamics> dynamics;
   if (forces) {
     dynamics.emplace(*run);
+    result.broken = a_contact_opens(*run, rows) ? "a contact that opens" : "";
   }
   std::array<KindError, 4> errors;
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -168,6 +184,28 @@ inline ChainAgreement agreement(const Mechanism& mechanism, const std::vector<Dr
   // A driver that moves at about 1 has about that much rounding wherever what it moves stands.
   result.errors = {errors[0].ulps(1), errors[1].ulps(1), errors[2].ulps(1), errors[3].ulps(0)};
   return result;
+}
+
+inline double first_contact_force(const Mechanism& mechanism, const DriverMotion& driver) {
+  auto run = start_run(make_run_model(mechanism, *make_plan(mechanism)), {driver.position});
+  if (!run) {
+    return NAN;
+  }
+  move_to(*run, {driver});
+  return InverseDynamics(*run).solve(*run).contacts.front().force.value_or(NAN);
+}
+
+/// A load on a cam's follower with which the contact presses in the first row, mostly: by as much as is
+/// asked.
+inline void press_follower(Mechanism& mechanism, const DriverMotion& driver, double force, Random& random) {
+  const double before = first_contact_force(mechanism, driver);
+  Load load{"press", 2, random.vector(0.5), random.vector(1), 1, LoadFrame::kGround};
+  mechanism.loads.push_back(load);
+  const double factor = (force - before) / (first_contact_force(mechanism, driver) - before);
+  if (std::abs(factor) <= 1e4) {
+    mechanism.loads.back().force *= factor;
+    mechanism.loads.back().torque *= factor;
+  }
 }
 
 /// Masses, loads, springs and dampers of which forces of a chain can be worked out: on every body something.
@@ -195,10 +233,11 @@ inline void add_random_loads(Mechanism& mechanism, Random& random) {
                                    random.between(5, 50), random.between(0, 1), chance() ? 2.5 : 0.0});
     }
   }
-  const int driven = mechanism.drivers.front().joint;
   for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
     const JointType type = mechanism.joints[static_cast<std::size_t>(j)].type;
-    if (chance() && (j == driven || type == JointType::kPrismatic || type == JointType::kSlot)) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(j)];
+    const bool grounded = joint.first.body == kGround || joint.second.body == kGround;
+    if (chance() && (grounded || type == JointType::kPrismatic || type == JointType::kSlot)) {
       mechanism.springs.push_back({fmt::format("j{}", j),
                                    j,
                                    {},

@@ -1,11 +1,13 @@
-// Forces of linkages worked out many rows at a time: those of a run that follows the motion and solves its
-// balance by factorised matrices.
+// Forces of linkages and cams worked out many rows at a time: those of a run that follows the motion and
+// solves its balance by factorised matrices.
+#include "analysis/random_cam.hpp"
 #include "analysis/random_mechanism.hpp"
 #include "dynamics/chain_agreement.hpp"
 
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -138,10 +140,130 @@ TEST(ChainForces, AreOnlyForLoadsThatTheyKnow) {
   mechanism.springs.push_back({"on the guide", 3, {}, {}, 10, 0, 0});
   mechanism.springs.push_back({"on the driven pin", 0, {}, {}, 10, 0, 0});
   EXPECT_TRUE(has_forces(mechanism));
-  mechanism.springs.push_back({"on another pin", 2, {}, {}, 10, 0, 0});
+  mechanism.springs.push_back({"between two links", 2, {}, {}, 10, 0, 0});
   EXPECT_FALSE(has_forces(mechanism));
-  const RandomMechanism touching = RandomBuilder(3, 4, std::array{RandomGroup::kTouching}).build();
-  EXPECT_FALSE(has_forces(touching.mechanism));
+}
+
+// Links a, b, c, the ground d: with a torsion spring on the pin between c and ground.
+Mechanism sprung_four_bar(double a, double b, double c, double d) {
+  Builder bar;
+  const int crank = bar.body("crank", {0, 0}, 0), coupler = bar.body("coupler", {a, 0}, 0);
+  const double x = ((d - a) * (d - a) + b * b - c * c) / (2 * (d - a));
+  const Vector2d B(a + x, std::sqrt(b * b - x * x));
+  const int rocker = bar.body("rocker", {d, 0}, 0.3);
+  bar.drive(bar.revolute(0, crank, {0, 0}));
+  bar.revolute(crank, coupler, {a, 0});
+  bar.revolute(coupler, rocker, B);
+  const int pivot = bar.revolute(rocker, 0, {d, 0});
+  bar.mechanism.springs.push_back({"return", pivot, {}, {}, 7, 0.2, 0.3});
+  return bar.mechanism;
+}
+
+// The angle of a pin is known but for whole turns, which a rocker does not make.
+TEST(ChainForces, OfATorsionSpringOnARockersPinAreThoseOfARun) {
+  const auto rows = turn(0, 2 * kPi, 91);
+  const ChainAgreement rocks = agreement(sprung_four_bar(1, 4, 3, 5), rows, true);
+  EXPECT_EQ(rocks.outcome, Outcome::kProven);
+  EXPECT_AT_MOST(rocks.errors.force, 100);
+  const Mechanism turning = sprung_four_bar(4, 3.5, 3.7, 1.2);
+  EXPECT_EQ(agreement(turning, rows, false).outcome, Outcome::kProven);
+  EXPECT_EQ(agreement(turning, rows, true).outcome, Outcome::kNotProven);
+}
+
+Counts compare_cams(CamShape cam, CamShape follower, unsigned count) {
+  Counts counts;
+  for (unsigned seed = 1; seed <= count; ++seed) {
+    Mechanism mechanism = RandomCam(seed, 1).build(cam, follower);
+    const bool turns = mechanism.joints[0].type == JointType::kRevolute;
+    const auto rows = turn(turns ? mechanism.bodies[1].guess_theta : 0.0, turns ? 0.3 : 0.05, 15 + seed % 20);
+    Random random(seed);
+    add_random_loads(mechanism, random);
+    press_follower(mechanism, rows.front(), random.between(-5, 100), random);
+    const ChainAgreement agrees = agreement(mechanism, rows, true);
+    EXPECT_NE(agrees.outcome, Outcome::kNoChain) << "seed " << seed;
+    EXPECT_EQ(agrees.broken, "") << "seed " << seed;
+    counts.proven += agrees.outcome == Outcome::kProven ? 1 : 0;
+    counts.worst.force = std::max(counts.worst.force, agrees.errors.force);
+  }
+  return counts;
+}
+
+TEST(ChainForces, OfContactsAreThoseOfARun) {
+  for (const auto& [cam, follower] :
+       {std::pair{CamShape::kDisc, CamShape::kDisc}, std::pair{CamShape::kDisc, CamShape::kEdge},
+        std::pair{CamShape::kEdge, CamShape::kOval}, std::pair{CamShape::kOval, CamShape::kDisc},
+        std::pair{CamShape::kOval, CamShape::kOval}}) {
+    SCOPED_TRACE(static_cast<int>(cam) * 10 + static_cast<int>(follower));
+    const Counts counts = compare_cams(cam, follower, 150);
+    EXPECT_GT(counts.proven, 50);
+    EXPECT_AT_MOST(counts.worst.force, 1e5);
+  }
+}
+
+// A roller straight above an eccentric disc that turns about (0, 0), pressed down by `force` and its inertia.
+struct Tappet {
+  double e = 0.01, reach = 0.05, force = 300, mass = 0;
+
+  [[nodiscard]] Mechanism mechanism() const {
+    Builder b;
+    const int cam = b.body("cam", {0, 0}, 0), tappet = b.body("tappet", {0, 0}, 0);
+    const double y = std::sqrt(reach * reach - e * e);
+    b.drive(b.revolute(0, cam, {0, 0}));
+    b.prismatic(0, tappet, {0, y}, {0, 1}, y);
+    b.contact(b.circle(cam, {e, 0}, 0.6 * reach), b.circle(tappet, {0, y}, 0.4 * reach));
+    b.mechanism.loads.push_back({"spring", tappet, Vector2d(0, y), Vector2d(0, -force), 0, {}});
+    b.mechanism.bodies[static_cast<std::size_t>(tappet)].mass = MassProperties{mass, Vector2d(0, y), 0};
+    return b.mechanism;
+  }
+};
+
+// y = e sin θ + √(r² - e² cos² θ); the normal is inclined by φ with r sin φ = e cos θ.
+TEST(ChainForces, OfATappetAreThoseOfTheTextbook) {
+  const Tappet tappet;
+  const auto rows = turn(0, 2 * kPi, 73);
+  const Mechanism mechanism = tappet.mechanism();
+  auto chain = DyadChain::of(mechanism, *make_plan(mechanism), rows,
+                             {{0, std::nullopt, Quantity::kContactForce},
+                              {0, std::nullopt, Quantity::kEffort},
+                              {0, std::nullopt, Quantity::kEffortByPower},
+                              {1, std::nullopt, Quantity::kForceX},
+                              {1, std::nullopt, Quantity::kForceY},
+                              {0, std::nullopt, Quantity::kForceY}});
+  ASSERT_TRUE(chain && chain->solve(mechanism));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double s = std::sin(rows[k].position), c = std::cos(rows[k].position);
+    const double tangent =
+        tappet.e * c / std::sqrt(tappet.reach * tappet.reach - tappet.e * tappet.e * c * c);
+    const double slope = tappet.e * c + tangent * tappet.e * s;
+    ASSERT_NEAR(chain->values(0)[k], tappet.force * std::hypot(1, tangent), 1e-11);
+    ASSERT_NEAR(chain->values(1)[k], tappet.force * slope, 1e-13);
+    ASSERT_NEAR(chain->values(2)[k], tappet.force * slope, 1e-13);
+    ASSERT_NEAR(chain->values(3)[k], tappet.force * tangent, 1e-12);
+    ASSERT_EQ(chain->values(4)[k], 0);
+    ASSERT_NEAR(chain->values(5)[k], tappet.force, 1e-11);
+  }
+}
+
+// At the top, where it is pulled down most, and that between two rows.
+TEST(ChainForces, OfAContactThatOpensBetweenTwoRowsAreNotProven) {
+  Tappet tappet;
+  tappet.force = 0;
+  tappet.mass = 1;
+  const auto rows = turn(0.02, 2 * kPi, 61);
+  Mechanism mechanism = tappet.mechanism();
+  const auto run = start_run(make_run_model(mechanism, *make_plan(mechanism)), {rows.front().position});
+  ASSERT_TRUE(run);
+  const DriverPath path = straight_path({rows.front()}, {rows.back()}, 60);
+  const double pull = -follow_contact_forces(*run, path).lowest.front()->force;
+  ASSERT_GT(pull, 0);
+  for (const double share : {0.5, 0.99, 0.999999, 1.000001, 1.05, 2.0}) {
+    SCOPED_TRACE(share);
+    tappet.force = pull * share;
+    const ChainAgreement agrees = agreement(tappet.mechanism(), rows, true);
+    EXPECT_EQ(agrees.outcome, share > 1.04 ? Outcome::kProven : Outcome::kNotProven);
+    EXPECT_EQ(agrees.broken, "");
+    EXPECT_EQ(agreement(tappet.mechanism(), rows, false).outcome, Outcome::kProven);
+  }
 }
 
 // Such a spring has no direction but that of rounding.

@@ -301,6 +301,37 @@ mean  = { column = "touch.pressure", of = "mean" }
   EXPECT_GT(ovals.plain.good, 30);
 }
 
+// Contacts of some variants open: a spring that is too weak for the inertia of the arm.
+TEST(ChainSweep, ForcesOfContactsComeOutAsFollowedOnes) {
+  const std::string arm = R"(
+[springs]
+back = { joint = "follower_pivot", stiffness = 900, free_angle = 0, damping = 2 }
+[sweep]
+method = "sobol"
+count  = 24
+[sweep.variables]
+m = { path = "bodies.follower.mass", min = 0.1, max = 0.3 }
+k = { path = "springs.back.stiffness", min = 20, max = 500 }
+[sweep.results]
+press  = { column = "touch.force", of = "max", where = true }
+least  = { column = "touch.force", of = "min" }
+torque = { column = "driver.effort", of = "maxabs" }
+check  = { column = "driver.effort_check", of = "rms" }
+pin    = { column = "follower_pivot.fx", of = "min", where = true }
+crank  = { column = "cam_pivot.fy", of = "at", at = 36 }
+)";
+  const std::vector<std::string> settings{
+      "driver.samples=91", "driver.velocity=\"1000 rpm\"", "bodies.follower.mass=0.2",
+      "bodies.follower.center_of_mass=[-40, 3]", "bodies.follower.inertia=50"};
+  for (const std::string profile : {"eccentric_disc_oscillating_roller", "ellipse_cam_roller"}) {
+    SCOPED_TRACE(profile);
+    const Sweeps sweeps = sweeps_of(shipped_text(profile) + arm, settings);
+    expect_same(sweeps);
+    EXPECT_GT(sweeps.plain.good, 4);
+    EXPECT_LT(sweeps.plain.good, 24);
+  }
+}
+
 // Loads, angles and lengths of other things than points: read, but not followed.
 TEST(ChainSweep, AnyNumberOfABodyMayVary) {
   expect_same(sweeps_of(shipped_text("slider_crank") + R"(

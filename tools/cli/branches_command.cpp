@@ -38,10 +38,11 @@ int branches_command(const BranchesOptions& options) {
                "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");
     return kExitInput;
   }
-  const auto report =
-      open_model(options.profile, options.overrides, options.quiet).and_then([&](const Model& model) {
-        return branches_of(model, {options.certify, options.tolerance});
-      });
+  const auto report = open_model(options.profile, options.overrides, options.quiet,
+                                 given({{"--csv", options.csv}, {"--json", options.json}}))
+                          .and_then([&](const Model& model) {
+                            return branches_of(model, {options.certify, options.tolerance});
+                          });
   return report ? write_all(options, *report) : report_error(report.error());
 }
 

@@ -56,7 +56,8 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
 }
 
 int check_command(const CheckOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model = open_model(options.profile, options.overrides, options.quiet,
+                                given({{"--csv", options.csv}, {"--json", options.json}}));
   if (!model) {
     return report_error(model.error());
   }

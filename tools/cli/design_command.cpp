@@ -40,9 +40,8 @@ std::vector<FileText> profiles_of(const DesignReport& report, const DesignComman
 }
 
 std::vector<NamedFile> outputs_of(const DesignCommandOptions& options) {
-  std::vector<NamedFile> outputs = {{"--output", options.output}};
-  if (options.json) outputs.push_back({"--json", *options.json});
-  if (options.page) outputs.push_back({"--report", *options.page});
+  std::vector<NamedFile> outputs =
+      given({{"--output", options.output}, {"--json", options.json}, {"--report", options.page}});
   for (int k = 2; k <= options.best; ++k) {
     outputs.push_back({fmt::format("--best {}", k), numbered(options.output, k)});
   }
@@ -165,12 +164,9 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
 
 int design_command(const DesignCommandOptions& options) {
   listen_to_signals();
-  const auto model = open_model(options.profile, {}, options.quiet);
+  const auto model = open_model(options.profile, {}, options.quiet, outputs_of(options));
   if (!model) {
     return report_error(model.error());
-  }
-  if (is_read_by(*model, outputs_of(options))) {
-    return kExitInput;
   }
   Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".searches", "search");
   std::vector<DesignSearchEnd> known;

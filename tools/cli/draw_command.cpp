@@ -78,7 +78,8 @@ int draw_command(const DrawOptions& options) {
   if (!layers) {
     return report_error(layers.error());
   }
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model =
+      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }

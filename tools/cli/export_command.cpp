@@ -166,7 +166,8 @@ CLI::App* add_export_command(CLI::App& app, ExportOptions& options) {
 }
 
 int export_command(const ExportOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model =
+      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }

@@ -21,6 +21,10 @@ std::string share_objection(const std::string& text) {
   return good ? "" : "'" + text + "' is no share between 0 and 1, such as 0.95";
 }
 
+std::vector<NamedFile> outputs_of(const FitCommandOptions& options) {
+  return given({{"--output", options.output}, {"--json", options.json}, {"--csv", options.csv}});
+}
+
 void check_files(const FitCommandOptions& options) {
   if (options.curve && !options.measured.empty()) {
     throw CLI::ValidationError("--curve", "FILE has the points: no second file is read");
@@ -36,11 +40,7 @@ void check_files(const FitCommandOptions& options) {
   }
   std::vector<NamedFile> inputs = {{"FILE", options.input}};
   if (!options.measured.empty()) inputs.push_back({"MEASURED", options.measured});
-  std::vector<NamedFile> outputs;
-  if (options.output) outputs.push_back({"--output", *options.output});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  if (options.csv) outputs.push_back({"--csv", *options.csv});
-  refuse_shared_files(inputs, outputs);
+  refuse_shared_files(inputs, outputs_of(options));
 }
 
 void refuse_with_curve(const FitCommandOptions& options) {
@@ -158,7 +158,7 @@ int fit_command(const FitCommandOptions& options) {
   if (options.curve) {
     return fit_points(options);
   }
-  const auto model = open_model(options.input, {}, options.quiet);
+  const auto model = open_model(options.input, {}, options.quiet, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }

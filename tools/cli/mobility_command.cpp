@@ -37,9 +37,9 @@ CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
 
 int mobility_command(const MobilityOptions& options) {
   const auto findings =
-      open_model(options.profile, options.overrides, options.quiet).and_then([&](const Model& model) {
-        return mobility_of(model, options.tolerance);
-      });
+      open_model(options.profile, options.overrides, options.quiet,
+                 given({{"--csv", options.csv}, {"--json", options.json}}))
+          .and_then([&](const Model& model) { return mobility_of(model, options.tolerance); });
   if (!findings) {
     return report_error(findings.error());
   }

@@ -1,16 +1,14 @@
 #include "output_options.hpp"
 
 #include "hdf5_file.hpp"
-#include "higherpair/front/model.hpp"
+#include "higherpair/higherpair.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
 
-#include <cstdio>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 namespace higherpair::cli {
 
@@ -48,16 +46,24 @@ void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector
   }
 }
 
-bool is_read_by(const Model& model, const std::vector<NamedFile>& outputs) {
+std::vector<NamedFile> given(std::initializer_list<OptionalFile> files) {
+  std::vector<NamedFile> all;
+  for (const OptionalFile& file : files) {
+    if (file.path) all.push_back({file.name, *file.path});
+  }
+  return all;
+}
+
+std::optional<Error> refused_output(const Model& model, const std::vector<NamedFile>& outputs) {
   for (const std::string& file : model.profile().files) {
     for (const NamedFile& output : outputs) {
       if (is_direct(output.path) || !is_same_file(file, output.path)) continue;
-      fmt::print(stderr, "{}: {} is a file that the profile reads; give the output a name of its own\n",
-                 output.name, output.path);
-      return true;
+      return Error{ErrorKind::kInput,
+                   {about(output.name, output.path + " is a file that the profile reads; give the output a "
+                                                     "name of its own")}};
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 void refuse_missing_folder(const NamedFile& output) {
@@ -89,9 +95,7 @@ void add_output_options(CLI::App& command, const std::string& profile, const Out
   command.add_option("--json", json.path,
                      "write " + json.what + " as JSON to this file (-: standard output)");
   command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path, picture, events, hdf5] {
-    std::vector<NamedFile> outputs;
-    if (csv_path) outputs.push_back({"--csv", *csv_path});
-    if (json_path) outputs.push_back({"--json", *json_path});
+    std::vector<NamedFile> outputs = given({{"--csv", csv_path}, {"--json", json_path}});
     if (hdf5 != nullptr && *hdf5) {
       check_hdf5(**hdf5);
       outputs.push_back({"--hdf5", **hdf5});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,8 @@ class App;
 
 namespace higherpair {
 class Model;
-}
+struct Error;
+}  // namespace higherpair
 
 namespace higherpair::cli {
 
@@ -41,9 +43,17 @@ struct NamedFile {
 /// writing would destroy what was to be read. Devices and pipes may be named twice.
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Whether one of the outputs is a file that the profile reads (points, tables, outlines), which is said on
-/// standard error.
-[[nodiscard]] bool is_read_by(const Model& model, const std::vector<NamedFile>& outputs);
+/// A file of an option that need not be given.
+struct OptionalFile {
+  const char* name;
+  const std::optional<std::string>& path;
+};
+
+/// Those that are.
+[[nodiscard]] std::vector<NamedFile> given(std::initializer_list<OptionalFile> files);
+
+/// What is wrong where one of the outputs is a file that the profile reads: points, tables, outlines.
+[[nodiscard]] std::optional<Error> refused_output(const Model& model, const std::vector<NamedFile>& outputs);
 
 /// Throws CLI::ValidationError where the folder of a file is not there: before hours are spent on what is to
 /// be written.

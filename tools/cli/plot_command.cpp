@@ -36,7 +36,8 @@ CLI::App* add_plot_command(CLI::App& app, PlotOptions& options) {
 }
 
 int plot_command(const PlotOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model =
+      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }

@@ -39,7 +39,8 @@ CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
 }
 
 int polygon_command(const PolygonOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model =
+      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }

@@ -73,7 +73,7 @@ CLI::App* add_report_command(CLI::App& app, ReportOptions& options) {
 
 int report_command(const ReportOptions& options) {
   listen_to_signals();
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model = open_model(options.profile, options.overrides, options.quiet, {{"-o", options.output}});
   if (!model) {
     return report_error(model.error());
   }

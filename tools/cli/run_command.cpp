@@ -237,16 +237,25 @@ void print_notes(const Diagnostics& notes, bool quiet) {
   }
 }
 
-Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides, bool quiet) {
+Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides, bool quiet,
+                         const std::vector<NamedFile>& outputs) {
   auto model = Model::open(path, overrides);
-  if (model) {
-    print_notes(model->notes(), quiet);
+  if (!model) {
+    return model;
   }
+  if (auto refused = refused_output(*model, outputs)) {
+    return tl::unexpected(*std::move(refused));
+  }
+  print_notes(model->notes(), quiet);
   return model;
 }
 
 int run_command(const RunOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model = open_model(options.profile, options.overrides, options.quiet,
+                                given({{"--csv", options.csv},
+                                       {"--json", options.json},
+                                       {"--hdf5", options.hdf5},
+                                       {"--events", options.events}}));
   if (!model) {
     return report_error(model.error());
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/higherpair.hpp"
+#include "output_options.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -42,9 +43,10 @@ struct RunOptions {
 /// Prints notes on standard error, unless `quiet`.
 void print_notes(const Diagnostics& notes, bool quiet);
 
-/// The model of a profile file, its notes printed unless `quiet`.
+/// The model of a profile file, its notes printed unless `quiet`. \param outputs  what is to be written,
+/// which must be no file that the profile reads
 [[nodiscard]] Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides,
-                                       bool quiet);
+                                       bool quiet, const std::vector<NamedFile>& outputs);
 
 /// Prints what happened on the path on standard error.
 void print_events(const std::vector<Event>& events, const Model& model);

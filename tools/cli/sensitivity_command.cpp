@@ -127,11 +127,12 @@ int write(const SensitivityOptions& options, const Model& model, const Sensitivi
   return findings.report.good && kept ? kExitOk : kExitRows;
 }
 
+std::vector<NamedFile> outputs_of(const SensitivityOptions& options) {
+  return given({{"--csv", options.csv}, {"--json", options.json}, {"--rows", options.rows}});
+}
+
 void check_outputs(const SensitivityOptions& options) {
-  std::vector<NamedFile> outputs;
-  if (options.csv) outputs.push_back({"--csv", *options.csv});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  if (options.rows) outputs.push_back({"--rows", *options.rows});
+  std::vector<NamedFile> outputs = outputs_of(options);
   if (!options.csv && !options.json && options.rows != "-") outputs.push_back({"standard output", "-"});
   refuse_shared_files({{"FILE", options.profile}}, outputs);
   if (!options.rows && !options.columns.empty()) {
@@ -204,7 +205,7 @@ CLI::App* add_sensitivity_command(CLI::App& app, SensitivityOptions& options) {
 }
 
 int sensitivity_command(const SensitivityOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet);
+  const auto model = open_model(options.profile, options.overrides, options.quiet, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }

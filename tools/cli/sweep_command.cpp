@@ -180,7 +180,7 @@ CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options) {
 }
 
 Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const std::atomic<bool>& stop) {
-  auto model = open_model(options.profile, options.overrides, quiet);
+  auto model = open_model(options.profile, options.overrides, quiet, {{"--output", options.output}});
   if (!model) {
     return tl::unexpected(std::move(model.error()));
   }
@@ -206,9 +206,6 @@ int sweep_command(const SweepOptions& options, const SweepRunner& run) {
     return report_error(opened.error());
   }
   const Sweep& sweep = opened->sweep;
-  if (is_read_by(opened->model, {{"--output", options.output}})) {
-    return kExitInput;
-  }
   SweepSummary summary(sweep);
   Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".blocks", "sweep");
   const TakeBlock add = [&](const SweepBlock& block) {

@@ -114,6 +114,9 @@ int verify_command(const VerifyOptions& options) {
   if (!model) {
     return report_error(model.error());
   }
+  if (const auto refused = refused_output(*model, given({{"--json", options.json}}))) {
+    return report_error(*refused);
+  }
   if (model->mechanism().drivers.empty()) {
     return report_error(model->start().error());
   }

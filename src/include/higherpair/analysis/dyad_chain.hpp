@@ -14,7 +14,8 @@ namespace higherpair {
 struct ChainColumn {
   /// kPressure: angle in [0, π/2] between the normal and the direction in which the joint of the contact's
   /// second body lets its point move. kForceX, kForceY, kMoment: what a joint does to its second body
-  /// (JointReaction). kEffort, kEffortByPower: what drives (DriverEffort).
+  /// (JointReaction). kContactForce: what a contact presses with (ContactReaction). kEffort, kEffortByPower:
+  /// what drives (DriverEffort).
   enum class Quantity {
     kPressure,
     kX,
@@ -29,10 +30,12 @@ struct ChainColumn {
     kForceX,
     kForceY,
     kMoment,
+    kContactForce,
     kEffort,
     kEffortByPower
   };
-  int body = 0;  ///< of kPressure: index of Mechanism::contacts; of a joint's: of Mechanism::joints
+  /// Of kPressure and kContactForce: index of Mechanism::contacts; of a joint's: of Mechanism::joints.
+  int body = 0;
   std::optional<int> point;  ///< of Body::points; none: the frame's origin
   Quantity quantity = Quantity::kX;
 };
@@ -49,8 +52,9 @@ struct ChainColumn {
 /// Newton's method; each row is held against the one before by the tests that a Run makes of its steps, and
 /// where one fails there is no answer either.
 ///
-/// Forces of linkages without contacts follow from the rows, from the last dyad to the driver, with weights,
-/// inertia, loads, springs and dampers.
+/// Forces follow from the rows, from the last group to the driver, with weights, inertia, loads, springs and
+/// dampers. Where forces are wanted every contact must press on the whole way: where one comes near pulling
+/// there is no answer, since a Run has to say where it opens.
 ///
 /// One thread at a time. solve() allocates only where there are contacts, which a Run finds first, or where
 /// two assemblies are as near to the poses as each other.
@@ -58,8 +62,8 @@ class DyadChain {
 public:
   /// None where the mechanism is no such linkage: more or other groups, several drivers, ends of slides,
   /// other contacts, surplus conditions; or where a kPressure is not that of a body on ground that its
-  /// contact places, or forces are wanted and there are contacts, torsion springs on other pins than the
-  /// driven one, or bodies whose turning nothing sets. \param rows  the driver in every row, as move_to()
+  /// contact places, or forces are wanted and there are torsion springs on pins between two moving bodies, or
+  /// bodies whose turning nothing sets. \param rows  the driver in every row, as move_to()
   /// would be told
   [[nodiscard]] static std::optional<DyadChain> of(const Mechanism& mechanism, const Plan& plan,
                                                    std::span<const DriverMotion> rows,

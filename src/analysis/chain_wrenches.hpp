@@ -1,0 +1,185 @@
+#pragma once
+
+#include "chain_kernel.hpp"
+#include "chain_loads.hpp"
+#include "chain_vectors.hpp"
+#include "higherpair/mechanism/build.hpp"
+#include "numeric/arctangent.hpp"
+
+#include <limits>
+
+// What acts on the bodies of a chain, with the inertia of its motion, on one position (T = double) or on
+// several at once (T = Pack).
+
+namespace higherpair {
+
+/// The driver's velocity and acceleration: rates are those for a unit velocity times these.
+template <class T>
+struct DriverRates {
+  T velocity, acceleration;
+
+  [[nodiscard]] T first(const T& unit) const { return velocity * unit; }
+  [[nodiscard]] T second(const T& unit_first, const T& unit_second) const {
+    return velocity * velocity * unit_second + acceleration * unit_first;
+  }
+};
+
+/// What acts on a body: a force, and its moment about the origin of the body's frame, in ground.
+template <class T>
+struct ChainWrench {
+  Vector2<T> force;
+  T moment;
+
+  /// Adds a force that acts at r from the origin.
+  void push(const Vector2<T>& more, const Vector2<T>& r) {
+    force = sum(force, more);
+    moment = moment + cross(r, more);
+  }
+  /// The moment about the point at r from the origin.
+  [[nodiscard]] T about(const Vector2<T>& r) const { return moment - cross(r, force); }
+};
+
+/// What a joint does to its second body, as JointReaction has it.
+template <class T>
+struct ChainReaction {
+  Vector2<T> force;
+  T moment;
+};
+
+/// How far springs go in all rows.
+template <class T>
+struct ChainReach {
+  T shortest{-std::numeric_limits<double>::infinity()};  ///< largest of the negative squared lengths
+  T widest{0};                                           ///< largest angle of a pin from that in the poses
+};
+
+/// The state of a chain's bodies in one pack of rows, and what its joints and driver do.
+template <class T>
+struct ChainBalance {
+  const ChainBody<T>* bodies;  ///< with accelerations
+  ChainDriver<T> driver;
+  DriverRates<T> rates;
+  ChainWrench<T>* wrenches;     ///< of the bodies; used up
+  ChainReaction<T>* reactions;  ///< of the joints: the result
+  T* presses;                   ///< of the contacts: how hard each presses; the result
+  ChainReach<T>* reach;         ///< of springs so far
+};
+
+template <class T>
+[[nodiscard]] inline Vector2<T> arm_of(const ChainBody<T>& body, const Vector2d& p_B) {
+  return body.R_WB * all_lanes<T>(p_B);
+}
+
+template <class T>
+[[nodiscard]] inline T tension_of(const ChainLoads::Tension& of, const T& x, const T& rate) {
+  return T(of.stiffness) * (x - T(of.free)) + T(of.damping) * rate;
+}
+
+// Weight and inertia: m (g - a_G) at the centre of mass, and -I α.
+template <class T>
+inline void add_mass(const ChainLoads::Mass& mass, const Vector2d& gravity_W, const ChainBalance<T>& in) {
+  const ChainBody<T>& body = in.bodies[mass.body];
+  const ChainPoint<T> G = chain_point<ChainRates::kAccelerations>(body, mass.of.center_of_mass_B);
+  const T m(mass.of.mass);
+  const Vector2<T> force(m * (T(gravity_W.x()) - in.rates.second(G.v_W.x(), G.a_W.x())),
+                         m * (T(gravity_W.y()) - in.rates.second(G.v_W.y(), G.a_W.y())));
+  ChainWrench<T>& wrench = in.wrenches[mass.body];
+  wrench.push(force, arm_of(body, mass.of.center_of_mass_B));
+  wrench.moment = wrench.moment - T(mass.of.inertia) * in.rates.second(body.omega, body.alpha);
+}
+
+template <class T>
+inline void add_force(const ChainLoads::Force& load, const ChainBalance<T>& in) {
+  const ChainBody<T>& body = in.bodies[load.at.body];
+  ChainWrench<T>& wrench = in.wrenches[load.at.body];
+  wrench.push(load.turns_along ? arm_of(body, load.force) : all_lanes<T>(load.force),
+              arm_of(body, load.at.p_B));
+  wrench.moment = wrench.moment + T(load.torque);
+}
+
+// Draws both points together.
+template <class T>
+inline void add_spring(const ChainLoads::PointSpring& spring, const ChainBalance<T>& in) {
+  using std::max;
+  using std::sqrt;
+  const ChainBody<T>& one = in.bodies[spring.first.body];
+  const ChainBody<T>& two = in.bodies[spring.second.body];
+  const ChainPoint<T> p = chain_point<ChainRates::kVelocities>(one, spring.first.p_B);
+  const ChainPoint<T> q = chain_point<ChainRates::kVelocities>(two, spring.second.p_B);
+  const Vector2<T> way = less(q.p_W, p.p_W);
+  const T square = dot(way, way);
+  in.reach->shortest = max(in.reach->shortest, -square);
+  const T length = sqrt(square);
+  const Vector2<T> u = times(safe_inverse(length), way);
+  const Vector2<T> force =
+      times(tension_of(spring.tension, length, in.rates.first(dot(less(q.v_W, p.v_W), u))), u);
+  in.wrenches[spring.first.body].push(force, arm_of(one, spring.first.p_B));
+  in.wrenches[spring.second.body].push(times(T(-1), force), arm_of(two, spring.second.p_B));
+}
+
+// Along the line, at the second point, as the coordinate of its joint: see joint_motion().
+template <class T>
+inline void add_spring(const ChainLoads::LineSpring& spring, const ChainBalance<T>& in) {
+  const ChainBody<T>& one = in.bodies[spring.line.body];
+  const ChainBody<T>& two = in.bodies[spring.second.body];
+  const ChainPoint<T> p = chain_point<ChainRates::kVelocities>(one, spring.line.p_B);
+  const ChainPoint<T> q = chain_point<ChainRates::kVelocities>(two, spring.second.p_B);
+  const Rotation<T> line = one.R_WB * all_lanes<T>(spring.line.u_B);
+  const Vector2<T> u(line.cos, line.sin);
+  const Vector2<T> way = less(q.p_W, p.p_W);
+  const T rate = dot(less(q.v_W, p.v_W), u) + one.omega * dot(way, left_of(u));
+  const Vector2<T> force = times(tension_of(spring.tension, dot(way, u), in.rates.first(rate)), u);
+  in.wrenches[spring.line.body].push(force, less(q.p_W, one.p_WB));
+  in.wrenches[spring.second.body].push(times(T(-1), force), less(q.p_W, two.p_WB));
+}
+
+template <class T>
+inline void turn(const ChainLoads::TurnSpring& spring, const T& torque, const ChainBalance<T>& in) {
+  in.wrenches[spring.first].moment = in.wrenches[spring.first].moment + torque;
+  in.wrenches[spring.second].moment = in.wrenches[spring.second].moment - torque;
+}
+
+template <class T>
+inline void add_spring(const ChainLoads::TurnSpring& spring, const ChainBalance<T>& in) {
+  turn(spring, tension_of(spring.tension, in.driver.position, in.rates.velocity), in);
+}
+
+// The angle is as far from that in the poses as the one turns from the other, if that is less than half a
+// turn.
+template <class T>
+inline void add_spring(const ChainLoads::PinSpring& spring, const ChainBalance<T>& in) {
+  using std::abs;
+  using std::max;
+  const ChainBody<T>& one = in.bodies[spring.on.first];
+  const ChainBody<T>& two = in.bodies[spring.on.second];
+  const Rotation<T> turned = two.R_WB * one.R_WB.inverse() * all_lanes<T>(spring.posed.inverse());
+  const T angle = arctangent(turned.sin, turned.cos);
+  in.reach->widest = max(in.reach->widest, abs(angle));
+  turn(spring.on,
+       tension_of(spring.on.tension, T(spring.posed_angle) + angle, in.rates.first(two.omega - one.omega)),
+       in);
+}
+
+template <class T>
+inline void add_loads(const ChainLoads& loads, const ChainBalance<T>& in) {
+  for (const ChainLoads::Mass& mass : loads.masses) {
+    add_mass(mass, loads.gravity_W, in);
+  }
+  for (const ChainLoads::Force& force : loads.forces) {
+    add_force(force, in);
+  }
+  for (const ChainLoads::PointSpring& spring : loads.point_springs) {
+    add_spring(spring, in);
+  }
+  for (const ChainLoads::LineSpring& spring : loads.line_springs) {
+    add_spring(spring, in);
+  }
+  for (const ChainLoads::TurnSpring& spring : loads.turn_springs) {
+    add_spring(spring, in);
+  }
+  for (const ChainLoads::PinSpring& spring : loads.pin_springs) {
+    add_spring(spring, in);
+  }
+}
+
+}  // namespace higherpair
