@@ -275,7 +275,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
     const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
     if (wanted && (contact.both_sides ||
                    deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
-                                       pose_at(pair.motion2, found.q), kOverlap * run_.plan().size)
+                                       pose_at(pair.motion2, found.q), kOverlapDepth * run_.plan().size)
                            .depth == 0)) {
       best = found;
       least = distance;

@@ -65,7 +65,7 @@ public:
         index_(contact),
         boundary1_(boundary_of(run.mechanism(), contact_.first)),
         boundary2_(boundary_of(run.mechanism(), contact_.second)),
-        depth_(kOverlap * run.plan().size) {}
+        depth_(kOverlapDepth * run.plan().size) {}
 
   [[nodiscard]] ContactMeeting all(double h) {
     found_.first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);

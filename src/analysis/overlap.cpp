@@ -27,7 +27,7 @@ namespace {
 // each other.
 
 // A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
-// same manner, is on the corner for as long as a touch cannot be told from a depth of kOverlap.
+// same manner, is on the corner for as long as a touch cannot be told from a depth of kOverlapDepth.
 constexpr double kSameRates = 1e-6;  // of the follower's unit
 constexpr double kAtCorner = 1e-6;   // of the driver's scale
 
@@ -74,7 +74,7 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   const double before = gap_in(run.at.state);
   const double after = gap_in(aside.kept());
   // A row may be where they touch already.
-  const bool at_once = std::abs(before) <= kOverlap * run.plan().size;
+  const bool at_once = std::abs(before) <= kOverlapDepth * run.plan().size;
   return at_once ? 0 : root_between(gap, before, h, after).value_or(h);
 }
 
@@ -187,8 +187,9 @@ std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {
 void renew_overlaps(Run& run) {
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
     OverlapWatch& watch = run.at.watches[i];
-    watch.overlaps = watch.needed && run.at.state.contacts[i].touches &&
-                     overlap_in(run, run.mechanism().contacts[i], run.at.state) > kOverlap * run.plan().size;
+    watch.overlaps =
+        watch.needed && run.at.state.contacts[i].touches &&
+        overlap_in(run, run.mechanism().contacts[i], run.at.state) > kOverlapDepth * run.plan().size;
   }
 }
 
@@ -202,11 +203,11 @@ void watch_overlaps(Run& run, const Path& path, double s, double h) {
     }
     if (contact.by_boundary) {
       watch.overlaps =
-          watch.overlaps && overlap_in(run, contact, run.work.trial) > kOverlap * run.plan().size;
+          watch.overlaps && overlap_in(run, contact, run.work.trial) > kOverlapDepth * run.plan().size;
       continue;
     }
     const Separation here = separation_in(run, contact, run.work.trial);
-    const bool overlaps = here.gap < -kOverlap * run.plan().size;
+    const bool overlaps = here.gap < -kOverlapDepth * run.plan().size;
     const bool begins = overlaps && !watch.overlaps;
     watch.overlaps = overlaps;
     if (!begins) {

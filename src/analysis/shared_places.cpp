@@ -113,7 +113,7 @@ void report(Run& run, EventType type, const Path& path, double s, std::size_t co
 
 void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, double s, double h) {
   const std::size_t contact = touch.contact;
-  const double depth = kOverlap * run.plan().size;
+  const double depth = kOverlapDepth * run.plan().size;
   const Bodies before = bodies_in(run, contact, run.at.state);
   const State after_state = run.work.trial;
   const Bodies after = bodies_in(run, contact, after_state);
@@ -148,7 +148,7 @@ void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, do
 }
 
 void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h) {
-  touch.after = shared_places(bodies_in(run, touch.contact, run.work.trial), kOverlap * run.plan().size);
+  touch.after = shared_places(bodies_in(run, touch.contact, run.work.trial), kOverlapDepth * run.plan().size);
   note_shared_places(run, path, touch, s, h);
 }
 
@@ -157,7 +157,8 @@ std::size_t touching_places(const Run& run, std::size_t contact) {
     return 0;
   }
   return run.mechanism().contacts[contact].by_boundary
-             ? 1 + shared_places(bodies_in(run, contact, run.at.state), kOverlap * run.plan().size).size()
+             ? 1 + shared_places(bodies_in(run, contact, run.at.state), kOverlapDepth * run.plan().size)
+                       .size()
              : 1;
 }
 

@@ -9,10 +9,10 @@ namespace higherpair {
 inline constexpr double kSameAssembly = 1e-12;
 
 /// A depth below this is a touch: ten times the precision of the distances that are asked for.
-inline constexpr double kOverlap = 1e-9;
+inline constexpr double kOverlapDepth = 1e-9;
 /// The same of boundaries, which are looked at in samples.
 inline constexpr double kOverlapOfBoundaries = 1e-7;
-inline constexpr double kOverlapPrecision = kOverlap / 10;
+inline constexpr double kOverlapPrecision = kOverlapDepth / 10;
 
 /// The common normal of bodies that need not touch yet, from which an iteration starts.
 inline constexpr double kRoughSeparation = 1e-6;
