@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/boundary_contact.hpp"
 #include "straight_path.hpp"
 
 #include <array>
