@@ -33,13 +33,15 @@ Numbers numbers_at(const Boundary& boundary, int span, double share) {
 }
 
 template <class Boundaries>
+auto numbers_of(const Boundaries& boundaries, int span, double share, double step) {
+  return [&boundaries, span, share, step](double by) {
+    return numbers_at(*boundaries[static_cast<std::size_t>(std::lround(by / step) + kMiddle)], span, share);
+  };
+}
+
+template <class Boundaries>
 Numbers slopes_at(const Boundaries& boundaries, int span, double share, double step) {
-  return eighth_order_difference(
-      [&](double by) {
-        const long steps = std::lround(by / step);
-        return numbers_at(*boundaries[static_cast<std::size_t>(steps + kMiddle)], span, share);
-      },
-      step);
+  return eighth_order_difference(numbers_of(boundaries, span, share, step), step);
 }
 
 bool same_spans(const Boundary& a, const Boundary& b) {
@@ -57,7 +59,7 @@ double share_of(const Numbers& slopes, const Numbers& values, const Boundary& bo
          scale;
 }
 
-// The largest f(values, slopes, boundary, contact, side, span, share) of all places that are looked at.
+// The largest f(values, slopes, boundaries, span, share) of all places that are looked at.
 template <class Contacts, class F>
 double largest_of(const Contacts& contacts, double step, F f) {
   double largest = 0;
@@ -67,8 +69,8 @@ double largest_of(const Contacts& contacts, double step, F f) {
       const Boundary& own = *boundaries[kMiddle];
       for (int span = 0; span < static_cast<int>(own.spans().size()); ++span) {
         for (const double share : kShares) {
-          const double one = f(numbers_at(own, span, share), slopes_at(boundaries, span, share, step), own, i,
-                               side, span, share);
+          const double one = f(numbers_at(own, span, share), slopes_at(boundaries, span, share, step),
+                               boundaries, span, share);
           largest = one > largest || std::isnan(one) ? one : largest;
         }
       }
@@ -136,22 +138,23 @@ Curve BoundaryDerivatives::of_local_curve(std::size_t contact, std::size_t side,
   return by;
 }
 
-double BoundaryDerivatives::distance_to(const BoundaryDerivatives& other, double scale) const {
+double BoundaryDerivatives::error(double scale) const {
   return largest_of(contacts_, step_,
-                    [&](const Numbers& values, const Numbers& slopes, const Boundary& boundary,
-                        std::size_t contact, std::size_t side, int span, double share) {
-                      const Numbers others =
-                          slopes_at(other.contacts_[contact][side], span, share, other.step_);
-                      return share_of(slopes - others, values, boundary, scale) /
-                             std::max(share_of(slopes, values, boundary, scale), 1.0);
+                    [&](const Numbers& values, const Numbers& slopes, const Boundaries& boundaries, int span,
+                        double share) {
+                      const Boundary& own = *boundaries[kMiddle];
+                      const Numbers coarse =
+                          sixth_order_difference(numbers_of(boundaries, span, share, step_), step_);
+                      return share_of(slopes - coarse, values, own, scale) /
+                             std::max(share_of(slopes, values, own, scale), 1.0);
                     });
 }
 
 double BoundaryDerivatives::largest(double scale) const {
-  return largest_of(contacts_, step_,
-                    [&](const Numbers& values, const Numbers& slopes, const Boundary& boundary,
-                        std::size_t /*contact*/, std::size_t /*side*/, int /*span*/,
-                        double /*share*/) { return share_of(slopes, values, boundary, scale); });
+  return largest_of(
+      contacts_, step_,
+      [&](const Numbers& values, const Numbers& slopes, const Boundaries& boundaries, int /*span*/,
+          double /*share*/) { return share_of(slopes, values, *boundaries[kMiddle], scale); });
 }
 
 }  // namespace higherpair

@@ -28,14 +28,14 @@ constexpr double kKinkOfValues = 1e-12;
 // Of the step: how far the radii of curvature are looked at.
 constexpr double kProbe = 1e-3;
 
-// Share by which differences of two steps may disagree before the dimensions count as not smooth.
+// Share by which differences of two orders may disagree before the dimensions count as not smooth.
 constexpr double kNotSmooth = 1e-6;
 
 // Steps of a parameter, of its scale.
 constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
 
-// Disagreement of boundaries of two steps that is rounding or, with the narrower one, becomes so: 256 times
-// less. Disagreement that is too much. And a change of them with a parameter that is none.
+// Disagreement of differences of two orders of boundaries that is rounding, or so little that the better ones
+// have no other error. Disagreement that is too much. And a change of them with a parameter that is none.
 constexpr double kSmooth = 1e-10;
 constexpr double kRough = 1e-8;
 constexpr double kStandsStill = 1e-11;
@@ -196,48 +196,41 @@ Mechanism displaced(Mechanism mechanism, const Mechanism& derivative, double h) 
 
 std::optional<MechanismDerivative> mechanism_derivative(
     const std::function<std::optional<Mechanism>(double)>& at, double h, double scale) {
-  // By the number of half steps, with 8 more.
-  std::array<std::optional<Mechanism>, 17> made;
-  for (const int halves : {0, 8, -8, 6, -6, 4, -4, 3, -3, 2, -2, 1, -1}) {
-    auto& mechanism = made[static_cast<std::size_t>(halves + 8)] = at(halves * (h / 2));
+  std::array<std::optional<Mechanism>, 9> made;  // by the number of steps, and 4
+  for (const int steps : {0, 4, -4, 3, -3, 2, -2, 1, -1}) {
+    auto& mechanism = made[static_cast<std::size_t>(steps + 4)] = at(steps * h);
     if (!mechanism) {
       return std::nullopt;
     }
   }
   const auto numbers_at = [&](double step) -> Eigen::VectorXd {
     const std::vector<double> numbers =
-        numbers_of(*made[static_cast<std::size_t>(std::lround(2 * step / h) + 8)]);
+        numbers_of(*made[static_cast<std::size_t>(std::lround(step / h) + 4)]);
     return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
   };
-  const Eigen::VectorXd wide = eighth_order_difference(numbers_at, h);
-  const Eigen::VectorXd narrow = eighth_order_difference(numbers_at, h / 2);
-  if ((wide - narrow).lpNorm<Eigen::Infinity>() > kNotSmooth * wide.lpNorm<Eigen::Infinity>()) {
+  const Eigen::VectorXd slopes = eighth_order_difference(numbers_at, h);
+  const Eigen::VectorXd coarse = sixth_order_difference(numbers_at, h);
+  if ((slopes - coarse).lpNorm<Eigen::Infinity>() > kNotSmooth * slopes.lpNorm<Eigen::Infinity>()) {
     return std::nullopt;
   }
-  const auto boundaries_by = [&](int halves) {
-    BoundaryDerivatives::Family family;
-    for (std::size_t k = 0; k < family.size(); ++k) {
-      family[k] = &*made[static_cast<std::size_t>(halves * (static_cast<int>(k) - 4) + 8)];
-    }
-    return BoundaryDerivatives::of(family, halves * (h / 2));
-  };
-  auto boundaries = boundaries_by(1);
-  const auto coarse = boundaries_by(2);
-  if (!boundaries || !coarse) {
+  BoundaryDerivatives::Family family;
+  std::transform(made.begin(), made.end(), family.begin(), [](const auto& mechanism) { return &*mechanism; });
+  auto boundaries = BoundaryDerivatives::of(family, h);
+  if (!boundaries) {
     return std::nullopt;
   }
   MechanismDerivative derivative;
   derivative.step = h;
-  derivative.error = coarse->distance_to(*boundaries, scale);
+  derivative.error = boundaries->error(scale);
   if (!(derivative.error <= kRough)) {
     return std::nullopt;
   }
   if (boundaries->largest(scale) > kStandsStill) {
     derivative.boundaries = std::make_shared<const BoundaryDerivatives>(*std::move(boundaries));
   }
-  derivative.numbers = *std::move(made[8]);
+  derivative.numbers = *std::move(made[4]);
   for_each_number(derivative.numbers,
-                  [&, i = Eigen::Index{0}](double& number) mutable { number = wide(i++); });
+                  [&, i = Eigen::Index{0}](double& number) mutable { number = slopes(i++); });
   return derivative;
 }
 

@@ -30,9 +30,9 @@ public:
   /// \param side  0: of the contact's first curve, 1: of its second
   [[nodiscard]] Curve of_local_curve(std::size_t contact, std::size_t side, const BoundaryPlace& place) const;
 
-  /// How far the derivatives are from others', of the larger of what they are and of what is to be expected
-  /// where a change of p by `scale` makes another boundary: an estimate of the error of the coarser ones.
-  [[nodiscard]] double distance_to(const BoundaryDerivatives& other, double scale) const;
+  /// How far the derivatives are from differences of the sixth order, of the larger of what they are and of
+  /// what is to be expected where a change of p by `scale` makes another boundary: more than their error.
+  [[nodiscard]] double error(double scale) const;
 
   /// The largest derivative of a point, normal or curvature, of what is to be expected as above.
   [[nodiscard]] double largest(double scale) const;
@@ -52,7 +52,7 @@ struct MechanismDerivative {
 
   Mechanism numbers;                                      ///< every number by p, in place of the number
   std::shared_ptr<const BoundaryDerivatives> boundaries;  ///< null: those of contacts do not change
-  /// By differences: the step of p, and how far off boundaries may be (see BoundaryDerivatives::distance_to).
+  /// By differences: the step of p, and how far off boundaries may be (see BoundaryDerivatives::error).
   double step = 0, error = 0;
 };
 
