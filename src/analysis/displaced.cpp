@@ -19,16 +19,29 @@ namespace {
 // rounding is not enlarged much.
 constexpr double kDisplacement = 4e-3;
 
-// A jump between the samples next to 0 makes most of the difference of those farthest from it, and is more
-// than this of their size.
-constexpr double kJump = 0.6;
-constexpr double kJumpOf = 1e-2;
+// By so much more than what the smoother side bends are slopes of both sides apart where there is a kink or a
+// jump; and by so much of themselves, and their changes of the values, at least.
+constexpr double kKink = 100;
+constexpr double kKinkOf = 1e-7;
+constexpr double kKinkOfValues = 1e-12;
 
-// Share by which differences of two steps may disagree before the dimensions count as not smooth.
+// Of the step: how far the radii of curvature are looked at.
+constexpr double kProbe = 1e-3;
+
+// Share by which differences of two orders may disagree before the dimensions count as not smooth.
 constexpr double kNotSmooth = 1e-6;
 
+// Steps of a parameter, of its scale.
+constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
+
+// Disagreement of differences of two orders of boundaries that is rounding, or so little that the better ones
+// have no other error. Disagreement that is too much. And a change of them with a parameter that is none.
+constexpr double kSmooth = 1e-10;
+constexpr double kRough = 1e-8;
+constexpr double kStandsStill = 1e-11;
+
 // Largest of all displacements for a unit of p: angles, lengths by the size, speeds by the largest.
-double displacement_of(const Run& run, const Sensitivity& by, const RowSensitivity& of_row) {
+double displacement_of(const Run& run, const Mechanism& derivative, const RowSensitivity& of_row) {
   const double size = run.plan().size;
   double speed = 0, acceleration = 0, displaced = 0, faster = 0, accelerated = 0;
   for (std::size_t i = 0; i < of_row.bodies.size(); ++i) {
@@ -43,7 +56,7 @@ double displacement_of(const Run& run, const Sensitivity& by, const RowSensitivi
   for (const double phi : of_row.phi) {
     displaced = std::max(displaced, std::abs(phi));
   }
-  for_each_number(by.derivative(), [&](double change, NumberKind kind) {
+  for_each_number(derivative, [&](double change, NumberKind kind) {
     if (kind != NumberKind::kLoad) {
       displaced = std::max(displaced, std::abs(change) / (kind == NumberKind::kLength ? size : 1));
     }
@@ -84,50 +97,78 @@ void displace(const RowSensitivity& by_p, double h, const Mechanism& mechanism, 
 }
 
 // Where no coordinate changes everything is a polynomial of the loads.
-double step_of_loads(const Run& run, const Sensitivity& by) {
+double step_of_loads(const Run& run, const Mechanism& derivative) {
   double largest = 1;
   std::vector<double> numbers;
   for_each_number(run.mechanism(), [&](double number) { numbers.push_back(number); });
-  for_each_number(by.derivative(), [&, i = std::size_t{0}](double change) mutable {
+  for_each_number(derivative, [&, i = std::size_t{0}](double change) mutable {
     const double number = numbers[i++];
     largest = change != 0 ? std::max(largest, std::abs(number / change)) : largest;
   });
   return largest;
 }
 
-// Where the samples of the two sides of 0 are apart by more than a smooth function can be, that of the side
-// to which 0 belongs: an arc begins elsewhere, by a turn, where its curve's axis turns through an angle of π.
-// \param at  (0: +, 1: -; number of steps)
+// Where the slopes of the two sides of 0 are apart by more than a smooth function's can be, that of the side
+// without a kink or jump, if there is one: the size of an angle has a kink at 0, and an arc begins elsewhere,
+// by a turn, where its curve's axis turns through an angle of π. \param at  (0: +, 1: -; number of steps)
 template <class F>
 double derivative_of_samples(F at, double h) {
-  const double near = std::abs(at(0, 1) - at(1, 1));
-  const double far = std::abs(at(0, 4) - at(1, 4));
-  const bool jumps = near > kJump * far && near > kJumpOf * (std::abs(at(0, 1)) + std::abs(at(1, 1)));
-  if (!jumps) {
-    return eighth_order_difference(
-        [&](double step) {
-          const double k = std::round(step / h);
-          return at(k > 0 ? 0 : 1, static_cast<std::size_t>(std::abs(k)));
-        },
-        h);
+  std::array<double, 2> slope{}, bend{};
+  double largest = 0;
+  for (const std::size_t side : {0, 1}) {
+    const auto f = [&](std::size_t k) { return at(side, k); };
+    slope[side] =
+        (-25 * f(0) + 48 * f(1) - 36 * f(2) + 16 * f(3) - 3 * f(4)) / (side == 0 ? 12 * h : -12 * h);
+    bend[side] = std::abs(f(0) - 4 * f(1) + 6 * f(2) - 4 * f(3) + f(4));
+    largest = std::max({largest, std::abs(f(0)), std::abs(f(4))});
   }
-  const std::size_t side = std::abs(at(0, 1) - at(0, 0)) < std::abs(at(1, 1) - at(1, 0)) ? 0 : 1;
-  const double slope =
-      -25 * at(side, 0) + 48 * at(side, 1) - 36 * at(side, 2) + 16 * at(side, 3) - 3 * at(side, 4);
-  return slope / (side == 0 ? 12 * h : -12 * h);
+  const std::size_t smooth = bend[0] <= bend[1] ? 0 : 1;
+  const double apart = h * std::abs(slope[0] - slope[1]);
+  const double none = kKink * bend[smooth] + kKinkOf * h * std::max(std::abs(slope[0]), std::abs(slope[1])) +
+                      kKinkOfValues * largest;
+  if (apart > none && bend[1 - smooth] > none) {
+    return slope[smooth];
+  }
+  return eighth_order_difference(
+      [&](double step) {
+        const double k = std::round(step / h);
+        return at(k > 0 ? 0 : 1, static_cast<std::size_t>(std::abs(k)));
+      },
+      h);
+}
+
+// How fast radii of curvature change with a displacement, of themselves: those of nearly flat curves change
+// faster than any number.
+double change_of_radii(const MotionRow& row, const MotionRow& displaced) {
+  double change = 0;
+  for (std::size_t i = 0; i < row.contacts.size(); ++i) {
+    for (const auto rho : {&CommonNormal::rho1, &CommonNormal::rho2}) {
+      const double own = row.contacts[i].at.*rho;
+      const double off = std::abs(displaced.contacts[i].at.*rho - own);
+      change = own != 0 && std::isfinite(off) ? std::max(change, off / std::abs(own)) : change;
+    }
+  }
+  return change;
 }
 
 }  // namespace
 
 std::vector<double> derivative_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
                                      const std::function<std::vector<double>(const Run&, double)>& f) {
-  const double displacement = displacement_of(run, by, of_row);
-  const double h = displacement > 0 ? kDisplacement / displacement : step_of_loads(run, by);
-  const auto values_at = [&](double step) -> Eigen::VectorXd {
+  const Mechanism derivative = by.derivative_at(run);
+  const double displacement = displacement_of(run, derivative, of_row);
+  double h = displacement > 0 ? kDisplacement / displacement : step_of_loads(run, derivative);
+  const auto run_at = [&](double step) {
     Run displaced_run = run;
-    Mechanism mechanism = displaced(run.mechanism(), by.derivative(), step);
+    Mechanism mechanism = displaced(run.mechanism(), derivative, step);
     displace(of_row, step, mechanism, displaced_run.row);
     displaced_run.local = std::move(mechanism);
+    return displaced_run;
+  };
+  const double radii = change_of_radii(run.row, run_at(kProbe * h).row) / kProbe;
+  h *= radii > kDisplacement ? kDisplacement / radii : 1;
+  const auto values_at = [&](double step) -> Eigen::VectorXd {
+    const Run displaced_run = run_at(step);
     const std::vector<double> values = f(displaced_run, step);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   };
@@ -153,31 +194,59 @@ Mechanism displaced(Mechanism mechanism, const Mechanism& derivative, double h) 
   return mechanism;
 }
 
-std::optional<Mechanism> mechanism_derivative(const std::function<std::optional<Mechanism>(double)>& at,
-                                              double h) {
-  std::optional<Mechanism> derivative = at(0);
-  if (!derivative) {
-    return std::nullopt;
-  }
-  Eigen::Index count = 0;
-  for_each_number(*derivative, [&](double /*number*/) { ++count; });
-  bool made = true;
-  const auto numbers_at = [&](double step) {
-    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(count);
-    if (const auto mechanism = at(step)) {
-      for_each_number(*mechanism, [&, i = Eigen::Index{0}](double number) mutable { numbers(i++) = number; });
-    } else {
-      made = false;
+std::optional<MechanismDerivative> mechanism_derivative(
+    const std::function<std::optional<Mechanism>(double)>& at, double h, double scale) {
+  std::array<std::optional<Mechanism>, 9> made;  // by the number of steps, and 4
+  for (const int steps : {0, 4, -4, 3, -3, 2, -2, 1, -1}) {
+    auto& mechanism = made[static_cast<std::size_t>(steps + 4)] = at(steps * h);
+    if (!mechanism) {
+      return std::nullopt;
     }
-    return numbers;
+  }
+  const auto numbers_at = [&](double step) -> Eigen::VectorXd {
+    const std::vector<double> numbers =
+        numbers_of(*made[static_cast<std::size_t>(std::lround(step / h) + 4)]);
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
   };
-  const Eigen::VectorXd wide = eighth_order_difference(numbers_at, h);
-  const Eigen::VectorXd narrow = eighth_order_difference(numbers_at, h / 2);
-  if (!made || (wide - narrow).lpNorm<Eigen::Infinity>() > kNotSmooth * wide.lpNorm<Eigen::Infinity>()) {
+  const Eigen::VectorXd slopes = eighth_order_difference(numbers_at, h);
+  const Eigen::VectorXd coarse = sixth_order_difference(numbers_at, h);
+  if ((slopes - coarse).lpNorm<Eigen::Infinity>() > kNotSmooth * slopes.lpNorm<Eigen::Infinity>()) {
     return std::nullopt;
   }
-  for_each_number(*derivative, [&, i = Eigen::Index{0}](double& number) mutable { number = wide(i++); });
+  BoundaryDerivatives::Family family;
+  std::transform(made.begin(), made.end(), family.begin(), [](const auto& mechanism) { return &*mechanism; });
+  auto boundaries = BoundaryDerivatives::of(family, h);
+  if (!boundaries) {
+    return std::nullopt;
+  }
+  MechanismDerivative derivative;
+  derivative.step = h;
+  derivative.error = boundaries->error(scale);
+  if (!(derivative.error <= kRough)) {
+    return std::nullopt;
+  }
+  if (boundaries->largest(scale) > kStandsStill) {
+    derivative.boundaries = std::make_shared<const BoundaryDerivatives>(*std::move(boundaries));
+  }
+  derivative.numbers = *std::move(made[4]);
+  for_each_number(derivative.numbers,
+                  [&, i = Eigen::Index{0}](double& number) mutable { number = slopes(i++); });
   return derivative;
+}
+
+std::optional<MechanismDerivative> mechanism_derivative(
+    const std::function<std::optional<Mechanism>(double)>& at, double scale) {
+  std::optional<MechanismDerivative> best;
+  for (const double share : kSteps) {
+    auto derivative = mechanism_derivative(at, share * scale, scale);
+    if (derivative && (!best || derivative->error < best->error)) {
+      best = std::move(derivative);
+    }
+    if (best && best->error <= kSmooth) {
+      break;
+    }
+  }
+  return best;
 }
 
 }  // namespace higherpair

@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "series_motion.hpp"
+#include "span_joints.hpp"
 
 #include <algorithm>
 #include <array>
@@ -150,13 +151,34 @@ bool all_known(const SeriesMotion<Parametric, 2>& motion) {
 
 }  // namespace
 
-std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism& derivative,
-                                                 const std::vector<double>& drivers) {
-  // The numbers that a boundary was made from are not among those of the mechanism.
-  if (std::any_of(run.mechanism().contacts.begin(), run.mechanism().contacts.end(),
-                  [](const Contact& contact) { return contact.by_boundary; })) {
-    return std::nullopt;
+Mechanism Sensitivity::derivative_at(const Run& run) const {
+  Mechanism derivative = derivative_.numbers;
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    const Contact& contact = run.mechanism().contacts[i];
+    for (std::size_t side = 0; contact.by_boundary && side < 2; ++side) {
+      const ContactMotion& motion = run.row.contacts[i];
+      const CurveRef& ref = ref_of(contact, side);
+      Curve& curve = derivative.bodies[static_cast<std::size_t>(ref.body)]
+                         .curves[static_cast<std::size_t>(ref.curve)]
+                         .curve;
+      if (derivative_.boundaries && motion.touches) {
+        curve = derivative_.boundaries->of_local_curve(i, side, motion.place[side]);
+      } else {
+        curve.vertex_B = curve.axis_B = Vector2d::Zero();
+        curve.semi_latus = curve.q = 0;
+      }
+    }
   }
+  return derivative;
+}
+
+std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDerivative of_mechanism,
+                                                 const std::vector<double>& drivers) {
+  Run run = started;
+  set_local_curves(run);
+  Sensitivity sensitivity;
+  sensitivity.derivative_ = std::move(of_mechanism);
+  const Mechanism derivative = sensitivity.derivative_at(run);
   Start start = start_of(run, derivative, drivers);
   const auto solved = [&] { return solve_series(start.plan, start.values, start.dimensions, start.at); };
   // Their contact point has to be where both joints let it have one velocity; discs about their centres, for
@@ -175,8 +197,6 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& run, const Mechanism
   if (!all_known(motion)) {
     return std::nullopt;
   }
-  Sensitivity sensitivity;
-  sensitivity.derivative_ = derivative;
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const auto& contact = start.dimensions.contacts[i];
     const BodyAt<ParametricSeries>& body1 = motion.at.bodies[static_cast<std::size_t>(contact.first)];
@@ -205,9 +225,10 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
   for (std::size_t i = 0; i < at.arcs.size(); ++i) {
     at.arcs[i].c[0].c[1] = arcs_[i];
   }
-  set_held_angles(derivative_, at);
+  const Mechanism derivative = derivative_at(run);
+  set_held_angles(derivative, at);
   const auto motion = solve_series(run.plan(), dimensions_of(run.mechanism()),
-                                   dimensions_of(run.mechanism(), derivative_), std::move(at));
+                                   dimensions_of(run.mechanism(), derivative), std::move(at));
   if (!all_known(motion)) {
     return std::nullopt;
   }

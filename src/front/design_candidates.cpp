@@ -68,7 +68,7 @@ std::optional<DesignSlopes> DesignCandidates::slopes(std::span<const double> x, 
     return std::nullopt;
   }
   const auto candidate = candidate_of(x, setup_->needs_table());
-  return candidate ? run_slopes_->of_candidate(*candidate, branch, rows_, places, !pins_) : std::nullopt;
+  return candidate ? run_slopes_->of_candidate(x, *candidate, branch, rows_, places, !pins_) : std::nullopt;
 }
 
 // With the poses that it has on the branch.

@@ -1,6 +1,6 @@
 #include "design_numbers.hpp"
 
-#include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 
 #include <algorithm>
@@ -58,12 +58,30 @@ std::vector<Setting> DesignNumbers::settings_of(std::span<const double> x) const
   return settings;
 }
 
+// Of which none is refused for being out of its bounds: differences at a bound go beyond it.
+Result<ModelVariants> DesignNumbers::variants() const {
+  std::vector<std::string> paths;
+  for (const DesignTask::Variable& variable : task_->variables) {
+    paths.insert(paths.end(), variable.paths.begin(), variable.paths.end());
+  }
+  return ModelVariants::of(model_, paths);
+}
+
+std::vector<double> DesignNumbers::values_of(std::span<const double> x) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (const double factor : task_->variables[i].factors) values.push_back(factor * x[i]);
+  }
+  return values;
+}
+
 Result<Model> DesignNumbers::model_of(std::span<const double> x) const {
   return model_.with(settings_of(x));
 }
 
 std::shared_ptr<const Model::Data> DesignNumbers::data_of(std::span<const double> x) const {
-  const auto model = linear_ ? model_.with_mechanism(mechanism_of(x)) : model_of(x);
+  const auto model = linear_ ? model_.with_mechanism(mechanism_of(x))
+                             : variants().and_then([&](ModelVariants all) { return all.with(values_of(x)); });
   return model ? model->data().shared_from_this() : nullptr;
 }
 
@@ -133,11 +151,37 @@ Mechanism DesignNumbers::mechanism_of(std::span<const double> x) const {
   return mechanism;
 }
 
-Mechanism DesignNumbers::derivative(std::size_t variable) const {
+Mechanism DesignNumbers::linear_derivative(std::size_t variable) const {
   Mechanism mechanism = model_.mechanism();
   for_each_number(mechanism,
                   [&, k = std::size_t{0}](double& number) mutable { number = slopes_[variable][k++]; });
   return mechanism;
+}
+
+double DesignNumbers::scale(std::size_t variable) const {
+  const DesignVariable& range = task_->variables[variable].range;
+  return range.start != 0 ? std::abs(range.start) : (range.high - range.low) / 2;
+}
+
+std::optional<MechanismDerivative> DesignNumbers::derivative(std::size_t variable,
+                                                             std::span<const double> x) const {
+  if (linear_) return linear_derivative(variable);
+  const std::vector<DriverProgram>& own = model_.profile().programs;
+  if (std::any_of(own.begin(), own.end(), [](const DriverProgram& one) { return one.law.has_value(); })) {
+    return std::nullopt;
+  }
+  auto all = variants();
+  if (!all) {
+    return std::nullopt;
+  }
+  std::vector<double> beside(x.begin(), x.end());
+  const auto at = [&](double step) -> std::optional<Mechanism> {
+    beside[variable] = x[variable] + step;
+    const auto model = all->with(values_of(beside));
+    return model && same_programs(model->profile().programs, own) ? std::optional(model->mechanism())
+                                                                  : std::nullopt;
+  };
+  return mechanism_derivative(at, scale(variable));
 }
 
 }  // namespace higherpair

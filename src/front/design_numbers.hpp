@@ -1,6 +1,7 @@
 #pragma once
 
-#include "higherpair/front/model.hpp"
+#include "higherpair/analysis/boundary_derivatives.hpp"
+#include "higherpair/front/model_variants.hpp"
 #include "higherpair/io/design_task.hpp"
 #include "model_data.hpp"
 
@@ -25,10 +26,15 @@ public:
   [[nodiscard]] Result<Model> model_of(std::span<const double> x) const;
 
   [[nodiscard]] bool is_linear() const { return linear_; }
-  /// Where is_linear: the mechanism alone, and the derivative of its numbers by a variable.
+  /// The derivative of the mechanism by a variable; none where it is not smooth there, or the drivers depend
+  /// on the variable.
+  [[nodiscard]] std::optional<MechanismDerivative> derivative(std::size_t variable,
+                                                              std::span<const double> x) const;
+  /// A change of a variable that makes another mechanism.
+  [[nodiscard]] double scale(std::size_t variable) const;
+  /// Where is_linear: the mechanism alone.
   [[nodiscard]] Mechanism mechanism_of(std::span<const double> x) const;
-  [[nodiscard]] Mechanism derivative(std::size_t variable) const;
-  /// The same in the order of for_each_number.
+  /// Where is_linear, in the order of for_each_number: its numbers, and their derivatives.
   void fill_numbers(std::span<const double> x, std::vector<double>& numbers) const;
   [[nodiscard]] std::span<const double> slopes(std::size_t variable) const { return slopes_[variable]; }
 
@@ -36,7 +42,10 @@ public:
   [[nodiscard]] const DesignTask& task() const { return *task_; }
 
 private:
+  [[nodiscard]] Mechanism linear_derivative(std::size_t variable) const;
   [[nodiscard]] std::vector<Setting> settings_of(std::span<const double> x) const;
+  [[nodiscard]] Result<ModelVariants> variants() const;
+  [[nodiscard]] std::vector<double> values_of(std::span<const double> x) const;
   [[nodiscard]] bool find_slopes();
   [[nodiscard]] std::optional<std::vector<double>> numbers_at(std::span<const double> x) const;
 

@@ -10,13 +10,13 @@
 namespace higherpair {
 
 std::optional<SlopeRun> SlopeRun::start(const DesignSetup& setup, const DesignCandidate& candidate,
-                                        int branch, const std::vector<Mechanism>& derivatives) {
+                                        int branch, const std::vector<MechanismDerivative>& derivatives) {
   auto run = start_on_branch(make_run_model(*candidate.mechanism, candidate.plan),
                              candidate.schedule.first_positions(), branch);
   if (!run) return std::nullopt;
   SlopeRun started(setup, candidate.schedule, *std::move(run));
   const std::vector<double> fixed(candidate.schedule.driver_count(), 0.0);
-  for (const Mechanism& derivative : derivatives) {
+  for (const MechanismDerivative& derivative : derivatives) {
     auto by = Sensitivity::at_start(started.run_, derivative, fixed);
     if (!by) return std::nullopt;
     started.by_.push_back(*std::move(by));

@@ -16,7 +16,7 @@ public:
   /// outlive this \param derivatives  of the mechanism by each variable
   [[nodiscard]] static std::optional<SlopeRun> start(const DesignSetup& setup,
                                                      const DesignCandidate& candidate, int branch,
-                                                     const std::vector<Mechanism>& derivatives);
+                                                     const std::vector<MechanismDerivative>& derivatives);
 
   /// To a row that is not before the last one.
   void go_to(std::size_t row);

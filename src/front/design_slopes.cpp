@@ -17,10 +17,16 @@ namespace {
 // candidates are quicker.
 constexpr std::size_t kMostAlong = 8;
 
-bool is_covered(const Mechanism& mechanism) {
-  return std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(), [](const Contact& contact) {
-    return contact.by_boundary || contact.keep == Keep::kGap;
-  });
+bool is_covered(const DesignSetup& setup) {
+  const Mechanism& mechanism = setup.numbers.model().mechanism();
+  const bool whole_curves =
+      std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
+        return std::all_of(body.curves.begin(), body.curves.end(),
+                           [](const NamedCurve& curve) { return curve.boundary == nullptr; });
+      });
+  return (whole_curves || !setup.needs_extents()) &&
+         std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(),
+                      [](const Contact& contact) { return contact.keep == Keep::kGap; });
 }
 
 // What is wanted of one row: added up where it has been gone to.
@@ -130,13 +136,13 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
 
 // What four-bars have to spare depends on no row.
 void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
-               const std::vector<Mechanism>& derivatives, DesignSlopes& slopes) {
+               const std::vector<MechanismDerivative>& derivatives, DesignSlopes& slopes) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
   for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
     const auto& grashof = setup.quantities[q].grashof;
     for (std::size_t v = 0; grashof && v < derivatives.size(); ++v) {
       const auto room = [&](double h) {
-        return grashof_room(displaced(*candidate.mechanism, derivatives[v], h), *grashof).value_or(0);
+        return grashof_room(displaced(*candidate.mechanism, derivatives[v].numbers, h), *grashof).value_or(0);
       };
       slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) =
           unit * eighth_order_difference(room, 1e-6 * setup.size);
@@ -147,28 +153,39 @@ void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
 }  // namespace
 
 std::optional<RunSlopes> RunSlopes::of(const DesignSetup& setup) {
-  if (!setup.numbers.is_linear() || setup.settings.jerk || setup.settings.derivatives ||
-      setup.needs_check() || !is_covered(setup.numbers.model().mechanism())) {
+  if (setup.settings.jerk || setup.settings.derivatives || setup.needs_check() || !is_covered(setup)) {
     return std::nullopt;
   }
   return RunSlopes(setup);
 }
 
 RunSlopes::RunSlopes(const DesignSetup& setup) : setup_(&setup) {
-  for (std::size_t v = 0; v < setup.numbers.task().variables.size(); ++v) {
-    derivatives_.push_back(setup.numbers.derivative(v));
-  }
   const Model& model = setup.numbers.model();
   for (const Measure& measure : setup.measures) {
     columns_.push_back(body_column(model.mechanism(), model.units(), measure.column));
   }
 }
 
-std::optional<DesignSlopes> RunSlopes::of_candidate(const DesignCandidate& candidate, int branch,
+std::optional<std::vector<MechanismDerivative>> RunSlopes::derivatives_at(std::span<const double> x) const {
+  std::vector<MechanismDerivative> derivatives;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    auto derivative = setup_->numbers.derivative(v, x);
+    if (!derivative) return std::nullopt;
+    derivatives.push_back(*std::move(derivative));
+  }
+  return derivatives;
+}
+
+std::optional<DesignSlopes> RunSlopes::of_candidate(std::span<const double> x,
+                                                    const DesignCandidate& candidate, int branch,
                                                     const DesignRows& rows,
                                                     std::span<const std::vector<SlopePlace>> places,
                                                     bool groups) const {
-  const auto variables = static_cast<Eigen::Index>(derivatives_.size());
+  const auto derivatives = derivatives_at(x);
+  if (!derivatives) {
+    return std::nullopt;
+  }
+  const auto variables = static_cast<Eigen::Index>(x.size());
   DesignSlopes slopes;
   slopes.measured.setZero(static_cast<Eigen::Index>(rows.measured.size()), variables);
   slopes.gaps.setZero(static_cast<Eigen::Index>(rows.gaps.size()), variables);
@@ -177,7 +194,7 @@ std::optional<DesignSlopes> RunSlopes::of_candidate(const DesignCandidate& candi
     slopes.paths.emplace_back(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * path.size()), variables));
   }
   Tasks tasks;
-  add_rooms(*setup_, candidate, derivatives_, slopes);
+  add_rooms(*setup_, candidate, *derivatives, slopes);
   add_extent_tasks(*setup_, rows, slopes, tasks);
   std::map<std::size_t, std::vector<std::pair<std::size_t, WeightedRow>>> along;  // columns not of bodies
   for (std::size_t q = 0; q < setup_->quantities.size(); ++q) {
@@ -222,7 +239,7 @@ std::optional<DesignSlopes> RunSlopes::of_candidate(const DesignCandidate& candi
   }
   add_path_tasks(places, slopes, tasks);
   if (groups) add_group_tasks(*setup_, rows, slopes, tasks);
-  auto run = SlopeRun::start(*setup_, candidate, branch, derivatives_);
+  auto run = SlopeRun::start(*setup_, candidate, branch, *derivatives);
   if (!run || !carry_out(tasks, *run) || !slopes.measured.allFinite() || !slopes.gaps.allFinite()) {
     return std::nullopt;
   }

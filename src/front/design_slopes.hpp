@@ -29,18 +29,19 @@ struct SlopePlace {
 };
 
 /// Derivatives by implicit differentiation of the rows of a run (analysis/sensitivity.hpp). An extreme
-/// depends on its own row alone. Not covered, and left to differences: numbers that depend on the variables
-/// in another way than linearly; contacts of curves with ends, and such as may part; jerk; figures of
-/// check(); means over many rows of columns other than those of bodies and points; candidates that do not
-/// assemble all the way.
+/// depends on its own row alone. Not covered, and left to differences: numbers that do not depend smoothly on
+/// the variables; drivers that depend on them; contacts that may part; jerk; figures of check(); means over
+/// many rows of columns other than those of bodies and points; extents of bodies with curves of several
+/// parts; candidates that do not assemble all the way.
 class RunSlopes {
 public:
   /// None where the task is not covered. \param setup  outlives this
   [[nodiscard]] static std::optional<RunSlopes> of(const DesignSetup& setup);
 
-  /// None where the candidate is not covered. \param rows  of this candidate, whose path is good \param
-  /// places of each path \param groups  whether gaps and transmissions are wanted
-  [[nodiscard]] std::optional<DesignSlopes> of_candidate(const DesignCandidate& candidate, int branch,
+  /// None where the candidate is not covered. \param x  its variables \param rows  of this candidate, whose
+  /// path is good \param places of each path \param groups  whether gaps and transmissions are wanted
+  [[nodiscard]] std::optional<DesignSlopes> of_candidate(std::span<const double> x,
+                                                         const DesignCandidate& candidate, int branch,
                                                          const DesignRows& rows,
                                                          std::span<const std::vector<SlopePlace>> places,
                                                          bool groups) const;
@@ -48,8 +49,10 @@ public:
 private:
   explicit RunSlopes(const DesignSetup& setup);
 
+  [[nodiscard]] std::optional<std::vector<MechanismDerivative>> derivatives_at(
+      std::span<const double> x) const;
+
   const DesignSetup* setup_;
-  std::vector<Mechanism> derivatives_;              // by each variable
   std::vector<std::optional<BodyColumn>> columns_;  // of each measure
 };
 

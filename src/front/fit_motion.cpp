@@ -31,37 +31,10 @@ DesignTask ranges_of(const DesignTask& task) {
   return ranges;
 }
 
-// The same model where no number is refused for being out of its bounds: differences at a bound go beyond it.
-Model without_bounds(const Model& model) {
-  std::vector<Setting> settings;
-  for (const DesignTask::Variable& variable : model.profile().design->variables) {
-    const std::string path = "design.variables." + variable.name;
-    if (std::isfinite(variable.range.low)) {
-      settings.emplace_back(path + ".min", variable.range.log ? 1e-300 : -1e300);
-    }
-    if (std::isfinite(variable.range.high)) settings.emplace_back(path + ".max", 1e300);
-  }
-  const auto changed = settings.empty() ? Result<Model>(model) : model.with(settings);
-  return changed ? *changed : model;
-}
-
-std::vector<double> scales_of(const DesignTask& ranges) {
-  std::vector<double> scales;
-  for (const DesignTask::Variable& variable : ranges.variables) {
-    const DesignVariable& range = variable.range;
-    scales.push_back(range.start != 0 ? std::abs(range.start) : (range.high - range.low) / 2);
-  }
-  return scales;
-}
-
 }  // namespace
 
 FitMotion::FitMotion(const FitData& data, int branch)
-    : data_(data),
-      ranges_(ranges_of(*data.variables)),
-      numbers_(without_bounds(data.model), ranges_),
-      branch_(branch),
-      scales_(scales_of(ranges_)) {}
+    : data_(data), ranges_(ranges_of(*data.variables)), numbers_(data.model, ranges_), branch_(branch) {}
 
 std::optional<FitCandidate> FitMotion::start(std::span<const double> variables,
                                              std::span<const double> offsets) const {
@@ -107,29 +80,6 @@ void FitMotion::choose_derivatives(std::span<const double> variables, std::span<
   }
 }
 
-// Where numbers of the mechanism are not all linear functions of the variables, by differences of these
-// numbers; none where what drivers do depends on the variable.
-std::optional<Mechanism> FitMotion::mechanism_by(std::size_t variable,
-                                                 std::span<const double> variables) const {
-  if (numbers_.is_linear()) return numbers_.derivative(variable);
-  std::vector<double> x(variables.begin(), variables.end());
-  bool same_drivers = true;
-  const auto at = [&](double step) -> std::optional<Mechanism> {
-    x[variable] = variables[variable] + step;
-    const auto model = numbers_.model_of(x);
-    if (!model) return std::nullopt;
-    const auto& programs = model->profile().programs;
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      const DriverProgram& own = data_.model.profile().programs[i];
-      same_drivers = same_drivers && programs[i].velocity == own.velocity && !own.law &&
-                     programs[i].acceleration == own.acceleration && programs[i].start == own.start;
-    }
-    return model->mechanism();
-  };
-  auto derivative = mechanism_derivative(at, kFourthOrderStep * scales_[variable]);
-  return same_drivers ? derivative : std::nullopt;
-}
-
 std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<const double> variables,
                                                                   std::span<const double> offsets) const {
   auto candidate = start(variables, offsets);
@@ -142,7 +92,7 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
   std::vector<Free> parameters;
   const std::vector<double> at_rest(candidate->run.mechanism().drivers.size(), 0.0);
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    const auto derivative = mechanism_by(i, variables);
+    const auto derivative = numbers_.derivative(i, variables);
     auto by = derivative ? Sensitivity::at_start(candidate->run, *derivative, at_rest) : std::nullopt;
     if (!by) return std::nullopt;
     parameters.push_back({*std::move(by), std::nullopt});
@@ -220,7 +170,7 @@ std::optional<std::vector<FitTable>> FitMotion::differences(std::span<const doub
   };
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const bool made =
-        by(variables, kFourthOrderStep * scales_[i], [&](std::span<const double> from, double step) {
+        by(variables, kFourthOrderStep * numbers_.scale(i), [&](std::span<const double> from, double step) {
           std::vector<double> x(from.begin(), from.end());
           x[i] += step;
           return table(x, offsets);

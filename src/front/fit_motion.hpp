@@ -42,7 +42,7 @@ public:
   [[nodiscard]] const DesignNumbers& numbers() const { return numbers_; }
   [[nodiscard]] int branch() const { return branch_; }
   /// By how much a variable is moved to count as moved.
-  [[nodiscard]] double scale(std::size_t variable) const { return scales_[variable]; }
+  [[nodiscard]] double scale(std::size_t variable) const { return numbers_.scale(variable); }
 
 private:
   [[nodiscard]] std::optional<FitCandidate> start(std::span<const double> variables,
@@ -51,15 +51,12 @@ private:
                                                                        std::span<const double> offsets) const;
   [[nodiscard]] std::optional<std::vector<FitTable>> differences(std::span<const double> variables,
                                                                  std::span<const double> offsets) const;
-  [[nodiscard]] std::optional<Mechanism> mechanism_by(std::size_t variable,
-                                                      std::span<const double> variables) const;
 
   const FitData& data_;
   DesignTask ranges_;  // with bounds everywhere
   DesignNumbers numbers_;
   int branch_;
   bool exact_ = true;
-  std::vector<double> scales_;
 };
 
 }  // namespace higherpair

@@ -11,9 +11,7 @@
 namespace higherpair {
 namespace {
 
-// Steps of a number, of its scale: the first with which a mechanism's numbers are smooth.
-constexpr std::array kSlopeSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
-constexpr int kReach = 4;  // steps to either side
+constexpr int kReach = 4;  // steps of a number to either side
 
 // Change of a number of the mechanism over all steps, of the mechanism's largest: less is rounding.
 constexpr double kNoChange = 1e-14;
@@ -62,9 +60,6 @@ Result<Model> NumberModels::at(double h) {
 
 std::string exactness_objection(const Mechanism& mechanism) {
   for (const Contact& contact : mechanism.contacts) {
-    if (contact.by_boundary) {
-      return "contacts." + contact.name + " is one of boundaries";
-    }
     if (contact.keep == Keep::kGap) {
       return "contacts." + contact.name + " may part";
     }
@@ -78,25 +73,24 @@ bool has_exact_slope(const Column& column) {
 
 NumberSlopes::NumberSlopes(const PathColumns& columns, NumberModels& models) : columns_(columns) {
   const Mechanism& mechanism = columns.start().mechanism();
-  std::optional<Mechanism> derivative;
-  for (const double share : kSlopeSteps) {
-    step_ = share * models.scale();
-    derivative = mechanism_derivative(
-        [&](double h) -> std::optional<Mechanism> {
-          const auto model = models.at(h);
-          return model ? std::optional(model->mechanism()) : std::nullopt;
-        },
-        step_);
-    if (derivative) break;
+  const auto derivative = mechanism_derivative(
+      [&](double h) -> std::optional<Mechanism> {
+        const auto model = models.at(h);
+        return model ? std::optional(model->mechanism()) : std::nullopt;
+      },
+      models.scale());
+  if (!derivative) {
+    return;
   }
+  step_ = derivative->step;
   const auto beside = models.at(step_);
-  if (!derivative || !beside || joints_differ(mechanism, beside->mechanism())) {
+  if (!beside || joints_differ(mechanism, beside->mechanism())) {
     return;
   }
   if (!find_drivers(models)) {
     return;
   }
-  const bool same = is_zero(*derivative, mechanism, step_);
+  const bool same = !derivative->boundaries && is_zero(derivative->numbers, mechanism, step_);
   if (!exactness_objection(mechanism).empty()) {
     state_ = State::kOther;
     return;

@@ -227,9 +227,9 @@ void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
       result.column = results_[m].column;
     }
     const double spread = high_[result.column] - low_[result.column];
+    result.rounding = rounding_of(columns_, result.column);
     result.constant = columns_.path().path.knots.size() > 1 &&
-                      spread <= std::max(rounding_of(columns_, result.column),
-                                         kResultRounding * std::abs(high_[result.column]));
+                      spread <= std::max(result.rounding, kResultRounding * std::abs(high_[result.column]));
     results_[m] = std::move(result);
   }
 }

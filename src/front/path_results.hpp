@@ -31,6 +31,7 @@ struct PathResult {
   bool jumps = false;  ///< the column has a jump or a kink at one of the places: they move with the numbers
   bool grows = false;  ///< without bounds, towards a singular position
   bool constant = false;  ///< an extreme of a column that does not change along the path
+  double rounding = 0;    ///< of an extreme [unit of the column]; 0 where forces or masses are in it
 };
 
 /// Measures on a run, each of which has a column there.

@@ -22,8 +22,9 @@ namespace higherpair {
 namespace {
 
 // Change of a result by a change of a number over its whole scale, of the largest value of its column: less
-// is rounding.
+// is rounding; and of the rounding of a column that is the same everywhere.
 constexpr double kNoSlope = 1e-10;
+constexpr double kNoSlopeOfRounding = 100;
 
 constexpr double kKinkRounding = 1e-8;  // of the result: a bend of less is no kink
 
@@ -121,7 +122,8 @@ private:
 
   // What is rounding becomes 0.
   void snap(Slope& slope, std::size_t number, std::size_t m) const {
-    const double least = kNoSlope * largest(m) / models_[number]->scale();
+    const double noise = results_[m].constant ? kNoSlopeOfRounding * results_[m].rounding : 0;
+    const double least = std::max(kNoSlope * largest(m), noise) / models_[number]->scale();
     if (std::abs(slope.up) <= least && std::abs(slope.down) <= least) {
       slope.up = slope.down = 0;
       if (slope.kind == SlopeKind::kKink) slope.kind = SlopeKind::kExact;

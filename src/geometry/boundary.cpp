@@ -1,6 +1,7 @@
 #include "higherpair/geometry/boundary.hpp"
 
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/local_conic.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +186,6 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
   return {place};
 }
 
-// With τ = ρ′/(3 ρ), the slope of the normal against the axis: |ρ| = ℓ (1 + τ²)^{3/2}, y = -ℓ τ, x = ℓ τ²/2.
 Curve local_curve(const SpanPoint& point, bool corner) {
   Curve curve;
   curve.vertex_B = point.p_B;
@@ -197,23 +197,15 @@ Curve local_curve(const SpanPoint& point, bool corner) {
     curve.kind = CurveKind::kLine;
     return curve;
   }
-  const double side = point.kappa > 0 ? 1 : -1;
   curve.side = point.kappa > 0 ? Side::kInside : Side::kOutside;
-  const double rho = 1 / std::abs(point.kappa);
-  const Vector2d N = side * point.n_B;
-  const double tau = -point.slope * rho * rho / 3;
-  if (tau == 0 || !(std::abs(tau) < kSteepest)) {
-    curve.kind = CurveKind::kCircle;
-    curve.axis_B = -N;
-    curve.semi_latus = rho;
-    return curve;
-  }
-  const double c = 1 / std::sqrt(1 + tau * tau);
-  curve.kind = CurveKind::kParabola;
-  curve.axis_B = -c * N + tau * c * perp(N);
-  curve.semi_latus = rho * c * c * c;
-  curve.q = 0;
-  curve.vertex_B -= curve.semi_latus * tau * (tau / 2 * curve.axis_B - perp(curve.axis_B));
+  const double tau = -point.slope / (3 * point.kappa * point.kappa);
+  const bool circle = tau == 0 || !(std::abs(tau) < kSteepest);
+  const LocalConic<double> conic = local_conic(point.p_B, point.n_B, point.kappa, point.slope, circle);
+  curve.kind = circle ? CurveKind::kCircle : CurveKind::kParabola;
+  curve.vertex_B = conic.vertex_B;
+  curve.axis_B = conic.axis_B;
+  curve.semi_latus = conic.semi_latus;
+  curve.q = circle ? 1 : 0;
   return curve;
 }
 

@@ -226,7 +226,7 @@ joint = "o"
         .mechanism;
   };
   const auto derivative = mechanism_derivative(
-      [&](double h) -> std::optional<Mechanism> { return mechanism_with(30 + h); }, 0.01);
+      [&](double h) -> std::optional<Mechanism> { return mechanism_with(30 + h); }, 0.01, 30);
   ASSERT_TRUE(derivative);
   const auto row = row_of(mechanism_with(30), {0}, {{u, omega, 0}});
   ASSERT_TRUE(row);
@@ -269,8 +269,8 @@ joint = "a"
                        "bodies.two.pose.x=" + std::to_string(radius + 2)})
         .mechanism;
   };
-  const auto derivative =
-      mechanism_derivative([&](double h) -> std::optional<Mechanism> { return mechanism_with(1 + h); }, 0.01);
+  const auto derivative = mechanism_derivative(
+      [&](double h) -> std::optional<Mechanism> { return mechanism_with(1 + h); }, 0.01, 1);
   ASSERT_TRUE(derivative);
   const auto row = row_of(mechanism_with(1), {0.2}, {{5.2, 3, 0}});
   ASSERT_TRUE(row);
@@ -313,9 +313,9 @@ TEST(SensitivityOf, ADimensionThatJumpsIsRefused) {
     jumping.joints[0].relative_angle = h > 0 ? 1 : 0;
     return jumping;
   };
-  EXPECT_FALSE(mechanism_derivative(at, 1e-3));
+  EXPECT_FALSE(mechanism_derivative(at, 1));
   EXPECT_FALSE(
-      mechanism_derivative([&](double h) { return h > 0 ? std::nullopt : std::optional(mechanism); }, 1e-3));
+      mechanism_derivative([&](double h) { return h > 0 ? std::nullopt : std::optional(mechanism); }, 1));
 }
 
 }  // namespace

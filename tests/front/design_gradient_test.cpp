@@ -357,6 +357,20 @@ column = "touch.pressure"
 of     = "maxabs"
 below  = 40
 )"},
+        Kind{"law_cam_roller",
+             R"(prime  = { path = "bodies.follower.pose.y", min = 45, max = 60 }
+roller = { path = "bodies.follower.curves.roller.radius", min = 8, max = 12 }
+)",
+             R"([[design.objectives]]
+column = "touch.pressure"
+of     = "max"
+target = 20
+[[design.constraints]]
+column = "touch.rho1"
+of     = "at"
+at     = 60
+above  = 40
+)"},
         Kind{"roller_body",
              R"(arm    = { path = "bodies.arm.points.P.0", min = -65, max = -55 }
 roller = { path = "bodies.roller.curves.rim.radius", min = 10, max = 20 }

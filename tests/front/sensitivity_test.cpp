@@ -270,6 +270,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"HyperbolaCam", "hyperbola_cam", {"follower.angle:min", "follower.omega:range"}},
         Case{"SixBar", "watt_sixbar", {"link6.angle:range", "link6.alpha:max"}},
         Case{"ScotchYoke", "scotch_yoke", {"yoke.ax:max"}},
+        Case{"FlankOfALaw", "law_cam_roller", {"touch.pressure:max", "touch.rho1:max"}},
+        Case{"Spline", "spline_cam", {"follower.alpha:max", "touch.pressure:max"}},
         Case{"SliderCrank", "slider_crank", {"piston.x:max", "slide.acceleration:maxabs"}},
         Case{"FourBar", "four_bar", {"coupler.E.y:max", "rocker.alpha:max"}},
         Case{"Gears", "geared_five_bar", {"left_link.T.y:max", "left_link.T.y:range", "T.velocity:max"}}),
@@ -313,14 +315,40 @@ TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
   }
 }
 
-// A flank that a law has shaped makes the law's lift whatever its size; it is one of boundaries.
-TEST(SensitivityOfResults, OfBoundariesAreDifferencesThatSaySo) {
-  const Model model = shipped_model("law_cam_flat", {"driver.samples=37"});
-  const SensitivityReport report = report_of(model, wanted({"follower.y:range"}, {"bodies.follower.pose.y"}));
-  const Slope& by_pose = report.results[0].slopes[0];
-  EXPECT_EQ(by_pose.kind, SlopeKind::kDifferences);
-  EXPECT_NEAR(by_pose.up, 0, 1e-6);
-  EXPECT_LT(by_pose.error, 1e-4);
+// A flank that a law has shaped makes the law's lift whatever its size. The path of the roller's centre does
+// not depend on the roller: the flank's radius of curvature is smaller by as much as the roller's is larger.
+TEST(SensitivityOfResults, OfAFlankThatALawHasShapedAreTheClosedForm) {
+  const Model model = shipped_model("law_cam_roller", {"driver.samples=37"});
+  const std::string r = "bodies.follower.curves.roller.radius", y = "bodies.follower.pose.y";
+  const SensitivityReport report =
+      report_of(model, wanted({"touch.rho1:max", "touch.rho1:min", "touch.rho2:max", "slide.position:range",
+                               "slide.acceleration:max", "touch.pressure:max"},
+                              {r, y}));
+  EXPECT_NEAR(exact(report, 0, r), -1, 1e-10);
+  EXPECT_NEAR(exact(report, 1, r), -1, 1e-10);
+  EXPECT_NEAR(slope(report, 2, r).up, 1, 1e-11);
+  EXPECT_EQ(exact(report, 3, r), 0);
+  EXPECT_EQ(exact(report, 3, y), 0);
+  EXPECT_EQ(exact(report, 4, y), 0);
+  EXPECT_EQ(exact(report, 5, r), 0);
+  // tan of the pressure angle is (s' - e)/(r0 + s): a larger base circle makes it smaller.
+  EXPECT_LT(exact(report, 5, y), -0.1);
+}
+
+// Nothing moves a dwell, and rounding is no derivative.
+TEST(SensitivityOfResults, OfAColumnThatIsTheSameEverywhereAreZero) {
+  const SensitivityReport report =
+      report_of(shipped_model("involute_pair", {}),
+                wanted({"wheel_pivot.acceleration:maxabs"}, {"bodies.ground.points.O2.0"}));
+  EXPECT_EQ(exact(report, 0, "bodies.ground.points.O2.0"), 0);
+}
+
+// The others stay where they are; that there is a gap then does not matter to the top of the nose.
+TEST(SensitivityOfResults, OfOneArcOfAChainAreThoseOfThatArc) {
+  const std::string radius = "bodies.cam.curves.outline.spans.0.radius";
+  const SensitivityReport report =
+      report_of(shipped_model("four_arc_cam", {"driver.samples=37"}), wanted({"follower.y:range"}, {radius}));
+  EXPECT_NEAR(exact(report, 0, radius), 1, 1e-9);
 }
 
 TEST(SensitivityOfResults, ANumberThatChangesTheRowsHasNoSlopes) {

@@ -106,8 +106,8 @@ struct SensitivityReport {
 /// rates included, ∂F/∂x dx/dp = -∂F/∂p gives how every column changes with p at a fixed place of the path.
 /// The derivative of an extreme is that of its column at the place of the extreme (envelope theorem: the
 /// column is level there); at the ends of the path that place is fixed. Where two extremes are equal the
-/// result has a kink. Contacts of boundaries (splines, chains, flanks of cams), contacts that may part, arcs,
-/// and extremes at a jump of their column are differentiated by differences of whole runs instead.
+/// result has a kink. Contacts that may part, arcs, extremes at a jump of their column, and numbers by which
+/// a curve of several parts does not change smoothly are differentiated by differences of whole runs instead.
 ///
 /// Fails as Model::run does, for columns and paths that do not exist (the message names those that are like
 /// it), and for a model that was built.

@@ -21,10 +21,15 @@ namespace higherpair {
 /// The mechanism with every number changed by h times its derivative.
 [[nodiscard]] Mechanism displaced(Mechanism mechanism, const Mechanism& derivative, double h);
 
-/// The derivative of every number of a mechanism that is made from a parameter p, by differences of the
-/// eighth order. None where it cannot be made within 4 h of p, or is not smooth there. \param at  makes it
-/// for p displaced by its argument
-[[nodiscard]] std::optional<Mechanism> mechanism_derivative(
-    const std::function<std::optional<Mechanism>(double)>& at, double h);
+/// The derivative of a mechanism that is made from a parameter p, by differences of the eighth order. None
+/// where it cannot be made within 4 h of p, or is not smooth there. \param at  makes it for p displaced by
+/// its argument \param scale  of p: a change by as much makes another mechanism
+[[nodiscard]] std::optional<MechanismDerivative> mechanism_derivative(
+    const std::function<std::optional<Mechanism>(double)>& at, double h, double scale);
+
+/// The same with the widest of several steps between 1e-3 and 1e-9 of the scale that leaves no error but
+/// rounding, else with the best of them.
+[[nodiscard]] std::optional<MechanismDerivative> mechanism_derivative(
+    const std::function<std::optional<Mechanism>(double)>& at, double scale);
 
 }  // namespace higherpair

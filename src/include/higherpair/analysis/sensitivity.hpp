@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/run.hpp"
+#include "higherpair/analysis/boundary_derivatives.hpp"
 
 #include <optional>
 #include <vector>
@@ -26,10 +26,10 @@ struct RowSensitivity {
 class Sensitivity {
 public:
   /// \param run         at the position in which it was started; its `row` is not used
-  /// \param derivative  of every number of the mechanism by p, in place of the number
+  /// \param derivative  of the mechanism by p
   /// \param drivers     derivatives of the first positions of the drivers by p [rad or m]
-  /// None where the start is singular, or a contact is by_boundary.
-  [[nodiscard]] static std::optional<Sensitivity> at_start(const Run& run, const Mechanism& derivative,
+  /// None where the start is singular.
+  [[nodiscard]] static std::optional<Sensitivity> at_start(const Run& run, MechanismDerivative derivative,
                                                            const std::vector<double>& drivers);
 
   /// Of run.row. None where the row has no rates.
@@ -38,10 +38,13 @@ public:
   [[nodiscard]] std::optional<RowSensitivity> of_row(const Run& run, const std::vector<DriverMotion>& motions,
                                                      const std::vector<DriverMotion>& derivatives) const;
 
-  [[nodiscard]] const Mechanism& derivative() const { return derivative_; }
+  /// Every number of the mechanism by p, in place of the number; but for the curves of contacts by_boundary.
+  [[nodiscard]] const Mechanism& derivative() const { return derivative_.numbers; }
+  /// The same of run.mechanism(), whose curves are like those boundaries at the row's contacts.
+  [[nodiscard]] Mechanism derivative_at(const Run& run) const;
 
 private:
-  Mechanism derivative_;
+  MechanismDerivative derivative_;
   std::vector<double> arcs_;
 };
 

@@ -1,0 +1,160 @@
+#include "higherpair/analysis/boundary_derivatives.hpp"
+
+#include "higherpair/geometry/local_conic.hpp"
+#include "higherpair/geometry/stencil.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "span_joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+namespace {
+
+using Parametric = Partials<double, 1>;
+
+constexpr int kMiddle = 4;
+
+// Where on each span boundaries are looked at, of its range.
+constexpr std::array kShares = {0.08, 0.37, 0.64, 0.93};
+
+// Point, normal, curvature and its rate.
+using Numbers = Eigen::Matrix<double, 6, 1>;
+
+Numbers numbers_at(const Boundary& boundary, int span, double share) {
+  const Span& one = *boundary.spans()[static_cast<std::size_t>(span)];
+  const Bounds range = one.range();
+  const SpanPoint point = one.at(range.low + share * range.width());
+  Numbers numbers;
+  numbers << point.p_B, point.n_B, point.kappa, point.slope;
+  return numbers;
+}
+
+template <class Boundaries>
+auto numbers_of(const Boundaries& boundaries, int span, double share, double step) {
+  return [&boundaries, span, share, step](double by) {
+    return numbers_at(*boundaries[static_cast<std::size_t>(std::lround(by / step) + kMiddle)], span, share);
+  };
+}
+
+template <class Boundaries>
+Numbers slopes_at(const Boundaries& boundaries, int span, double share, double step) {
+  return eighth_order_difference(numbers_of(boundaries, span, share, step), step);
+}
+
+bool same_spans(const Boundary& a, const Boundary& b) {
+  return std::equal(
+      a.spans().begin(), a.spans().end(), b.spans().begin(), b.spans().end(),
+      [](const SpanPtr& one, const SpanPtr& two) { return one->is_corner() == two->is_corner(); });
+}
+
+// Of slopes the largest share of what is to be expected of a boundary for a change of p by `scale`.
+double share_of(const Numbers& slopes, const Numbers& values, const Boundary& boundary, double scale) {
+  const double size = boundary.size() > 0 ? boundary.size() : 1;
+  const double length = boundary.middle_B().norm() + size;
+  return std::max({slopes.head<2>().norm() / length, slopes.segment<2>(2).norm(),
+                   std::abs(slopes(4)) / (std::abs(values(4)) + 1 / size)}) *
+         scale;
+}
+
+// The largest f(values, slopes, boundaries, span, share) of all places that are looked at.
+template <class Contacts, class F>
+double largest_of(const Contacts& contacts, double step, F f) {
+  double largest = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t side = 0; side < 2 && contacts[i][side][kMiddle]; ++side) {
+      const auto& boundaries = contacts[i][side];
+      const Boundary& own = *boundaries[kMiddle];
+      for (int span = 0; span < static_cast<int>(own.spans().size()); ++span) {
+        for (const double share : kShares) {
+          const double one = f(numbers_at(own, span, share), slopes_at(boundaries, span, share, step),
+                               boundaries, span, share);
+          largest = one > largest || std::isnan(one) ? one : largest;
+        }
+      }
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::optional<BoundaryDerivatives> BoundaryDerivatives::of(const Family& mechanisms, double step) {
+  BoundaryDerivatives derivatives;
+  derivatives.step_ = step;
+  const std::vector<Contact>& contacts = mechanisms[kMiddle]->contacts;
+  derivatives.contacts_.resize(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t side = 0; contacts[i].by_boundary && side < 2; ++side) {
+      Boundaries& boundaries = derivatives.contacts_[i][side];
+      for (std::size_t k = 0; k < boundaries.size(); ++k) {
+        const CurveRef& ref = ref_of(mechanisms[k]->contacts[i], side);
+        boundaries[k] = mechanisms[k]
+                            ->bodies[static_cast<std::size_t>(ref.body)]
+                            .curves[static_cast<std::size_t>(ref.curve)]
+                            .boundary;
+      }
+      for (const auto& other : boundaries) {
+        if (!same_spans(*boundaries[kMiddle], *other)) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  return derivatives;
+}
+
+Curve BoundaryDerivatives::of_local_curve(std::size_t contact, std::size_t side,
+                                          const BoundaryPlace& place) const {
+  const Boundaries& boundaries = contacts_[contact][side];
+  const Boundary& own = *boundaries[kMiddle];
+  const Bounds range = own.spans()[static_cast<std::size_t>(place.span)]->range();
+  const double share = (place.t - range.low) / range.width();
+  const SpanPoint at = own.at(place);
+  const Numbers slopes = slopes_at(boundaries, place.span, share, step_);
+  const Curve like = local_curve(at, own.is_corner(place));
+  Curve by;
+  by.kind = like.kind;
+  by.q = 0;
+  by.vertex_B = slopes.head<2>();
+  by.axis_B = is_line(like) ? Vector2d(-slopes.segment<2>(2)) : Vector2d(Vector2d::Zero());
+  if (!is_conic(like)) {
+    return by;
+  }
+  const auto varied = [](double value, double slope) {
+    Parametric number(value);
+    number.c[1] = slope;
+    return number;
+  };
+  const LocalConic<Parametric> conic =
+      local_conic(Vector2<Parametric>(varied(at.p_B.x(), slopes(0)), varied(at.p_B.y(), slopes(1))),
+                  Vector2<Parametric>(varied(at.n_B.x(), slopes(2)), varied(at.n_B.y(), slopes(3))),
+                  varied(at.kappa, slopes(4)), varied(at.slope, slopes(5)), like.kind == CurveKind::kCircle);
+  by.vertex_B = {conic.vertex_B.x().c[1], conic.vertex_B.y().c[1]};
+  by.axis_B = {conic.axis_B.x().c[1], conic.axis_B.y().c[1]};
+  by.semi_latus = conic.semi_latus.c[1];
+  return by;
+}
+
+double BoundaryDerivatives::error(double scale) const {
+  return largest_of(contacts_, step_,
+                    [&](const Numbers& values, const Numbers& slopes, const Boundaries& boundaries, int span,
+                        double share) {
+                      const Boundary& own = *boundaries[kMiddle];
+                      const Numbers coarse =
+                          sixth_order_difference(numbers_of(boundaries, span, share, step_), step_);
+                      return share_of(slopes - coarse, values, own, scale) /
+                             std::max(share_of(slopes, values, own, scale), 1.0);
+                    });
+}
+
+double BoundaryDerivatives::largest(double scale) const {
+  return largest_of(
+      contacts_, step_,
+      [&](const Numbers& values, const Numbers& slopes, const Boundaries& boundaries, int /*span*/,
+          double /*share*/) { return share_of(slopes, values, *boundaries[kMiddle], scale); });
+}
+
+}  // namespace higherpair

@@ -1,0 +1,383 @@
+// Derivatives of contacts of curves of several parts: against conics of the same shape, closed forms, and
+// runs with other numbers.
+#include "front/cam_profile.hpp"
+#include "higherpair/higherpair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+using testing::model_of;
+using testing::shipped_model;
+
+// All columns of all rows, by all numbers that the profile names.
+struct Slopes {
+  std::vector<Column> columns;
+  std::vector<SensitivityNumber> numbers;
+  std::vector<std::vector<double>> values, slopes;  // row by row
+};
+
+Slopes slopes_of(const Model& model, const std::vector<std::string>& columns,
+                 const std::vector<std::string>& by = {}) {
+  SensitivitySettings settings;
+  settings.by = by;
+  Slopes all;
+  const auto table = sensitivity_rows(
+      model, columns, settings,
+      [&](const SlopeTable& made) {
+        all.columns = made.columns;
+        all.numbers = made.numbers;
+      },
+      [&](const RowSlopes& row) {
+        all.values.emplace_back(row.values.begin(), row.values.end());
+        all.slopes.emplace_back(row.slopes.begin(), row.slopes.end());
+        return true;
+      });
+  EXPECT_TRUE(table) << (table ? "" : to_string(table.error()));
+  return all;
+}
+
+constexpr double kNothing = 1e-6;  // in the units of tables: columns that are 0 but for rounding
+
+// The largest of a column over all rows.
+std::vector<double> largest_of(const Slopes& all) {
+  std::vector<double> largest(all.columns.size(), 0);
+  for (std::size_t k = 0; k < all.values.size(); ++k) {
+    for (std::size_t c = 0; c < largest.size(); ++c) {
+      if (std::isfinite(all.values[k][c])) largest[c] = std::max(largest[c], std::abs(all.values[k][c]));
+    }
+  }
+  return largest;
+}
+
+// An eccentric and a follower on it; the profile of the eccentric is put in.
+constexpr const char* kSwinging = R"(
+[bodies.ground]
+points = { O1 = [0, 0], O2 = [70, 5] }
+[bodies.cam]
+points.O = [0, 0]
+[bodies.follower]
+pose = { x = 70, y = 5, angle = 140 }
+points.O = [0, 0]
+mass = 0.3
+center_of_mass = [30, 2]
+inertia = "1.6e-5 kg m^2"
+curves.roller = { type = "circle", center = [61, 2], radius = 8 }
+[joints]
+pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm   = { type = "revolute", between = ["ground.O2", "follower.O"] }
+[contacts.touch]
+between = ["cam.disc", "follower.roller"]
+[driver]
+joint        = "pivot"
+start        = 3
+end          = 350
+samples      = 37
+velocity     = "3 rad/s"
+acceleration = "2 rad/s^2"
+[tolerances]
+roller = { path = "bodies.follower.curves.roller.radius", plus_minus = 0.1 }
+length = { path = "bodies.follower.curves.roller.center.0", plus_minus = 0.1 }
+pivot  = { path = "bodies.ground.points.O2.0", plus_minus = 0.1 }
+)";
+
+constexpr const char* kLifting = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+[bodies.follower]
+pose = { x = 0, y = 45 }
+points.O = [0, 0]
+mass = 0.3
+center_of_mass = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0.2, -1] }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+slide = { type = "prismatic", between = ["ground.O", "follower.O"], direction = [0, 1] }
+[contacts.touch]
+between = ["cam.disc", "follower.face"]
+[driver]
+joint        = "pivot"
+start        = 3
+end          = 350
+samples      = 37
+velocity     = "3 rad/s"
+acceleration = "2 rad/s^2"
+[tolerances]
+normal = { path = "bodies.follower.curves.face.normal.0", plus_minus = 0.1 }
+point  = { path = "bodies.follower.curves.face.point.1", plus_minus = 0.1 }
+)";
+
+constexpr const char* kDisc = R"(
+eccentricity = { path = "bodies.cam.curves.disc.center.0", plus_minus = 0.1 }
+radius       = { path = "bodies.cam.curves.disc.radius", plus_minus = 0.1 }
+[bodies.cam.curves.disc]
+type   = "circle"
+center = [10, 3]
+radius = 31
+)";
+
+constexpr const char* kTwoArcs = R"(
+[tolerances.eccentricity]
+path       = ["bodies.cam.curves.disc.spans.0.center.0", "bodies.cam.curves.disc.spans.1.center.0"]
+plus_minus = 0.1
+[tolerances.radius]
+path       = ["bodies.cam.curves.disc.spans.0.radius", "bodies.cam.curves.disc.spans.1.radius"]
+plus_minus = 0.1
+[bodies.cam.curves.disc]
+type  = "chain"
+spans = [ { type = "arc", center = [10, 3], radius = 31, from = -37, to = 143 },
+          { type = "arc", center = [10, 3], radius = 31, from = 143, to = 323 } ]
+)";
+
+// The same disc offset from a smaller one.
+constexpr const char* kOffset = R"(
+[tolerances.eccentricity]
+path       = "bodies.cam.curves.core.center.0"
+plus_minus = 0.1
+[tolerances.radius]
+path       = "bodies.cam.curves.core.radius"
+plus_minus = 0.1
+[bodies.cam.curves]
+core = { type = "circle", center = [10, 3], radius = 24 }
+disc = { type = "offset", of = "core", by = 7 }
+)";
+
+class OfADisc : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(OfADisc, AreThoseOfTheConic) {
+  const auto& [follower, chain] = GetParam();
+  const std::vector<std::string> columns = {"follower.*", "touch.x",      "touch.y",       "touch.normal",
+                                            "touch.rho*", "touch.c*",     "touch.sliding", "touch.pressure",
+                                            "touch.r3",   "touch.force*", "driver.effort*"};
+  const Slopes expected = slopes_of(model_of(follower + std::string(kDisc)), columns);
+  const Slopes found = slopes_of(model_of(follower + std::string(chain)), columns);
+  ASSERT_EQ(found.columns.size(), expected.columns.size());
+  ASSERT_EQ(found.numbers.size(), expected.numbers.size());
+  ASSERT_EQ(found.slopes.size(), 37U);
+  const std::vector<double> largest = largest_of(expected);
+  double worst = 0;
+  for (std::size_t i = 0; i < expected.numbers.size(); ++i) {
+    ASSERT_EQ(found.numbers[i].name, expected.numbers[i].name);
+    for (std::size_t c = 0; c < largest.size(); ++c) {
+      ASSERT_EQ(found.columns[c].name, expected.columns[c].name);
+      for (std::size_t k = 0; k < found.slopes.size(); ++k) {
+        const double ours = found.slopes[k][i * largest.size() + c];
+        const double theirs = expected.slopes[k][i * largest.size() + c];
+        if (std::isnan(theirs) || largest[c] < kNothing) continue;
+        const double off = std::abs(ours - theirs) / (std::abs(theirs) + largest[c] / 30);
+        worst = std::isnan(off) || off > worst ? off : worst;
+        EXPECT_LE(off, 2e-10) << found.columns[c].name << " by " << found.numbers[i].name << " in row " << k
+                              << ": " << ours << ", of the conic " << theirs;
+      }
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfDiscs, OfADisc,
+                         ::testing::Values(std::pair(kSwinging, kTwoArcs), std::pair(kSwinging, kOffset),
+                                           std::pair(kLifting, kTwoArcs), std::pair(kLifting, kOffset)),
+                         [](const auto& one) {
+                           return std::string(one.param.first == kSwinging ? "Swinging" : "Lifting") +
+                                  (one.param.second == kTwoArcs ? "TwoArcs" : "Offset");
+                         });
+
+// A cam of straight edges and an arc, its corners rounded.
+constexpr const char* kFillets = R"(
+[bodies.ground]
+points = { O1 = [0, 0], O2 = [70, 5] }
+[bodies.cam]
+points.O = [0, 0]
+[bodies.cam.curves.disc]
+type   = "chain"
+fillet = 6
+spans  = [ { type = "segment", from = [-25, -20], to = [28, -18] },
+           { type = "segment", from = [28, -18], to = [20, 24] },
+           { type = "segment", from = [20, 24], to = [-22, 27] },
+           { type = "segment", from = [-22, 27], to = [-25, -20] } ]
+[bodies.follower]
+pose = { x = 70, y = 5, angle = 150 }
+points.O = [0, 0]
+curves.roller = { type = "circle", center = [51, 2], radius = 9 }
+[joints]
+pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm   = { type = "revolute", between = ["ground.O2", "follower.O"] }
+[contacts.touch]
+between = ["cam.disc", "follower.roller"]
+[driver]
+joint    = "pivot"
+end      = 360
+samples  = 50
+velocity = "3 rad/s"
+)";
+
+constexpr const char* kPoints = R"(
+[bodies.ground]
+points = { O1 = [0, 0], O2 = [70, 5] }
+[bodies.cam]
+points.O = [0, 0]
+[bodies.cam.curves.disc]
+type   = "spline"
+points = [[30, 0], [25, 17], [8, 29], [-9, 27], [-22, 15], [-26, -1], [-21, -16], [-8, -25], [8, -26], [23, -17]]
+[bodies.follower]
+pose = { x = 70, y = 5, angle = 150 }
+points.O = [0, 0]
+curves.roller = { type = "circle", center = [51, 2], radius = 9 }
+[joints]
+pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm   = { type = "revolute", between = ["ground.O2", "follower.O"] }
+[contacts.touch]
+between = ["cam.disc", "follower.roller"]
+[driver]
+joint    = "pivot"
+end      = 360
+samples  = 50
+velocity = "3 rad/s"
+)";
+
+struct Shape {
+  const char* name;
+  const char* text;  // or null: a shipped profile
+  std::vector<std::string> numbers;
+  std::vector<std::string> overrides = {};
+};
+
+Model model_of(const Shape& shape) {
+  return shape.text != nullptr ? model_of(shape.text, shape.overrides)
+                               : shipped_model(shape.name, shape.overrides);
+}
+
+class OfShapes : public ::testing::TestWithParam<Shape> {};
+
+// Of the sixth order, from runs with other numbers, and how far that may be off.
+TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
+  const Model model = model_of(GetParam());
+  const Slopes found = slopes_of(model, {"*"}, GetParam().numbers);
+  const std::vector<double> largest = largest_of(found);
+  const std::size_t count = largest.size();
+  double worst = 0;
+  int compared = 0;
+  for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+    const double value = found.numbers[i].value, scale = std::max(std::abs(value), 10.0);
+    const double h = 1e-4 * scale;
+    std::vector<Motion> runs;
+    for (const double step : {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
+      const auto other = model.with({{found.numbers[i].paths[0], value + step * h}});
+      ASSERT_TRUE(other) << to_string(other.error());
+      runs.push_back(other->run().value());
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::string& name = found.columns[c].name;
+      if (name.ends_with(".arc1") || name.ends_with(".arc2") || largest[c] < kNothing) continue;
+      for (std::size_t k = 0; k < found.slopes.size(); ++k) {
+        const auto half = [&](std::size_t steps) {
+          return (runs[2 + steps].column(name)[k] - runs[3 - steps].column(name)[k]) /
+                 (2 * static_cast<double>(steps) * h);
+        };
+        const double sixth = 1.5 * half(1) - 0.6 * half(2) + 0.1 * half(3);
+        const double doubt = std::abs(sixth - (4 * half(1) - half(2)) / 3);
+        const double ours = found.slopes[k][i * count + c];
+        if (std::isnan(sixth) && std::isnan(ours)) continue;
+        const double size = std::abs(sixth) + largest[c] / scale;
+        // A centre of curvature that passes a pivot has a distance from it that is not smooth.
+        const bool passes = name == "touch.r2" && found.values[k][c] < 1;
+        // Where a joint of two spans is near, the other numbers lead to its other side.
+        if (!(doubt <= 1e-4 * size) || passes) continue;
+        ++compared;
+        const double off = std::abs(ours - sixth) / size;
+        worst = std::isnan(off) || off > worst ? off : worst;
+        EXPECT_LE(std::abs(ours - sixth), 2e-7 * size + doubt)
+            << name << " by " << found.numbers[i].name << " in row " << k << ": " << ours << ", " << sixth;
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
+  RecordProperty("worst", std::to_string(worst));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfKinds, OfShapes,
+    ::testing::Values(
+        Shape{"Fillets", kFillets, {"bodies.cam.curves.disc.fillet", "bodies.ground.points.O2.0"}},
+        Shape{"Points",
+              kPoints,
+              {"bodies.cam.curves.disc.points.2.0", "bodies.cam.curves.disc.points.7.1",
+               "bodies.follower.curves.roller.radius"}},
+        Shape{
+            "law_cam_roller",
+            nullptr,
+            {"bodies.follower.pose.y", "bodies.follower.curves.roller.radius", "bodies.ground.points.rail.0"},
+            {"driver.samples=41"}},
+        Shape{"law_cam_flat", nullptr, {"bodies.follower.pose.y"}, {"driver.samples=41"}},
+        Shape{"spline_cam",
+              nullptr,
+              {"bodies.ground.points.O2.0", "bodies.follower.curves.roller.center.0"},
+              {"driver.samples=41"}},
+        Shape{"tangent_cam",
+              nullptr,
+              {"bodies.ground.points.rail.0", "bodies.follower.curves.roller.radius"},
+              {"driver.samples=41"}},
+        Shape{"groove_cam", nullptr, {"bodies.lever.curves.roller.radius"}, {"driver.samples=41"}},
+        Shape{"valve_train",
+              nullptr,
+              {"bodies.finger.curves.pad.radius", "bodies.finger.curves.nose.center.0"},
+              {"driver.samples=41"}},
+        Shape{"involute_pair", nullptr, {"bodies.ground.points.O2.0"}, {"driver.samples=21"}}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+// The same numbers in other units make a larger or smaller copy.
+TEST(OfCopies, ThatAreScaledAreTheSameNumbers) {
+  const std::vector<std::string> columns = {"follower.*", "touch.x", "touch.rho1", "touch.pressure"};
+  const std::vector<std::string> by = {"bodies.cam.curves.disc.points.2.0", "bodies.ground.points.O2.0"};
+  const Slopes one = slopes_of(model_of(kPoints), columns, by);
+  const std::vector<double> largest = largest_of(one);
+  for (const char* unit : {"um", "km"}) {
+    const std::string text = std::string("units.length = \"") + unit + "\"\n" + kPoints;
+    const Slopes other = slopes_of(model_of(text), columns, by);
+    ASSERT_EQ(other.slopes.size(), one.slopes.size());
+    for (std::size_t k = 0; k < one.slopes.size(); ++k) {
+      for (std::size_t j = 0; j < one.slopes[k].size(); ++j) {
+        if (largest[j % largest.size()] < kNothing) continue;
+        EXPECT_NEAR(other.slopes[k][j], one.slopes[k][j],
+                    1e-9 * (std::abs(one.slopes[k][j]) + largest[j % largest.size()] / 10))
+            << unit << ", row " << k << ", " << one.columns[j % largest.size()].name;
+      }
+    }
+  }
+}
+
+TEST(OfCopies, ThatAreMirroredAreMirrored) {
+  const std::vector<std::string> columns = {"follower.angle", "follower.omega", "follower.alpha",
+                                            "touch.pressure"};
+  const std::string text = kSwinging + std::string(kOffset);
+  const Slopes one = slopes_of(model_of(text), columns);
+  const Slopes image = slopes_of(
+      model_of(text, {"bodies.ground.points.O2.1=-5", "bodies.follower.pose.y=-5",
+                      "bodies.follower.pose.angle=-140", "bodies.follower.curves.roller.center.1=-2",
+                      "bodies.cam.curves.core.center.1=-3", "driver.start=-3", "driver.end=-350",
+                      "driver.velocity=-3 rad/s", "driver.acceleration=-2 rad/s^2"}),
+      columns);
+  ASSERT_EQ(image.slopes.size(), one.slopes.size());
+  const std::vector<double> largest = largest_of(one);
+  for (std::size_t k = 0; k < one.slopes.size(); ++k) {
+    for (std::size_t j = 0; j < one.slopes[k].size(); ++j) {
+      const std::size_t c = j % largest.size();
+      const double sign = one.columns[c].name == "touch.pressure" ? 1 : -1;
+      if (c == 0) continue;  // the driver
+      EXPECT_NEAR(image.slopes[k][j], sign * one.slopes[k][j],
+                  1e-9 * (std::abs(one.slopes[k][j]) + largest[c] / 10))
+          << "row " << k << ", " << one.columns[c].name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
