@@ -21,13 +21,13 @@ constexpr int kMiddle = 4;
 constexpr std::array kShares = {0.08, 0.37, 0.64, 0.93};
 
 // Point, normal, curvature and its rate.
-using Numbers = Eigen::Matrix<double, 6, 1>;
+using SpanNumbers = Eigen::Matrix<double, 6, 1>;
 
-Numbers numbers_at(const Boundary& boundary, int span, double share) {
+SpanNumbers numbers_at(const Boundary& boundary, int span, double share) {
   const Span& one = *boundary.spans()[static_cast<std::size_t>(span)];
   const Bounds range = one.range();
   const SpanPoint point = one.at(range.low + share * range.width());
-  Numbers numbers;
+  SpanNumbers numbers;
   numbers << point.p_B, point.n_B, point.kappa, point.slope;
   return numbers;
 }
@@ -40,7 +40,7 @@ auto numbers_of(const Boundaries& boundaries, int span, double share, double ste
 }
 
 template <class Boundaries>
-Numbers slopes_at(const Boundaries& boundaries, int span, double share, double step) {
+SpanNumbers slopes_at(const Boundaries& boundaries, int span, double share, double step) {
   return eighth_order_difference(numbers_of(boundaries, span, share, step), step);
 }
 
@@ -51,7 +51,8 @@ bool same_spans(const Boundary& a, const Boundary& b) {
 }
 
 // Of slopes the largest share of what is to be expected of a boundary for a change of p by `scale`.
-double share_of(const Numbers& slopes, const Numbers& values, const Boundary& boundary, double scale) {
+double share_of(const SpanNumbers& slopes, const SpanNumbers& values, const Boundary& boundary,
+                double scale) {
   const double size = boundary.size() > 0 ? boundary.size() : 1;
   const double length = boundary.middle_B().norm() + size;
   return std::max({slopes.head<2>().norm() / length, slopes.segment<2>(2).norm(),
@@ -113,7 +114,7 @@ Curve BoundaryDerivatives::of_local_curve(std::size_t contact, std::size_t side,
   const Bounds range = own.spans()[static_cast<std::size_t>(place.span)]->range();
   const double share = (place.t - range.low) / range.width();
   const SpanPoint at = own.at(place);
-  const Numbers slopes = slopes_at(boundaries, place.span, share, step_);
+  const SpanNumbers slopes = slopes_at(boundaries, place.span, share, step_);
   const Curve like = local_curve(at, own.is_corner(place));
   Curve by;
   by.kind = like.kind;
@@ -140,10 +141,10 @@ Curve BoundaryDerivatives::of_local_curve(std::size_t contact, std::size_t side,
 
 double BoundaryDerivatives::error(double scale) const {
   return largest_of(contacts_, step_,
-                    [&](const Numbers& values, const Numbers& slopes, const Boundaries& boundaries, int span,
-                        double share) {
+                    [&](const SpanNumbers& values, const SpanNumbers& slopes, const Boundaries& boundaries,
+                        int span, double share) {
                       const Boundary& own = *boundaries[kMiddle];
-                      const Numbers coarse =
+                      const SpanNumbers coarse =
                           sixth_order_difference(numbers_of(boundaries, span, share, step_), step_);
                       return share_of(slopes - coarse, values, own, scale) /
                              std::max(share_of(slopes, values, own, scale), 1.0);
@@ -153,7 +154,7 @@ double BoundaryDerivatives::error(double scale) const {
 double BoundaryDerivatives::largest(double scale) const {
   return largest_of(
       contacts_, step_,
-      [&](const Numbers& values, const Numbers& slopes, const Boundaries& boundaries, int /*span*/,
+      [&](const SpanNumbers& values, const SpanNumbers& slopes, const Boundaries& boundaries, int /*span*/,
           double /*share*/) { return share_of(slopes, values, *boundaries[kMiddle], scale); });
 }
 
