@@ -106,17 +106,4 @@ bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups
          mechanism.contacts[static_cast<std::size_t>(contact)].second.body == touch->body;
 }
 
-void unwind(const ChainAngle& angle, double posed, std::span<double> values) {
-  double before = values.front();
-  double turns = nearest_turn(before, posed) - before;
-  for (double& value : values) {
-    const double rise = value - before;
-    before = value;
-    if (std::abs(rise) > kPi) {
-      turns -= std::copysign(2 * kPi, rise);
-    }
-    value = (value + turns) + angle.offset;
-  }
-}
-
 }  // namespace higherpair

@@ -22,13 +22,20 @@ struct ChainTask {
   ChainColumn column;
   Vector2d p_B = Vector2d::Zero();
   ChainAngle angle;
-  ChainTouch touch;  ///< of kPressure
+  double posed_angle = 0;  ///< of kRotation: of that body in its pose [rad]
+  ChainTouch touch;        ///< of kPressure
   std::vector<double> values;
 };
 
 /// Whether the column is of a joint's reaction or of the driver's effort.
 [[nodiscard]] constexpr bool is_force(ChainColumn::Quantity quantity) {
   return quantity >= ChainColumn::Quantity::kForceX;
+}
+
+/// Whether it is an angle that a rotation gives but for whole turns.
+[[nodiscard]] constexpr bool is_unwound(const ChainTask& task) {
+  return task.column.quantity == ChainColumn::Quantity::kAngle &&
+         task.angle.source == ChainAngle::Source::kRotation;
 }
 
 /// The rates that the columns want.
@@ -46,9 +53,5 @@ struct ChainTask {
 
 /// Whether a contact has the angle of kPressure: its second body is one on ground that it places.
 [[nodiscard]] bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, int contact);
-
-/// Makes angles of a body that turns from row to row by less than half a turn of those in (-π, π]; the first
-/// is the one nearest to its pose's.
-void unwind(const ChainAngle& angle, double posed, std::span<double> values);
 
 }  // namespace higherpair

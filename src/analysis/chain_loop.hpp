@@ -111,6 +111,46 @@ template <ChainRates kRates, class T>
   return T(0);
 }
 
+// Whether none of the next kChainRows rows is half a turn or more from the one behind it, which must be
+// there.
+template <int W>
+[[nodiscard]] inline bool stays_within_turn(const double* rows) {
+  using T = Pack<W>;
+  const auto rises_little = [&](std::size_t k) {
+    return abs(T::load(rows + k + 1) - T::load(rows + k)) <= T(kPi);
+  };
+  auto mask = rises_little(0);
+  for (std::size_t k = W; k < kChainRows; k += W) {
+    mask = mask & rises_little(k);
+  }
+  return holds_everywhere(mask);
+}
+
+// Makes angles in (-π, π] those of a body that turns by less than half a turn from row to row.
+template <int W>
+inline void unwind(ChainTask& task) {
+  using T = Pack<W>;
+  const double offset = task.angle.offset;
+  double* rows = task.values.data();
+  double turns = nearest_turn(rows[0], task.posed_angle) - rows[0];
+  const std::size_t count = task.values.size();
+  for (std::size_t k = 0; k < count; k += kChainRows) {
+    if (k + kChainRows < count && stays_within_turn<W>(rows + k)) {
+      for (std::size_t i = k; i < k + kChainRows; i += W) {
+        ((T::load(rows + i) + T(turns)) + T(offset)).store(rows + i);
+      }
+      continue;
+    }
+    for (std::size_t i = k; i < k + kChainRows; ++i) {
+      const double rise = i + 1 < count ? rows[i + 1] - rows[i] : 0;
+      rows[i] = (rows[i] + turns) + offset;
+      if (std::abs(rise) > kPi) {
+        turns -= std::copysign(2 * kPi, rise);
+      }
+    }
+  }
+}
+
 template <ChainRates kRates, int W>
 inline void fill(const ChainRowsJob& job) {
   using T = Pack<W>;
@@ -165,6 +205,11 @@ inline void fill(const ChainRowsJob& job) {
                 : value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies);
         values.store(&task.values[k + i * W]);
       }
+    }
+  }
+  for (ChainTask& task : job.tasks) {
+    if (is_unwound(task)) {
+      unwind<W>(task);
     }
   }
   for (std::size_t g = 0; g < groups; ++g) {

@@ -44,7 +44,8 @@ struct ChainRowsJob {
 };
 
 /// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.
-/// Of angles by kRotation the one in (-π, π], without its offset. By the widest packs that the machine has.
+/// Angles are those of a body that turns by less than half a turn from row to row, the first the one nearest
+/// to its pose's. By the widest packs that the machine has.
 void fill_chain_rows(const ChainRowsJob& job);
 
 /// In packs of 4 and 8, where the machine has AVX2, and AVX-512F, DQ and VL.

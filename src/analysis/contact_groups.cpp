@@ -151,7 +151,7 @@ ContactResult contact_near(const ContactPair& pair, double u, double q, const Ve
 }
 
 // What a touching body is placed from.
-struct Guess {
+struct Placement {
   const State& from;
   double h;
   const StandingPair& placed;
@@ -179,7 +179,7 @@ void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std:
 }
 
 GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
-                                const Guess& guess, State& to) {
+                                const Placement& guess, State& to) {
   const BoundaryPair pair = standing_boundaries(model, touching, guess.placed);
   const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
   const ContactMotion& before = guess.from.contacts[static_cast<std::size_t>(touching.contact)];

@@ -367,8 +367,9 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
     }
   }
   for (const ChainColumn& column : columns) {
-    impl->tasks.push_back(
-        {column, Vector2d::Zero(), {}, {}, std::vector<double>(impl->schedule.position.size())});
+    ChainTask& task = impl->tasks.emplace_back();
+    task.column = column;
+    task.values.resize(impl->schedule.position.size());
   }
   impl->needs_size = !mechanism.contacts.empty() || !mechanism.springs.empty() ||
                      std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
@@ -408,6 +409,8 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     } else if (task.column.point) {
       const Body& body = mechanism.bodies[static_cast<std::size_t>(task.column.body)];
       task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
+    } else if (is_unwound(task)) {
+      task.posed_angle = own.posed_angles[static_cast<std::size_t>(task.angle.body)];
     }
   }
   const ChainRates rates = has_ovals(own.groups) ? ChainRates::kAccelerations : own.rates;
@@ -416,12 +419,6 @@ bool DyadChain::solve(const Mechanism& mechanism) {
   if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds) ||
       (own.statics && !own.knows_forces())) {
     return false;
-  }
-  for (ChainTask& task : own.tasks) {
-    if (task.column.quantity == Quantity::kAngle && task.angle.source == ChainAngle::Source::kRotation) {
-      unwind(task.angle, own.posed_angles[static_cast<std::size_t>(task.angle.body)],
-             std::span(task.values).first(own.rows));
-    }
   }
   return true;
 }

@@ -19,18 +19,18 @@ template <int W>
 struct Lanes;
 template <>
 struct Lanes<2> {
-  typedef double Doubles __attribute__((vector_size(2 * sizeof(double))));
-  typedef long long Bits __attribute__((vector_size(2 * sizeof(double))));
+  using Doubles = double __attribute__((vector_size(2 * sizeof(double))));
+  using Bits = long long __attribute__((vector_size(2 * sizeof(double))));
 };
 template <>
 struct Lanes<4> {
-  typedef double Doubles __attribute__((vector_size(4 * sizeof(double))));
-  typedef long long Bits __attribute__((vector_size(4 * sizeof(double))));
+  using Doubles = double __attribute__((vector_size(4 * sizeof(double))));
+  using Bits = long long __attribute__((vector_size(4 * sizeof(double))));
 };
 template <>
 struct Lanes<8> {
-  typedef double Doubles __attribute__((vector_size(8 * sizeof(double))));
-  typedef long long Bits __attribute__((vector_size(8 * sizeof(double))));
+  using Doubles = double __attribute__((vector_size(8 * sizeof(double))));
+  using Bits = long long __attribute__((vector_size(8 * sizeof(double))));
 };
 
 // GCC fills lanes one by one in whatever way but this one. Not returned: how vectors are depends on the

@@ -32,9 +32,8 @@ std::vector<ChainGroup> groups() {
   dyad.b_pC = Vector2d(4, 0);
   dyad.length_a = 3.5;
   dyad.length_b = 4;
-  const ChainTouch touch{0, kLink, 0, kFollower, 0, pivot({8, 0})};
+  const ChainTouch touch{0, kLink, 0, kCrank, kFollower, 0, pivot({8, 0})};
   const OvalContact ovals{touch,
-                          kCrank,
                           {{0.3, 0.1}, Rotation<double>::from_angle(0.4), 2, 1.5},
                           {{-6, 0.2}, Rotation<double>::from_angle(-0.7), 1.2, 0.8}};
   return {{driven, false, {}}, {dyad, true, {}}, {ovals, false, {}}};
@@ -57,15 +56,20 @@ ChainSupport support(int joint, double sign) {
   return {joint, sign, {}, false};
 }
 
-// Weights, a load and a spring; the crank's pin, and those of the dyad.
+// Weights, a load and a spring; the pins of the crank, the dyad and the follower.
 ChainStatics statics() {
   ChainStatics statics;
   statics.loads.gravity_W = Vector2d(0.3, -9.8);
-  statics.loads.masses = {{kCrank, {1.3, {0.7, 0.1}, 0.2}}, {kCoupler, {0.9, {1.4, -0.2}, 0.3}}};
+  statics.loads.masses = {{kCrank, {1.3, {0.7, 0.1}, 0.2}},
+                          {kCoupler, {0.9, {1.4, -0.2}, 0.3}},
+                          {kFollower, {0.6, {-3, 0.5}, 0.1}}};
   statics.loads.forces = {{{kRocker, {2.2, 0.4}}, {3.1, -7}, 0.6, true}};
   statics.loads.point_springs = {{{0, {-1, 3}}, {kCoupler, {3, 1}}, {20, 0.4, 0.7}}};
-  statics.supports = {{{support(0, 1), {}}, {}}, {{support(1, 1), support(2, -1)}, support(3, -1)}, {}};
-  statics.joints = 4;
+  statics.supports = {{{support(0, 1), {}}, {}},
+                      {{support(1, 1), support(2, -1)}, support(3, -1)},
+                      {{support(4, 1), {}}, {}}};
+  statics.joints = 5;
+  statics.contacts = 1;
   return statics;
 }
 
@@ -76,8 +80,11 @@ std::vector<double> numbers_by(const Fill& fill) {
   const ChainSchedule rows = schedule();
   std::vector<ChainTask> tasks;
   const auto add = [&](const ChainColumn& column, const ChainAngle& angle) {
-    tasks.push_back({column, Vector2d::Zero(), angle, std::get<OvalContact>(all[2].kind).touch,
-                     std::vector<double>(kRowCount)});
+    ChainTask& task = tasks.emplace_back();
+    task.column = column;
+    task.angle = angle;
+    task.touch = std::get<OvalContact>(all[2].kind).touch;
+    task.values.resize(kRowCount);
   };
   for (const int body : {kRocker, kFollower}) {
     const ChainAngle angle{ChainAngle::Source::kRotation, body, 0, 0};
@@ -86,16 +93,18 @@ std::vector<double> numbers_by(const Fill& fill) {
     }
   }
   add({0, std::nullopt, Quantity::kPressure}, {});
+  add({0, std::nullopt, Quantity::kContactForce}, {});
   for (const Quantity quantity : {Quantity::kForceX, Quantity::kForceY, Quantity::kEffortByPower}) {
     add({2, std::nullopt, quantity}, {});
   }
   ChainStatics balanced = statics();
   const std::vector<double> modes{1, 1, 1};
+  const std::vector<char> placed(kBodies, 1);
   std::vector<ChainWatch<double>> watches(all.size());
   std::vector<OvalRow> ovals(all.size());
   ovals[2].turn = Rotation<double>::from_angle(-0.6);
   ovals[2].n_W = Vector2d(0.8, 0.6);
-  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, kBodies, 8, tasks, watches, ovals,
+  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, placed, 8, tasks, watches, ovals,
                     &balanced});
   std::vector<double> numbers;
   for (const ChainTask& task : tasks) {

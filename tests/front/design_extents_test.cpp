@@ -24,7 +24,7 @@ const std::string kCrank =
     "[design.variables]\n"
     "crank = { path = \"bodies.crank.points.A.0\", min = 10, max = 60 }\n";
 
-DesignReport designed(const Model& model) {
+DesignReport designed_twice(const Model& model) {
   DesignSettings settings;
   settings.starts = 2;
   auto report = design(model, settings);
@@ -34,9 +34,9 @@ DesignReport designed(const Model& model) {
 
 // Of the slider-crank, whose crank is to be chosen.
 DesignReport with_crank(const std::string& objective, const std::string& constraint = "") {
-  return designed(model_of(kSlider + kCrank + "[[design.objectives]]\n" + objective +
-                               (constraint.empty() ? "" : "[[design.constraints]]\n") + constraint,
-                           kLevel));
+  return designed_twice(model_of(kSlider + kCrank + "[[design.objectives]]\n" + objective +
+                                     (constraint.empty() ? "" : "[[design.constraints]]\n") + constraint,
+                                 kLevel));
 }
 
 double before(const std::string& objective) {
@@ -82,7 +82,7 @@ size   = "height"
 bodies = ["cam"]
 target = 90
 )");
-  const DesignReport report = designed(model_of(cam));
+  const DesignReport report = designed_twice(model_of(cam));
   EXPECT_NEAR(report.objectives[0].before, 80, 1e-9);
   EXPECT_NEAR(report.variables[0].after, 15, 1e-6);
 }
@@ -94,7 +94,7 @@ TEST(DesignExtents, OfACurveAreThoseOfAllOfIt) {
     return Vector2d(3 + c * x - s * y, s * x + c * y);
   };
   const auto width = [](const std::string& curve) {
-    return designed(model_of(R"(
+    return designed_twice(model_of(R"(
 [bodies.ground]
 points.O = [0, 0]
 [bodies.cam]
