@@ -18,6 +18,7 @@ struct Parts {
   std::string more_curves;
   std::string follower = R"({ type = "circle", center = [0, 0], radius = 10 })";
   std::string height = "50";
+  std::string law = "cycloidal";
   std::string rise = "20";
   std::string joint = R"(type = "prismatic"
 between = ["ground.O", "follower.P"]
@@ -37,7 +38,7 @@ pose = {{ x = 0, y = {} }}
 points.P = [0, 0]
 curves.roller = {}
 [laws.lift]
-segments = [ {{ over = 120, law = "cycloidal", rise = {} }}, {{ over = 40, law = "dwell" }},
+segments = [ {{ over = 120, law = "{}", rise = {} }}, {{ over = 40, law = "dwell" }},
              {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = 80, law = "dwell" }} ]
 [joints.pivot]
 type = "revolute"
@@ -49,8 +50,8 @@ between = {}
 [driver]
 joint = "pivot"
 )",
-                     parts.flank, parts.more_curves, parts.height, parts.follower, parts.rise, parts.joint,
-                     parts.between);
+                     parts.flank, parts.more_curves, parts.height, parts.follower, parts.law, parts.rise,
+                     parts.joint, parts.between);
 }
 
 std::string mistakes_in(const Parts& parts) {
@@ -90,6 +91,16 @@ curves.further = { type = "offset", of = "inner", by = -2 })";
 double number_behind(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
+}
+
+TEST(Flanks, OfLawsWhoseVelocityJumpsNeedAKnifeEdge) {
+  Parts parts;
+  parts.law = "uniform";
+  EXPECT_THAT(mistakes_in(parts),
+              HasSubstr("at 0 deg of the cam the law's velocity jumps: this follower would go on at another "
+                        "place of its curve, with a gap in the flank; a knife edge"));
+  parts.follower = R"({ type = "point", at = [0, 0] })";
+  EXPECT_EQ(mistakes_in(parts), "");
 }
 
 TEST(Flanks, ThatWouldBeUndercutSayWhatWouldDo) {
