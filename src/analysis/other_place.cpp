@@ -48,10 +48,10 @@ std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, doub
   ContactMotion& motion = over.contacts[i];
   const double phi = motion.phi;
   motion.place = {place.place1, place.place2};
-  if (!place_contact(run.mechanism(), run.mechanism().contacts[i], over.bodies, motion)) {
-    return std::nullopt;
-  }
-  motion.phi = nearest_turn(motion.phi, phi);
+  motion.at = place.at;
+  // Just before the bodies come to a place that begins at a corner there is no common normal yet.
+  (void)place_contact(run.mechanism(), run.mechanism().contacts[i], over.bodies, motion);
+  motion.phi = nearest_turn(angle_of(motion.at.n_W), phi);
   const int mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;
   if (mode != over.groups[g].mode) {
     return std::nullopt;

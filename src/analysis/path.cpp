@@ -259,6 +259,18 @@ private:
     return true;
   }
 
+  // What looks like a limit may be where two corners meet, which have no normal to go on with.
+  bool pass_vertex(const PathLimit& limit) {
+    if (limit.s == taken_over_at_ || std::abs(limit.s) > std::abs(path_.length) ||
+        !go_over_vertex(run_, path_, limit.s, limit.group)) {
+      return false;
+    }
+    s_ = limit.s;
+    taken_over_at_ = s_;
+    go_on_anew();
+    return true;
+  }
+
   void go_on_anew() {
     limit_.forget();
     refused_ = 0;
@@ -353,7 +365,7 @@ private:
   }
 
   Outcome lose(const PathLimit& limit) {
-    if (hand_over(limit.group)) {
+    if (pass_vertex(limit) || hand_over(limit.group)) {
       return Outcome::kGoesOn;
     }
     if (const auto outcome = pass_instead(limit)) {

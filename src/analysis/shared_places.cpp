@@ -9,6 +9,7 @@
 #include "span_joints.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
+#include "vertex_passage.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kJustLeft = 1e-9;  // of a unit of the drivers: a place that ended where the step begins
+constexpr std::array kBeyondVertex = {0.0, 1e-14, 1e-13, 1e-12, 1e-11};  // of the same: where it goes on
 
 // The two bodies of a contact in a state.
 struct Bodies {
@@ -185,6 +187,33 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
     }
   }
   return false;
+}
+
+bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
+  const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+  if (touching == nullptr || run.at.state.groups[g].held) {
+    return false;
+  }
+  const auto i = static_cast<std::size_t>(touching->contact);
+  const Contact& contact = run.mechanism().contacts[i];
+  const bool may_go_over = contact.by_boundary && contact.jump && !contact.both_sides;
+  const auto passage = may_go_over ? vertex_passage(run, i) : std::nullopt;
+  std::optional<RateJump> change;
+  // By rounding it may still be just before the part beyond.
+  for (std::size_t k = 0; passage && !change && k < kBeyondVertex.size(); ++k) {
+    const double ahead = std::copysign(kBeyondVertex[k] * unit_of(run, path), path.length);
+    change = go_on_at(run, path, g, s + ahead, passage->beyond);
+  }
+  if (!change) {
+    return false;
+  }
+  const std::string& body =
+      run.mechanism().bodies[static_cast<std::size_t>(ref_of(contact, passage->side).body)].name;
+  report(run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
+         fmt::format("the contact {} of {}{}",
+                     passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body,
+                     rate_jump_text(run, *touching, *change)));
+  return true;
 }
 
 }  // namespace higherpair

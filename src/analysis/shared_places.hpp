@@ -29,4 +29,8 @@ void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, dou
 /// place at which the two bodies touch. False, and nothing done, if there is none. Adds an event.
 [[nodiscard]] bool take_over(Run& run, const Path& path, double s, std::size_t g);
 
+/// Where it comes with a corner to a corner or a notch at s, just beyond run.at.state: lets that, at s, go on
+/// beyond it (see vertex_passage). False, and nothing done, elsewhere. Adds an event.
+[[nodiscard]] bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g);
+
 }  // namespace higherpair

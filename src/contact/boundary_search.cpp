@@ -104,8 +104,8 @@ struct Depth {
   BoundaryPlace place;
 };
 
-// Where the foot of a point is looked for from the sample next to it. At a corner what lies in front of none
-// of its normals belongs to the neighbour on that side, whose own samples may be far.
+// Where the foot of a point is looked for from the nearest place between samples. At a corner what lies in
+// front of none of its normals belongs to the neighbour on that side.
 BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, const Vector2d& p_B) {
   const int span = nearest.place.span;
   if (!boundary.is_corner(nearest.place)) {
@@ -159,20 +159,40 @@ struct SampleDepth {
   Depth depth;
 };
 
-std::vector<SampleDepth> depths_of(const Boundary& boundary, const Pose<double>& X_WB, const Boundary& other,
-                                   const Pose<double>& X_WO) {
-  const Vector2d middle_B = X_WB.inverse_times(X_WO * other.middle_B());
-  const double reach = other.size() * (1 + kFarther) + kFarther * boundary.size();
-  Features points;
-  for (const auto& [place, point] : other.samples()) {
-    points.push_back({point.p_B, place});
+// A body of which points are asked how deep they are in it.
+class Inside {
+public:
+  Inside(const Boundary& boundary, const Pose<double>& X_WB)
+      : boundary_(boundary), X_WB_(X_WB), points_(features_of(boundary)), samples_(points_) {}
+
+  [[nodiscard]] const Boundary& boundary() const { return boundary_; }
+  [[nodiscard]] const Pose<double>& X_WB() const { return X_WB_; }
+  [[nodiscard]] Depth depth_of(const Vector2d& p_W) const {
+    return depth_in(boundary_, samples_, X_WB_.inverse_times(p_W));
   }
-  const PartTree samples(points);
+
+private:
+  static Features features_of(const Boundary& boundary) {
+    Features points;
+    for (const auto& [place, point] : boundary.samples()) {
+      points.push_back({point.p_B, place});
+    }
+    return points;
+  }
+
+  const Boundary& boundary_;
+  const Pose<double>& X_WB_;
+  Features points_;
+  PartTree samples_;
+};
+
+std::vector<SampleDepth> depths_of(const Inside& own, const Inside& other) {
+  const Vector2d middle_B = own.X_WB().inverse_times(other.X_WB() * other.boundary().middle_B());
+  const double reach = other.boundary().size() * (1 + kFarther) + kFarther * own.boundary().size();
   std::vector<SampleDepth> depths;
-  for (const auto& sample : boundary.samples()) {
+  for (const auto& sample : own.boundary().samples()) {
     const bool near = (sample.point.p_B - middle_B).squaredNorm() <= reach * reach;
-    depths.push_back(
-        {&sample, near ? depth_in(other, samples, X_WO.inverse_times(X_WB * sample.point.p_B)) : Depth{}});
+    depths.push_back({&sample, near ? other.depth_of(own.X_WB() * sample.point.p_B) : Depth{}});
   }
   return depths;
 }
@@ -196,19 +216,23 @@ void for_deepest(const std::vector<SampleDepth>& depths, const F& f) {
 
 Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
                                 const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
+  const Inside one(boundary1, X_W1);
+  const Inside two(boundary2, X_W2);
   Penetration worst;
   worst.depth = tolerance;
   const auto look = [&](const SampleDepth& found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
     Penetration here{found.depth.depth, place1, place2};
     const auto normal = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
     if (normal && -normal->at.gap() > here.depth) {
-      here = {-normal->at.gap(), normal->place1, normal->place2};
+      // Behind a face is not in its body, where that is thin.
+      const double depth = std::min(-normal->at.gap(), one.depth_of(normal->at.p2_W).depth);
+      here = depth > here.depth ? Penetration{depth, normal->place1, normal->place2} : here;
     }
     worst = here.depth > worst.depth ? here : worst;
   };
-  for_deepest(depths_of(boundary1, X_W1, boundary2, X_W2),
+  for_deepest(depths_of(one, two),
               [&](const SampleDepth& found) { look(found, found.sample->place, found.depth.place); });
-  for_deepest(depths_of(boundary2, X_W2, boundary1, X_W1),
+  for_deepest(depths_of(two, one),
               [&](const SampleDepth& found) { look(found, found.depth.place, found.sample->place); });
   worst.depth = worst.depth > tolerance ? worst.depth : 0;
   return worst;

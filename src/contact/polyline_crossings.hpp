@@ -92,16 +92,17 @@ public:
   [[nodiscard]] const Feature& to(std::size_t part) const { return features_[begins_[part] + 1]; }
   [[nodiscard]] PartBox box_of(std::size_t part) const { return {from(part).at, to(part).at}; }
 
-  /// The nearest feature to a point, the first of those that are equally near.
-  [[nodiscard]] const Feature& nearest(const Vector2d& p) const {
+  /// The place nearest to a point on all parts, on the first of those that are equally near.
+  [[nodiscard]] Feature nearest(const Vector2d& p) const {
     Nearest nearest;
     look_at(0, p, nearest);
-    return features_[nearest.feature];
+    return nearest.feature;
   }
 
 private:
   struct Nearest {
-    std::size_t feature = 0;
+    Feature feature;
+    std::size_t part = 0;
     double distance2 = std::numeric_limits<double>::infinity();
   };
 
@@ -118,13 +119,23 @@ private:
       return;
     }
     for (std::size_t part = here.begin; part < here.end; ++part) {
-      for (const std::size_t i : {begins_[part], begins_[part] + 1}) {
-        const double distance2 = (features_[i].at - p).squaredNorm();
-        if (distance2 < nearest.distance2 || (distance2 == nearest.distance2 && i < nearest.feature)) {
-          nearest = {i, distance2};
-        }
+      const Feature foot = foot_on(part, p);
+      const double distance2 = (foot.at - p).squaredNorm();
+      if (distance2 < nearest.distance2 || (distance2 == nearest.distance2 && part < nearest.part)) {
+        nearest = {foot, part, distance2};
       }
     }
+  }
+
+  // The place of a part that is nearest to a point; its ends without rounding, for neighbours share them.
+  [[nodiscard]] Feature foot_on(std::size_t part, const Vector2d& p) const {
+    const Vector2d along = to(part).at - from(part).at;
+    const double share = along.dot(p - from(part).at) / along.squaredNorm();
+    if (!(share > 0)) {
+      return from(part);
+    }
+    return share < 1 ? Feature{from(part).at + share * along, between(from(part), to(part), share)}
+                     : to(part);
   }
 
   static constexpr std::size_t kPartsOfBlock = 4;

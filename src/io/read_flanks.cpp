@@ -141,20 +141,36 @@ private:
     }
     auto boundary = Boundary::make(*std::move(spans), closes(motion), kMeets);
     if (!boundary) {
-      report(reading_, late.law,
-             "the flank does not close: the law ends at another value than it begins with, or with another "
-             "velocity");
+      report(reading_, late.law, gap_text(motion));
       return;
     }
     named.boundary = std::make_shared<const Boundary>(*std::move(boundary));
     named.curve.vertex_B = named.boundary->middle_B();
   }
 
+  [[nodiscard]] std::string cam_coordinate(const CamMotion& motion, double x) const {
+    const Dimension& of = motion.cam.turns ? dimension::kAngle : dimension::kLength;
+    return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(x), unit_text(of, reading_.units));
+  }
+
+  // Why the spans of a flank do not meet.
+  [[nodiscard]] std::string gap_text(const CamMotion& motion) const {
+    const auto& joins = motion.law.joins();
+    const auto jump = std::find_if(joins.begin(), joins.end() - 1, [&](const LawJoin& join) {
+      return (closes(motion) || &join != &joins.front()) && !join.jumps(0) && join.jumps(1);
+    });
+    return jump == joins.end() - 1
+               ? "the flank does not close: the law ends at another value than it begins with"
+               : fmt::format(
+                     "at {} of the cam the law's velocity jumps: this follower would go on at another "
+                     "place of its curve, with a gap in the flank; a knife edge (type = \"point\") "
+                     "can follow it, or else let the segments meet with one velocity",
+                     cam_coordinate(motion, jump->x));
+  }
+
   [[nodiscard]] std::string explain(const FlankFault& fault, const FlankOrigin& cam) const {
     const CamMotion& motion = cam.motion;
-    const Dimension& of = motion.cam.turns ? dimension::kAngle : dimension::kLength;
-    const std::string at = fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(fault.coordinate),
-                                       unit_text(of, reading_.units));
+    const std::string at = cam_coordinate(motion, fault.coordinate);
     switch (fault.kind) {
       case FlankFault::Kind::kStandstill:
         return "at " + at + " of the cam the follower does not move against the cam: no flank shapes that";

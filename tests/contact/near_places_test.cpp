@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -294,6 +295,44 @@ TEST(Penetration, OfADiscOverTheMiddleOfALongFaceIsWhatItIsInIt) {
         EXPECT_NEAR(deepest_penetration(*boundary, {}, disc, X_WD, 1e-12).depth, std::max(depth, 0.0), 1e-15)
             << turned;
       }
+    }
+  }
+}
+
+// Whichever of its faces and corners is nearest: of a hollow body samples farther on may be nearer, and a
+// disc beyond a thin part is behind the face on the far side.
+TEST(Penetration, OfADiscInAHollowPolygonIsNoneWhereItIsAsFarFromItAsItsRadius) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> radius(0.015, 0.06), shift(-0.3, 0.3), place(-0.09, 0.09);
+  for (int trial = 0; trial < 300; ++trial) {
+    const int corners = 4 + trial % 7;
+    std::vector<Vector2d> points;
+    std::vector<SpanPtr> spans;
+    for (int i = 0; i < corners; ++i) {
+      points.push_back(radius(random) * unit_vector(2 * kPi * (i + shift(random)) / corners));
+    }
+    const Vector2d center(place(random), place(random));
+    double distance = std::numeric_limits<double>::infinity();
+    int crossings = 0;  // of the boundary by a ray from the centre
+    for (int i = 0; i < corners; ++i) {
+      const Vector2d& a = points[static_cast<std::size_t>(i)];
+      const Vector2d& b = points[static_cast<std::size_t>((i + 1) % corners)];
+      spans.push_back(face_span(a, b));
+      const double share = std::clamp((center - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+      distance = std::min(distance, (center - a - share * (b - a)).norm());
+      if ((a.y() > center.y()) != (b.y() > center.y())) {
+        crossings += center.x() < a.x() + (center.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) ? 1 : 0;
+      }
+    }
+    if (crossings % 2 == 1) {
+      continue;
+    }
+    const Boundary polygon = *Boundary::make(spans, true, 1e-12);
+    for (const double more : {-1e-12, -1e-4, 1e-4}) {
+      const Boundary disc = boundary_of(*make_circle(center, distance + more), 1);
+      const double depth = deepest_penetration(polygon, {}, disc, {}, 1e-10).depth;
+      EXPECT_EQ(depth > 0, more > 0) << trial << ' ' << more << ' ' << depth;
+      EXPECT_LE(depth, std::max(more, 0.0) + 1e-12) << trial;
     }
   }
 }

@@ -19,6 +19,7 @@ struct Parts {
   std::string more_curves;
   std::string follower = R"({ type = "circle", center = [0, 0], radius = 10 })";
   std::string height = "50";
+  std::string rising_law = "cycloidal";
   std::string rise = "20";
   std::string law;  // in place of four segments with that rise
   std::string joint = R"(type = "prismatic"
@@ -29,9 +30,9 @@ direction = [0, 1])";
 
 std::string profile_with(const Parts& parts) {
   const std::string segments = fmt::format(
-      R"(segments = [ {{ over = 120, law = "cycloidal", rise = {} }}, {{ over = 40, law = "dwell" }},
+      R"(segments = [ {{ over = 120, law = "{}", rise = {} }}, {{ over = 40, law = "dwell" }},
              {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = 80, law = "dwell" }} ])",
-      parts.rise);
+      parts.rising_law, parts.rise);
   return fmt::format(R"([bodies.ground]
 points.O = [0, 0]
 [bodies.cam]
@@ -146,6 +147,16 @@ follow = "lift"
 double number_behind(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
+}
+
+TEST(Flanks, OfLawsWhoseVelocityJumpsNeedAKnifeEdge) {
+  Parts parts;
+  parts.rising_law = "uniform";
+  EXPECT_THAT(mistakes_in(parts),
+              HasSubstr("at 0 deg of the cam the law's velocity jumps: this follower would go on at another "
+                        "place of its curve, with a gap in the flank; a knife edge"));
+  parts.follower = R"({ type = "point", at = [0, 0] })";
+  EXPECT_EQ(mistakes_in(parts), "");
 }
 
 TEST(Flanks, ThatWouldBeUndercutSayWhatWouldDo) {

@@ -1,0 +1,122 @@
+#include "vertex_passage.hpp"
+
+#include "group_kinds.hpp"
+#include "higherpair/contact/boundary_contact.hpp"
+#include "span_joints.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace higherpair {
+namespace {
+
+constexpr double kAtVertex =
+    1e-6;  // of the size of a boundary, on a corner rad: a contact that has come there
+
+// Both bodies of a contact, seen from the one whose face ends.
+struct VertexSides {
+  const Boundary& faced;
+  const Boundary& pointed;
+  const Pose<double>& X_WF;
+  const Pose<double>& X_WP;
+  BoundaryPlace on_face, on_point;
+};
+
+BoundaryPlace end_place(const Boundary& boundary, int span, bool high) {
+  const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
+  return {span, high ? range.high : range.low};
+}
+
+bool is_at_end(const Boundary& boundary, const BoundaryPlace& place, bool high) {
+  const double way = (end_place(boundary, place.span, high).t - place.t) * boundary.at(place).speed;
+  return std::abs(way) <= kAtVertex * (boundary.is_corner(place) ? 1 : boundary.size());
+}
+
+// The place on the corner at `at` that touches the other body's place, if its normals have that one.
+std::optional<BoundaryPlace> on_same_corner(const Boundary& boundary, const Pose<double>& X_WB,
+                                            const BoundaryPlace& at, const Vector2d& n_W) {
+  const auto place = place_with_normal(boundary, at, X_WB.R_WB.inverse() * n_W);
+  return place && place->span == at.span ? place : std::nullopt;
+}
+
+double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
+  const double kappa = boundary.at(place).kappa;
+  return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
+}
+
+// The touch of two places, the faced body being the first.
+NearPlace touch_of(const VertexSides& sides, const BoundaryPlace& on_face, const BoundaryPlace& on_point) {
+  const SpanPoint face = sides.faced.at(on_face);
+  return {{sides.X_WF.R_WB * face.n_B, sides.X_WF * face.p_B, sides.X_WP * sides.pointed.at(on_point).p_B,
+           radius_at(sides.faced, on_face), radius_at(sides.pointed, on_point)},
+          on_face,
+          on_point,
+          0};
+}
+
+// Of the faced and the pointed body, where the contact runs over the end of its span that is
+// `high` or not.
+std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
+  const Boundary& faced = sides.faced;
+  const auto joint_at = [&](int span) {
+    return faced.joint_after(high ? span : faced.next_span(span, high));
+  };
+  const bool on_corner = faced.is_corner(sides.on_face);
+  if (!is_at_end(faced, sides.on_face, on_corner ? !high : high)) {
+    return std::nullopt;
+  }
+  const int last = sides.on_face.span;
+  const bool notch = joint_at(last) == SpanJoint::kNotch;
+  const int corner = on_corner ? last : faced.next_span(last, high);
+  if (!notch && (joint_at(last) == SpanJoint::kEnd || joint_at(corner) == SpanJoint::kEnd ||
+                 !faced.spans()[static_cast<std::size_t>(corner)]->is_corner())) {
+    return std::nullopt;
+  }
+  const BoundaryPlace beyond = end_place(faced, notch ? corner : faced.next_span(corner, high), !high);
+  const Vector2d n_W = sides.X_WF.R_WB * faced.at(beyond).n_B;
+  if (const auto point = on_same_corner(sides.pointed, sides.X_WP, sides.on_point, -n_W)) {
+    return VertexPassage{touch_of(sides, beyond, *point), 0, notch};
+  }
+  const int beside = sides.pointed.next_span(sides.on_point.span, high);
+  if (notch || sides.pointed.joint_after(high ? sides.on_point.span : beside) == SpanJoint::kEnd) {
+    return std::nullopt;
+  }
+  const BoundaryPlace face = end_place(sides.pointed, beside, !high);
+  const auto on_corner_place = on_same_corner(faced, sides.X_WF, end_place(faced, corner, !high),
+                                              -(sides.X_WP.R_WB * sides.pointed.at(face).n_B));
+  return on_corner_place ? std::optional(VertexPassage{touch_of(sides, *on_corner_place, face), 0, false})
+                         : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<VertexPassage> vertex_passage(const Run& run, std::size_t contact) {
+  const Contact& touching = run.mechanism().contacts[contact];
+  const auto& place = run.at.state.contacts[contact].place;
+  const auto boundary = [&](std::size_t side) -> const Boundary& {
+    return boundary_of(run.mechanism(), ref_of(touching, side));
+  };
+  const auto pose = [&](std::size_t side) -> const Pose<double>& {
+    return body_in(run.at.state, ref_of(touching, side).body).X_WB;
+  };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const VertexSides sides{boundary(side), boundary(1 - side), pose(side),
+                            pose(1 - side), place[side],        place[1 - side]};
+    if (!sides.pointed.is_corner(sides.on_point)) {
+      continue;
+    }
+    for (const bool high : {false, true}) {
+      if (auto passage = passage_over(sides, high)) {
+        passage->side = side;
+        if (side == 1) {
+          const NearPlace& seen = passage->beyond;
+          passage->beyond = NearPlace{seen.at.exchanged(), seen.place2, seen.place1, 0};
+        }
+        return passage;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace higherpair
