@@ -49,7 +49,7 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
                      {"the figures", options.json});
   add_set_option(*command, options.overrides);
   add_tolerance_option(*command, options.tolerance);
-  add_unused_samples(*command);
+  add_unused_samples(*command, "the whole path counts");
   command->add_flag("--time", options.timed, "the motion in time, as step has it");
   command->add_flag("--quiet", options.quiet, "no events and notes on standard error");
   return command;

@@ -67,7 +67,7 @@ CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
       "branches", "every contact of the two curves at the first driver position, free or not");
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_output_options(*command, options.profile, {"the list", options.csv}, {"the list", options.json});
-  higherpair::cli::add_unused_samples(*command);
+  higherpair::cli::add_unused_samples(*command, "the first driver position counts");
   higherpair::cli::add_set_option(*command, options.overrides);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
       ->check(higherpair::cli::positive_number());

@@ -30,7 +30,7 @@ CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
   add_set_option(*command, options.overrides);
   command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
-  add_unused_samples(*command);
+  add_unused_samples(*command, "the first driver position counts");
   command->add_flag("--quiet", options.quiet, "no notes and no messages about drivers on standard error");
   return command;
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace higherpair::cli {
 
@@ -125,9 +126,9 @@ void add_threads_option(CLI::App& command, int& threads) {
       ->check(CLI::Range(1, 4096));
 }
 
-void add_unused_samples(CLI::App& command) {
+void add_unused_samples(CLI::App& command, const std::string& what_counts) {
   command.add_option_function<std::int64_t>(
-      "--samples", [](std::int64_t) {}, "no effect: the first driver position only is looked at");
+      "--samples", [](std::int64_t) {}, fmt::format("no effect: {}", what_counts));
 }
 
 }  // namespace higherpair::cli

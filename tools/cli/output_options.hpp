@@ -68,7 +68,8 @@ void add_tolerance_option(CLI::App& command, double& tolerance);
 /// Adds --threads.
 void add_threads_option(CLI::App& command, int& threads);
 
-/// Adds --samples to a command that looks at one position only, as all commands take it.
-void add_unused_samples(CLI::App& command);
+/// Adds --samples to a command that has no rows, as all commands take it.
+/// \param what_counts  in their place, for its help
+void add_unused_samples(CLI::App& command, const std::string& what_counts);
 
 }  // namespace higherpair::cli
