@@ -1,7 +1,8 @@
 #include "random_sketch.hpp"
 
 #include "higherpair/geometry/vector.hpp"
-#include "random_flank.hpp"
+#include "random_boundaries.hpp"
+#include "random_law_cam.hpp"
 
 #include <algorithm>
 #include <array>

@@ -95,7 +95,7 @@ Failure twin_law(const Profile& profile, const Profile& twin) {
   const RunRecord other = record_run(twin, false, kTruthSamples);
   if (!run.not_started.empty() || !other.not_started.empty()) {
     const bool same = run.not_started.empty() == other.not_started.empty();
-    return {same ? "" : "twin: start", run.not_started + other.not_started, 0};
+    return {same ? "" : "twin: start", same ? "cannot be started" : run.not_started + other.not_started, 0};
   }
   for (std::size_t k = 0; k < run.rows.size(); ++k) {
     const RowValues& a = run.rows[k];

@@ -6,11 +6,6 @@
 
 namespace higherpair::fire {
 
-/// A cam whose flank comes from a random motion law (dwell, rise and return of random laws), and a follower
-/// that slides beside the pivot or swings, with a roller, a flat face or a knife edge; the cam is large
-/// enough not to be undercut. Its twin has no contact: the follower is driven by the law.
-[[nodiscard]] Sketch random_law_cam(std::uint64_t seed);
-
 /// One pair of flanks of spur gears of random module, teeth, pressure angle and profile shift, at a distance
 /// from where they mesh without play upwards, moved while they touch. Its twin has a joint of gears in place
 /// of the contact.
