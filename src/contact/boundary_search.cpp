@@ -177,7 +177,8 @@ std::vector<SampleDepth> depths_of(const Boundary& boundary, const Pose<double>&
   return depths;
 }
 
-// Calls f for every sample that is deeper than its neighbours, where the curve may be in the other body.
+// Calls f for every sample that is deeper than its neighbours, with its distance from them, where the curve
+// may be in the other body.
 template <class F>
 void for_deepest(const std::vector<SampleDepth>& depths, const F& f) {
   for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -187,7 +188,7 @@ void for_deepest(const std::vector<SampleDepth>& depths, const F& f) {
     const double spacing = std::max((depths[i].sample->point.p_B - before.sample->point.p_B).norm(),
                                     (depths[i].sample->point.p_B - after.sample->point.p_B).norm());
     if (depth >= before.depth.depth && depth >= after.depth.depth && depth > -spacing) {
-      f(depths[i]);
+      f(depths[i], spacing);
     }
   }
 }
@@ -198,18 +199,23 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
                                 const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
   Penetration worst;
   worst.depth = tolerance;
-  const auto look = [&](const SampleDepth& found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
+  // A normal that leads to another side of the bodies says nothing: beside a sample, within two spacings, the
+  // depth grows by no more than the way.
+  const auto look = [&](const SampleDepth& found, double spacing, const BoundaryPlace& place1,
+                        const BoundaryPlace& place2) {
     Penetration here{found.depth.depth, place1, place2};
     const auto normal = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
-    if (normal && -normal->at.gap() > here.depth) {
+    if (normal && -normal->at.gap() > here.depth && -normal->at.gap() <= here.depth + 2 * spacing) {
       here = {-normal->at.gap(), normal->place1, normal->place2};
     }
     worst = here.depth > worst.depth ? here : worst;
   };
-  for_deepest(depths_of(boundary1, X_W1, boundary2, X_W2),
-              [&](const SampleDepth& found) { look(found, found.sample->place, found.depth.place); });
-  for_deepest(depths_of(boundary2, X_W2, boundary1, X_W1),
-              [&](const SampleDepth& found) { look(found, found.depth.place, found.sample->place); });
+  for_deepest(depths_of(boundary1, X_W1, boundary2, X_W2), [&](const SampleDepth& found, double spacing) {
+    look(found, spacing, found.sample->place, found.depth.place);
+  });
+  for_deepest(depths_of(boundary2, X_W2, boundary1, X_W1), [&](const SampleDepth& found, double spacing) {
+    look(found, spacing, found.depth.place, found.sample->place);
+  });
   worst.depth = worst.depth > tolerance ? worst.depth : 0;
   return worst;
 }

@@ -16,6 +16,15 @@ double involute(double alpha) {
   return std::tan(alpha) - alpha;
 }
 
+Vector2d mirrored(const Vector2d& p) {
+  return {p.x(), -p.y()};
+}
+
+std::string segment(const Vector2d& from, const Vector2d& to) {
+  return fmt::format(R"({{ type = "segment", from = [{}, {}], to = [{}, {}] }})", from.x(), from.y(), to.x(),
+                     to.y());
+}
+
 }  // namespace
 
 Sketch random_flank_pair(std::uint64_t seed) {
@@ -93,15 +102,26 @@ Sketch random_open_face(std::uint64_t seed) {
   mount(sketch, O + 2.5 * size * unit_vector(out), out, false, out);
   const double half = size * draw.between(0.1, 1.2);
   const double round = size * draw.between(1.2, 4);
-  sketch.bodies[2].outlines.push_back(
-      {{},
-       false,
-       0,
-       draw.chance(0.5)
-           ? fmt::format(R"({{ type = "segment", from = [0, {}], to = [0, {}] }})", half, -half)
+  const bool flat = draw.chance(0.5);
+  const Vector2d end =
+      flat ? Vector2d(0, half) : Vector2d(Vector2d(round, 0) - round * unit_vector(-half / round));
+  const Vector2d inner =
+      flat ? Vector2d(half, half) : Vector2d(Vector2d(round, 0) - 0.7 * round * unit_vector(-half / round));
+  const std::string face =
+      flat ? segment(end, mirrored(end))
            : fmt::format(R"({{ type = "arc", center = [{}, 0], radius = {}, from = {}, to = {} }})", round,
-                         round, kPi - half / round, kPi + half / round)});
+                         round, kPi - half / round, kPi + half / round);
+  Sketch twin = sketch;
+  sketch.bodies[2].outlines.push_back({{}, false, 0, face});
+  twin.bodies[2].outlines.push_back({{},
+                                     false,
+                                     0,
+                                     fmt::format(R"({{ type = "chain", spans = [{}, {}, {}, {}] }})", face,
+                                                 segment(mirrored(end), mirrored(inner)),
+                                                 segment(mirrored(inner), inner), segment(inner, end))});
   sketch.contacts.push_back({{2, 0}, {1, 0}, false, true});
+  twin.contacts = sketch.contacts;
+  sketch.twin = {twin};
   return sketch;
 }
 

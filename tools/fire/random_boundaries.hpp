@@ -11,7 +11,8 @@ namespace higherpair::fire {
 /// of the contact.
 [[nodiscard]] Sketch random_flank_pair(std::uint64_t seed);
 
-/// An ellipse that turns under an open face, flat or round, which may be too narrow for it. It has no twin.
+/// An ellipse that turns under an open face, flat or round, which may be too narrow for it. Its twin is a
+/// block with that face and sides square to it: the ends are its corners.
 [[nodiscard]] Sketch random_open_face(std::uint64_t seed);
 
 /// A cam of straight parts and rounded corners with its roller: the roller on an offset of the outline. In
