@@ -104,6 +104,15 @@ Failure try_rows(const Sketch& sketch, const Options& options) {
         if (!profile) {
           return "refused by the reader\n" + to_string(profile.error().front());
         }
+        if (options.law == "truth" && !sketch.twin.empty()) {
+          const auto twin = higherpair::read_profile_text(
+              higherpair::fire::profile_of(sketch.twin.front(), "twin"), "twin");
+          if (!twin) {
+            return "twin refused by the reader\n" + to_string(twin.error().front());
+          }
+          const Failure failure = higherpair::fire::twin_law(*profile, *twin);
+          return failure.law + "\n" + failure.detail;
+        }
         const Failure failure = options.law == "truth"
                                     ? higherpair::fire::truth_law(*profile)
                                     : higherpair::fire::rows_law(*profile, sketch.duration > 0);
@@ -128,7 +137,7 @@ struct Tally {
 void print_sketch(SketchKind kind, long number, const Sketch& sketch, const Failure& failure,
                   const Options& options) {
   const Sketch small =
-      options.shrink
+      options.shrink && (options.law != "truth" || sketch.twin.empty())
           ? shrink(sketch,
                    [&](const Sketch& smaller) { return try_rows(smaller, options).law == failure.law; })
           : sketch;
@@ -141,6 +150,9 @@ Tally try_kind(SketchKind kind, const Options& options) {
     const Sketch sketch = higherpair::fire::random_sketch(kind, options.seed, static_cast<std::uint64_t>(i));
     if (options.print) {
       fmt::print("{}\n", profile_of(sketch, fmt::format("{} {}", name_of(kind), i)));
+      for (const Sketch& twin : sketch.twin) {
+        fmt::print("{}\n", profile_of(twin, fmt::format("twin of {} {}", name_of(kind), i)));
+      }
       continue;
     }
     ++tally.cases;

@@ -1,6 +1,8 @@
 #include "random_sketch.hpp"
 
 #include "higherpair/geometry/vector.hpp"
+#include "random_boundaries.hpp"
+#include "random_law_cam.hpp"
 
 #include <algorithm>
 #include <array>
@@ -85,7 +87,7 @@ private:
   std::vector<int> holders(const std::vector<int>& parents, int root_freedoms);
   void coupled(int bodies);
   void wheels();
-  void outlined_cam();
+  void outlined_cam(bool any);
   void any_group();
   void groups(SketchKind kind);
 
@@ -470,9 +472,9 @@ void Drawing::wheels() {
   know(wheel);
 }
 
-// A star-shaped outline about the crank's pivot, and a follower on a slide or lever that touches it. \pre the
-// crank is driven about a pivot on ground.
-void Drawing::outlined_cam() {
+// A star-shaped outline about the crank's pivot, a spline too if `any`, and a follower on a slide or lever
+// that touches it. \pre the crank is driven about a pivot on ground.
+void Drawing::outlined_cam(bool any) {
   const Sketch::Joint& pivot = sketch_.joints[static_cast<std::size_t>(sketch_.drivers.front().joint)];
   const bool ground_first = pivot.first.body == 0;
   const int crank = ground_first ? pivot.second.body : pivot.first.body;
@@ -486,7 +488,7 @@ void Drawing::outlined_cam() {
     phase[k] = angle();
   }
   Sketch::Outline outline;
-  outline.spline = chance(0.5);
+  outline.spline = any && chance(0.5);
   outline.fillet = size * between(0.02, 0.15);
   const int count = outline.spline ? 8 + pick(17) : 3 + pick(5);
   for (int i = 0; i < count; ++i) {
@@ -550,6 +552,7 @@ void Drawing::groups(SketchKind kind) {
       case SketchKind::kDyad:
       case SketchKind::kGeared:
       case SketchKind::kCam:
+      case SketchKind::kOffset:
         dyad();
         break;
       case SketchKind::kTriad:
@@ -573,6 +576,10 @@ void Drawing::groups(SketchKind kind) {
       case SketchKind::kStep:
         any_group();
         break;
+      case SketchKind::kLaw:  // drawn elsewhere
+      case SketchKind::kTeeth:
+      case SketchKind::kFace:
+        break;
     }
   }
 }
@@ -582,7 +589,8 @@ Sketch Drawing::draw(SketchKind kind) {
   rings_ = kind == SketchKind::kRing;
   know(0);
   drive(0);
-  const bool turning = kind == SketchKind::kGeared || kind == SketchKind::kCam;
+  const bool cam = kind == SketchKind::kCam || kind == SketchKind::kOffset;
+  const bool turning = kind == SketchKind::kGeared || cam;
   while (turning && sketch_.joints.front().kind != JointKind::kRevolute) {
     sketch_ = {};
     known_ = {0};
@@ -594,8 +602,8 @@ Sketch Drawing::draw(SketchKind kind) {
   if (kind == SketchKind::kGeared) {
     wheels();
   }
-  if (kind == SketchKind::kCam) {
-    outlined_cam();
+  if (cam) {
+    outlined_cam(kind == SketchKind::kCam);
   }
   groups(kind);
   if (kind == SketchKind::kStep) {
@@ -617,7 +625,9 @@ constexpr std::array kKindNames{
     KindName{SketchKind::kChain, "chain"},     KindName{SketchKind::kRing, "ring"},
     KindName{SketchKind::kCoupled, "coupled"}, KindName{SketchKind::kClosed, "closed"},
     KindName{SketchKind::kGeared, "geared"},   KindName{SketchKind::kTwo, "two"},
-    KindName{SketchKind::kCam, "cam"},         KindName{SketchKind::kStep, "step"}};
+    KindName{SketchKind::kCam, "cam"},         KindName{SketchKind::kStep, "step"},
+    KindName{SketchKind::kLaw, "law"},         KindName{SketchKind::kTeeth, "teeth"},
+    KindName{SketchKind::kFace, "face"},       KindName{SketchKind::kOffset, "offset"}};
 
 }  // namespace
 
@@ -640,7 +650,19 @@ std::optional<SketchKind> kind_named(std::string_view name) {
 }
 
 Sketch random_sketch(SketchKind kind, std::uint64_t seed, std::uint64_t number) {
-  return Drawing(mixed(mixed(mixed(seed) + static_cast<std::uint64_t>(kind)) + number)).draw(kind);
+  const std::uint64_t own = mixed(mixed(mixed(seed) + static_cast<std::uint64_t>(kind)) + number);
+  switch (kind) {
+    case SketchKind::kLaw:
+      return random_law_cam(own);
+    case SketchKind::kTeeth:
+      return random_flank_pair(own);
+    case SketchKind::kFace:
+      return random_open_face(own);
+    case SketchKind::kOffset:
+      return with_offset(Drawing(own).draw(kind), own);
+    default:
+      return Drawing(own).draw(kind);
+  }
 }
 
 }  // namespace higherpair::fire

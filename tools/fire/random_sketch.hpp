@@ -22,6 +22,10 @@ enum class SketchKind {
   kTwo,      ///< two drivers, groups of all kinds
   kCam,      ///< a follower on a cam of straight and round parts or a spline, convex or not, and dyads
   kStep,     ///< groups of all kinds, the driver accelerated so that it turns back
+  kLaw,      ///< a cam whose flank comes from a motion law
+  kTeeth,    ///< two flanks of spur gears
+  kFace,     ///< an open face on an ellipse
+  kOffset,   ///< a roller on the offset of a cam of straight and round parts
 };
 
 [[nodiscard]] std::vector<SketchKind> all_kinds();

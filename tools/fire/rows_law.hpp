@@ -33,6 +33,10 @@ struct RunRecord {
   std::vector<Happening> events;
 };
 
+/// The largest absolute value, and the largest difference of two lists (infinite with a NaN).
+[[nodiscard]] double largest(const std::vector<double>& values);
+[[nodiscard]] double difference(const std::vector<double>& a, const std::vector<double>& b);
+
 /// \param timed  as `step` does, else as `analyze`
 [[nodiscard]] RunRecord record_run(const Profile& profile, bool timed, std::int64_t samples);
 

@@ -10,6 +10,9 @@ std::string body_name(int body) {
 }
 
 std::string outline_text(const Sketch::Outline& outline) {
+  if (!outline.text.empty()) {
+    return outline.text;
+  }
   const auto place = [&](std::size_t i) {
     const Sketch::Point& p = outline.points[i % outline.points.size()];
     return fmt::format("[{}, {}]", p.x, p.y);
@@ -73,6 +76,9 @@ std::string joint_text(const Sketch::Joint& joint) {
 std::string driver_text(const Sketch& sketch, std::size_t index) {
   const Sketch::Driver& driver = sketch.drivers[index];
   std::string text = sketch.drivers.size() == 1 ? "[driver]\n" : fmt::format("[drivers.d{}]\n", index);
+  if (!driver.law.empty()) {
+    return text + fmt::format("joint = \"j{}\"\nlaw = \"{}\"\nsamples = 61\n", driver.joint, driver.law);
+  }
   text += fmt::format("joint = \"j{}\"\nstart = {}\nvelocity = {}\nacceleration = {}\n", driver.joint,
                       driver.start, driver.velocity, driver.acceleration);
   text += fmt::format("end = {}\nsamples = 61\n", driver.end);
@@ -124,13 +130,14 @@ std::string profile_of(const Sketch& sketch, const std::string& title) {
   for (std::size_t i = 0; i < sketch.contacts.size(); ++i) {
     const Sketch::Contact& contact = sketch.contacts[i];
     text += fmt::format("k{} = {{ {}{} }}\n", i,
-                        between(contact.outlined ? "K" : "C", contact.first, "C", contact.second),
+                        between(contact.outlined ? "K" : "C", contact.first,
+                                contact.both_outlined ? "K" : "C", contact.second),
                         contact.rolling ? ", rolling = true" : "");
   }
   for (std::size_t i = 0; i < sketch.drivers.size(); ++i) {
     text += fmt::format("\n{}", driver_text(sketch, i));
   }
-  return text;
+  return text + sketch.tables;
 }
 
 }  // namespace higherpair::fire

@@ -12,11 +12,13 @@ struct Sketch {
   struct Point {
     double x = 0, y = 0;  ///< in the body's frame
   };
-  /// A closed curve through points, or a polygon with rounded corners.
+  /// A closed curve through points, or a polygon with rounded corners; or any curve in the words of a
+  /// profile.
   struct Outline {
     std::vector<Point> points;
     bool spline = false;
-    double fillet = 0;  ///< of a polygon
+    double fillet = 0;   ///< of a polygon
+    std::string text{};  ///< if not empty: this instead
   };
   struct Body {
     double x = 0, y = 0, angle = 0;  ///< the pose
@@ -41,11 +43,13 @@ struct Sketch {
     Ref first, second;
     bool rolling = false;
     bool outlined = false;  ///< the first is of the outlines
+    bool both_outlined = false;
   };
   struct Driver {
     int joint = 0;
     double start = 0, end = 0;  ///< `end` of analyze
     double velocity = 1, acceleration = 0;
+    std::string law{};  ///< if not empty: of time, instead of these numbers
   };
 
   std::vector<Body> bodies{1};  ///< bodies[0] is ground
@@ -53,6 +57,10 @@ struct Sketch {
   std::vector<Contact> contacts;
   std::vector<Driver> drivers;
   double duration = 0;  ///< of step [s]; 0: a case for analyze
+  std::string tables;   ///< of the laws
+
+  /// At most one: a mechanism that moves alike by other means, without the boundary that is tried.
+  std::vector<Sketch> twin;
 };
 
 /// The numbers that its profile shows, to be rounded one by one.

@@ -14,7 +14,8 @@ namespace higherpair::fire {
 namespace {
 
 constexpr std::int64_t kTruthSamples = 61;
-constexpr double kTruthTolerance = 1e-9;     // share of the path
+constexpr double kTruthTolerance = 1e-9;  // share of the path
+constexpr double kTwinTolerance = 1e-11;
 constexpr double kPositionTolerance = 1e-8;  // of what is nowhere near a limit
 
 // What the reference does not know: contacts that are taken over by others.
@@ -87,6 +88,51 @@ Failure truth_law(const Profile& profile) {
             fmt::format("{} of the path, true {}", text(found), text(wanted)), 0};
   }
   return compare_rows(run, reference);
+}
+
+Failure twin_law(const Profile& profile, const Profile& twin) {
+  const RunRecord run = record_run(profile, false, kTruthSamples);
+  const RunRecord other = record_run(twin, false, kTruthSamples);
+  if (!run.not_started.empty() || !other.not_started.empty()) {
+    const bool same = run.not_started.empty() == other.not_started.empty();
+    return {same ? "" : "twin: start", same ? "cannot be started" : run.not_started + other.not_started, 0};
+  }
+  for (std::size_t k = 0; k < run.rows.size(); ++k) {
+    const RowValues& a = run.rows[k];
+    const RowValues& b = other.rows[k];
+    const auto ok = static_cast<int>(RowStatus::kOk);
+    if (a.status != b.status) {
+      return {"twin: status", fmt::format("row {}: {} and {}", k, a.status, b.status), static_cast<int>(k)};
+    }
+    if (a.status != ok) {
+      return {};
+    }
+    // Near a limit every derivative is as much larger as rounding of the driver shows.
+    const double V = largest(b.velocity);
+    const double A = largest(b.acceleration);
+    const double J = V > 0 ? A * A / V : 0;
+    const auto differs = [&](const char* what, const std::vector<double>& x, const std::vector<double>& y,
+                             double size, double steep) -> Failure {
+      const double error = difference(x, y);
+      const double tolerance = kTwinTolerance * size + 1e-14 * steep;
+      return error <= tolerance
+                 ? Failure{}
+                 : Failure{what, fmt::format("row {}: off by {} of {}", k, error, size), static_cast<int>(k)};
+    };
+    if (auto f = differs("twin: position", a.place, b.place, 1 + largest(b.place), V)) {
+      return f;
+    }
+    if (!a.rates || !b.rates) {
+      continue;
+    }
+    if (auto f = differs("twin: velocity", a.velocity, b.velocity, V, A)) {
+      return f;
+    }
+    if (auto f = differs("twin: acceleration", a.acceleration, b.acceleration, A + 0.01 * V * V, J)) {
+      return f;
+    }
+  }
+  return {};
 }
 
 }  // namespace higherpair::fire

@@ -10,4 +10,8 @@ namespace higherpair::fire {
 /// follower gives up passes, and one whose contact changes over to another.
 [[nodiscard]] Failure truth_law(const Profile& profile);
 
+/// The same of a boundary: all bodies move, with velocities and accelerations, as those of a mechanism that
+/// does it by other means, up to the first limit.
+[[nodiscard]] Failure twin_law(const Profile& profile, const Profile& twin);
+
 }  // namespace higherpair::fire
