@@ -105,7 +105,8 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
   return change;
 }
 
-void report(Run& run, EventType type, const Path& path, double s, std::size_t contact, std::string cause) {
+void report(Run& run, EventType type, const Path& path, double s, std::size_t contact,
+            const std::string& cause) {
   RunEvent event = event_at(type, path, s, cause);
   event.contact = static_cast<int>(contact);
   run.events.push_back(std::move(event));
