@@ -115,7 +115,7 @@ template <class F>
 double derivative_of_samples(F at, double h) {
   std::array<double, 2> slope{}, bend{};
   double largest = 0;
-  for (const std::size_t side : {0, 1}) {
+  for (std::size_t side = 0; side < 2; ++side) {
     const auto f = [&](std::size_t k) { return at(side, k); };
     slope[side] =
         (-25 * f(0) + 48 * f(1) - 36 * f(2) + 16 * f(3) - 3 * f(4)) / (side == 0 ? 12 * h : -12 * h);
