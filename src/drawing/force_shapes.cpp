@@ -1,5 +1,6 @@
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/geometry/motion.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "sketch.hpp"
 
@@ -88,7 +89,7 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
 // A force along the slide, or a torque as an arc around the pin.
 void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double effort) {
   const Joint& joint = mechanism_->joints[static_cast<std::size_t>(driver.joint)];
-  const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+  const std::string name = driver_name(driver);
   const Vector2d p = kMillimetres * (row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
                                      point_of(*mechanism_, joint.second));
   if (has_angle(joint.type)) {

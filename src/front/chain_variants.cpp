@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 
@@ -86,7 +87,7 @@ std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::s
     }
   }
   const Driver& driver = mechanism.drivers.front();
-  const std::string prefix = driver.name.empty() ? "driver" : "driver." + driver.name;
+  const std::string prefix = driver_name(driver);
   const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
   const Dimension dimension = turns ? dimension::kTorque : dimension::kForce;
   if (name == prefix + ".effort") {

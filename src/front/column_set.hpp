@@ -103,9 +103,6 @@ void append_csv_cells(std::span<const Column> columns, std::span<const double> v
 /// Whether a name is one that the glob means: `*` is any text, `?` any character.
 [[nodiscard]] bool matches(std::string_view glob, std::string_view name);
 
-/// The column of a driver's position: "driver", "driver.NAME". \pre the mechanism has that driver.
-[[nodiscard]] std::string driver_column(const Mechanism& mechanism, std::size_t driver);
-
 /// The motion: time, drivers, bodies and their points, joints, contacts.
 void add_motion_columns(ColumnSet& set, const Profile& profile, const Units& units, bool in_time);
 /// The reactions of joints and contacts, and the effort of the drivers.

@@ -4,6 +4,7 @@
 #include "fit_request.hpp"
 #include "higherpair/front/measure.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +80,7 @@ private:
   void read_where() {
     const Mechanism& mechanism = data_.model.mechanism();
     std::vector<std::string> drivers;
-    for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) drivers.push_back(driver_column(mechanism, i));
+    for (const Driver& driver : mechanism.drivers) drivers.push_back(driver_name(driver));
     data_.settings.in_time = column_of("time") != nullptr;
     const std::vector<std::string> names =
         data_.settings.in_time ? std::vector<std::string>{"time"} : drivers;

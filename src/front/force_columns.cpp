@@ -1,4 +1,5 @@
 #include "column_set.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 
 #include <optional>
 
@@ -31,7 +32,7 @@ void add_force_columns(ColumnSet& set, const Mechanism& mechanism) {
   }
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const Driver& driver = mechanism.drivers[i];
-    const std::string name = driver.name.empty() ? "driver" : "driver." + driver.name;
+    const std::string name = driver_name(driver);
     const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
     const Dimension dimension = turns ? dimension::kTorque : dimension::kForce;
     set.add({{name + ".effort", dimension}, {name + ".effort_check", dimension}},

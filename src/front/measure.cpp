@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "measure_series.hpp"
 
@@ -18,7 +19,7 @@ namespace higherpair {
 namespace {
 
 std::string where_column(const Mechanism& mechanism, bool in_time) {
-  return in_time ? "time" : driver_column(mechanism, 0);
+  return in_time ? "time" : driver_name(mechanism.drivers.front());
 }
 
 std::size_t slot_of(const std::vector<Column>& columns, std::string_view name) {

@@ -1,5 +1,6 @@
 #include "column_set.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
   const bool as_given = units == profile.units;  // the positions of the profile, digit by digit
   for (std::size_t i = 0; i < profile.mechanism.drivers.size(); ++i) {
     const Driver& driver = profile.mechanism.drivers[i];
-    const std::string name = driver_column(profile.mechanism, i);
+    const std::string name = driver_name(profile.mechanism.drivers[i]);
     const bool turns =
         profile.mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
     const Coordinate of = coordinate_of(turns);
@@ -256,11 +257,6 @@ std::string_view name_of(EventType type) {
       return "law_jump";
   }
   return "limit_position";
-}
-
-std::string driver_column(const Mechanism& mechanism, std::size_t driver) {
-  const std::string& name = mechanism.drivers[driver].name;
-  return name.empty() ? "driver" : fmt::format("driver.{}", name);
 }
 
 void add_motion_columns(ColumnSet& set, const Profile& profile, const Units& units, bool in_time) {

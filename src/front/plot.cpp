@@ -1,6 +1,7 @@
 #include "higherpair/front/plot.hpp"
 
 #include "column_set.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "plot_marks.hpp"
 
 #include <algorithm>
@@ -65,8 +66,8 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
 }  // namespace
 
 Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
-  const std::string driver_name = driver_column(model.mechanism(), 0);
-  const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_name);
+  const std::string driver_column = driver_name(model.mechanism().drivers.front());
+  const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_column);
   if (settings.y.empty()) {
     return refuse("--y", "names no column; expected at least one, such as --y 'driver.velocity'");
   }
@@ -76,7 +77,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   RunSettings run = settings.run;
   run.columns = settings.y;
   run.columns.push_back(x_name);
-  run.columns.push_back(driver_name);
+  run.columns.push_back(driver_column);
   auto analysis = started(model, run);
   if (!analysis) {
     return tl::unexpected(renamed(std::move(analysis.error()), x_name));
@@ -105,7 +106,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
     const ColumnValues y = motion.column(name);
     plot.data.series.push_back({name, std::string(y.unit), xs, {y.begin(), y.end()}});
   }
-  const ColumnValues driver = motion.column(driver_name);
+  const ColumnValues driver = motion.column(driver_column);
   const XColumn column = x_column(x);
   add_ranges(motion, column, driver, plot.data);
   add_events(motion, column, driver, plot.data);

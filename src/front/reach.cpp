@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/drawing/scene.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -68,9 +69,8 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
 
 RunSettings driver_alone(const Model& model, double tolerance, const std::atomic<bool>* stop) {
   const auto& drivers = model.mechanism().drivers;
-  const bool named = !drivers.empty() && !drivers.front().name.empty();
   RunSettings settings;
-  settings.columns = {named ? "driver." + drivers.front().name : "driver"};
+  settings.columns = {drivers.empty() ? "driver" : driver_name(drivers.front())};
   settings.tolerance = tolerance;
   settings.stop = stop;
   return settings;

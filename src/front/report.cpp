@@ -1,6 +1,7 @@
 #include "higherpair/front/report.hpp"
 
 #include "higherpair/front/drawing.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "model_data.hpp"
 #include "reach.hpp"
 #include "report_data.hpp"
@@ -95,10 +96,6 @@ std::string filled(std::string_view page, std::string_view json) {
 }
 
 }  // namespace
-
-std::string driver_name(const Driver& driver) {
-  return driver.name.empty() ? "driver" : "driver." + driver.name;
-}
 
 std::size_t page_row(const ReportData& data, std::int64_t row) {
   const auto found =

@@ -62,9 +62,6 @@ struct Fact {
 [[nodiscard]] std::string json_of(const Model& model, const ReportData& data, const std::string& source,
                                   const std::atomic<bool>* stop = nullptr);
 
-/// The column of the position of a driver.
-[[nodiscard]] std::string driver_name(const Driver& driver);
-
 /// The row of the page that is at this row of the run, or the next one.
 [[nodiscard]] std::size_t page_row(const ReportData& data, std::int64_t row);
 

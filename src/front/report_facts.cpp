@@ -1,3 +1,4 @@
+#include "higherpair/mechanism/driver_name.hpp"
 #include "report_data.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include "higherpair/drawing/scene.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "packed_series.hpp"
 #include "report_data.hpp"
 #include "report_parts.hpp"

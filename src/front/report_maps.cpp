@@ -1,5 +1,6 @@
 #include "higherpair/front/map.hpp"
 #include "higherpair/front/plot.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
@@ -22,7 +23,7 @@ std::optional<std::size_t> column_of(const Model& model, const ReportData& data,
   std::string name = joint + ".position";
   for (const Driver& driver : mechanism.drivers) {
     if (mechanism.joints[static_cast<std::size_t>(driver.joint)].name != joint) continue;
-    name = driver.name.empty() ? "driver" : "driver." + driver.name;
+    name = driver_name(driver);
   }
   const auto found = std::find_if(data.columns.begin(), data.columns.end(),
                                   [&](const Column& column) { return column.name == name; });

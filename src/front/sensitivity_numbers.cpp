@@ -6,6 +6,7 @@
 #include "higherpair/io/suggestion.hpp"
 #include "higherpair/io/sweep_task.hpp"
 #include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -144,8 +145,7 @@ std::vector<NamedMeasure> default_results(const Model& model) {
     results.push_back(named(contact.name + ".pressure", MeasureKind::kMax));
   }
   for (std::size_t i = 0; has_forces(mechanism) && i < mechanism.drivers.size(); ++i) {
-    const std::string& name = mechanism.drivers[i].name;
-    results.push_back(named((name.empty() ? "driver" : "driver." + name) + ".effort", MeasureKind::kMaxAbs));
+    results.push_back(named(driver_name(mechanism.drivers[i]) + ".effort", MeasureKind::kMaxAbs));
   }
   for (std::size_t i = 1; results.empty() && i < mechanism.bodies.size(); ++i) {
     results.push_back(named(mechanism.bodies[i].name + ".angle", MeasureKind::kRange));

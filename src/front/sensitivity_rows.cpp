@@ -1,6 +1,7 @@
 // Derivatives of whole columns, row by row.
 #include "arena.hpp"
 #include "higherpair/front/sensitivity.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "number_slopes.hpp"
 #include "sensitivity_numbers.hpp"
@@ -194,7 +195,7 @@ Result<SlopeTable> sensitivity_rows(const Model& model, const std::vector<std::s
   if (!columns.empty()) {
     const Mechanism& mechanism = model.mechanism();
     if (!mechanism.drivers.empty()) {
-      run.columns.push_back(run.in_time ? "time" : driver_column(mechanism, 0));
+      run.columns.push_back(run.in_time ? "time" : driver_name(mechanism.drivers.front()));
     }
   }
   return settings_for_columns(model, std::move(run)).and_then([&](const RunSettings& made) {

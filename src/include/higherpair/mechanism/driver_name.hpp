@@ -1,0 +1,18 @@
+#pragma once
+
+#include "higherpair/mechanism/description.hpp"
+
+#include <string>
+
+namespace higherpair {
+
+/// What tables, results and pictures call a driver: "driver", or "driver.NAME" where it has a name.
+[[nodiscard]] inline std::string driver_name(const Driver& driver) {
+  std::string name = "driver";
+  if (!driver.name.empty()) {
+    name.append(1, '.').append(driver.name);
+  }
+  return name;
+}
+
+}  // namespace higherpair
