@@ -105,6 +105,17 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
   return change;
 }
 
+// The body that a group's contact places, where that contact may go on at another place of its curves; else
+// null.
+const TouchingBody* free_to_go_on(const Run& run, std::size_t g) {
+  const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+  if (touching == nullptr || run.at.state.groups[g].held) {
+    return nullptr;
+  }
+  const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(touching->contact)];
+  return contact.by_boundary && contact.jump && !contact.both_sides ? touching : nullptr;
+}
+
 void report(Run& run, EventType type, const Path& path, double s, std::size_t contact,
             const std::string& cause) {
   RunEvent event = event_at(type, path, s, cause);
@@ -166,16 +177,11 @@ std::size_t touching_places(const Run& run, std::size_t contact) {
 }
 
 bool take_over(Run& run, const Path& path, double s, std::size_t g) {
-  const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-  if (touching == nullptr || run.at.state.groups[g].held) {
+  const TouchingBody* touching = free_to_go_on(run, g);
+  if (touching == nullptr || !(end_reached(run, g) || is_at_edge(run, g) || slipped_off(run, g))) {
     return false;
   }
   const auto i = static_cast<std::size_t>(touching->contact);
-  const Contact& contact = run.mechanism().contacts[i];
-  if (!contact.by_boundary || !contact.jump || contact.both_sides ||
-      !(end_reached(run, g) || is_at_edge(run, g) || slipped_off(run, g))) {
-    return false;
-  }
   const auto places = shared_places(bodies_in(run, i, run.at.state), kOverlapOfBoundaries * run.plan().size);
   for (const NearPlace& place : places) {
     if (const auto change = go_on_at(run, path, g, s, place)) {
@@ -191,14 +197,12 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
 }
 
 bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
-  const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-  if (touching == nullptr || run.at.state.groups[g].held) {
+  const TouchingBody* touching = free_to_go_on(run, g);
+  if (touching == nullptr) {
     return false;
   }
   const auto i = static_cast<std::size_t>(touching->contact);
-  const Contact& contact = run.mechanism().contacts[i];
-  const bool may_go_over = contact.by_boundary && contact.jump && !contact.both_sides;
-  const auto passage = may_go_over ? vertex_passage(run, i) : std::nullopt;
+  const auto passage = vertex_passage(run, i);
   std::optional<RateJump> change;
   // By rounding it may still be just before the part beyond.
   for (std::size_t k = 0; passage && !change && k < kBeyondVertex.size(); ++k) {
@@ -208,12 +212,10 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   if (!change) {
     return false;
   }
-  const std::string& body =
-      run.mechanism().bodies[static_cast<std::size_t>(ref_of(contact, passage->side).body)].name;
   report(run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
          fmt::format("the contact {} of {}{}",
-                     passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body,
-                     rate_jump_text(run, *touching, *change)));
+                     passage->notch ? "goes on beyond a concave corner" : "goes over a corner",
+                     body_of_side(run, i, passage->side), rate_jump_text(run, *touching, *change)));
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,16 +21,9 @@ namespace {
 
 constexpr double kFartherAlong =
     2;  // than its speeds at both ends of a step make likely: what a contact runs at most
-constexpr double kAtBoundaryEnd = 1e-6;  // of the length of a boundary, or rad: a contact that its end has
-                                         // stopped
 
 const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
-}
-
-// The distance along a span [m, on corners rad].
-double arc_between(const Boundary& boundary, const BoundaryPlace& from, double t) {
-  return (t - from.t) * boundary.at(from).speed;
 }
 
 // Which contact and side has gone to another span.
@@ -85,7 +79,7 @@ bool may_have_left(const Run& run, const Changed& at, double h) {
   const double after = running_speed(run, at, run.work.trial);
   const double end = end_of(boundary, from.span, before * h > 0).t;
   const double room =
-      std::min(std::abs(arc_between(boundary, from, end)), std::abs(arc_between(boundary, to, end)));
+      std::min(std::abs(distance_along(boundary, from, end)), std::abs(distance_along(boundary, to, end)));
   return !(kFartherAlong * std::max(std::abs(before), std::abs(after)) * std::abs(h) < room);
 }
 
@@ -153,18 +147,12 @@ double beyond_joint(const Boundary& boundary, const BoundaryPlace& place, const 
                     bool forward) {
   const double sense = forward ? 1 : -1;
   if (place.span == passage.before.span) {
-    return -sense * arc_between(boundary, place, passage.before.t);
+    return -sense * distance_along(boundary, place, passage.before.t);
   }
   if (place.span == passage.after.span) {
-    return -sense * arc_between(boundary, place, passage.after.t);
+    return -sense * distance_along(boundary, place, passage.after.t);
   }
   return boundary.size();
-}
-
-const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
-  return run.mechanism()
-      .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[contact], side).body)]
-      .name;
 }
 
 std::string curvature_text(const Boundary& boundary, const BoundaryPlace& place) {
@@ -190,6 +178,12 @@ double acceleration_of(const Run& run, int joint) {
 }
 
 }  // namespace
+
+const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
+  return run.mechanism()
+      .bodies[static_cast<std::size_t>(ref_of(run.mechanism().contacts[contact], side).body)]
+      .name;
+}
 
 void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
   ContactMotion& motion = state.contacts[passage.contact];
@@ -363,9 +357,8 @@ enum class Stop { kEnd, kEdge, kNotch };
 std::optional<Stop> stop_at(const Run& run, std::size_t contact, std::size_t side) {
   const Boundary& boundary = boundary_at(run, contact, side);
   const BoundaryPlace& place = run.at.state.contacts[contact].place[side];
-  const double near = boundary.is_corner(place) ? kAtBoundaryEnd : kAtBoundaryEnd * boundary.size();
   for (const bool high : {false, true}) {
-    if (std::abs(arc_between(boundary, place, end_of(boundary, place.span, high).t)) > near) {
+    if (!is_at_end(boundary, place, high, kAtSpanEnd)) {
       continue;
     }
     const int next = boundary.next_span(place.span, high);

@@ -60,6 +60,9 @@ void note_edge(Run& run, const Path& path, double s, std::size_t contact,
 /// the sentence that says so.
 [[nodiscard]] std::optional<std::string> slipped_off(const Run& run, std::size_t g);
 
+/// The name of a contact's first body (side 0) or second one.
+[[nodiscard]] const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side);
+
 /// Gives the curves of contacts by_boundary the shape that they have where the row's contact is.
 void set_local_curves(Run& run);
 

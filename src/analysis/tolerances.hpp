@@ -17,6 +17,9 @@ inline constexpr double kOverlapPrecision = kOverlapDepth / 10;
 /// The common normal of bodies that need not touch yet, from which an iteration starts.
 inline constexpr double kRoughSeparation = 1e-6;
 
+/// A contact as near as this to the end of a span has come there, of the boundary's size; on corners [rad].
+inline constexpr double kAtSpanEnd = 1e-6;
+
 /// A gap that is 0 to within rounding.
 inline constexpr double kClosedGap = 1e-14;
 

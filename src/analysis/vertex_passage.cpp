@@ -2,16 +2,12 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "span_joints.hpp"
-
-#include <cmath>
-#include <limits>
+#include "tolerances.hpp"
 
 namespace higherpair {
 namespace {
-
-constexpr double kAtVertex =
-    1e-6;  // of the size of a boundary, on a corner rad: a contact that has come there
 
 // Both bodies of a contact, seen from the one whose face ends.
 struct VertexSides {
@@ -22,16 +18,6 @@ struct VertexSides {
   BoundaryPlace on_face, on_point;
 };
 
-BoundaryPlace end_place(const Boundary& boundary, int span, bool high) {
-  const Bounds range = boundary.spans()[static_cast<std::size_t>(span)]->range();
-  return {span, high ? range.high : range.low};
-}
-
-bool is_at_end(const Boundary& boundary, const BoundaryPlace& place, bool high) {
-  const double way = (end_place(boundary, place.span, high).t - place.t) * boundary.at(place).speed;
-  return std::abs(way) <= kAtVertex * (boundary.is_corner(place) ? 1 : boundary.size());
-}
-
 // The place on the corner at `at` that touches the other body's place, if its normals have that one.
 std::optional<BoundaryPlace> on_same_corner(const Boundary& boundary, const Pose<double>& X_WB,
                                             const BoundaryPlace& at, const Vector2d& n_W) {
@@ -39,19 +25,16 @@ std::optional<BoundaryPlace> on_same_corner(const Boundary& boundary, const Pose
   return place && place->span == at.span ? place : std::nullopt;
 }
 
-double radius_at(const Boundary& boundary, const BoundaryPlace& place) {
-  const double kappa = boundary.at(place).kappa;
-  return boundary.is_corner(place) ? 0 : kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / kappa;
-}
-
 // The touch of two places, the faced body being the first.
 NearPlace touch_of(const VertexSides& sides, const BoundaryPlace& on_face, const BoundaryPlace& on_point) {
   const SpanPoint face = sides.faced.at(on_face);
-  return {{sides.X_WF.R_WB * face.n_B, sides.X_WF * face.p_B, sides.X_WP * sides.pointed.at(on_point).p_B,
-           radius_at(sides.faced, on_face), radius_at(sides.pointed, on_point)},
-          on_face,
-          on_point,
-          0};
+  const SpanPoint point = sides.pointed.at(on_point);
+  return {
+      {sides.X_WF.R_WB * face.n_B, sides.X_WF * face.p_B, sides.X_WP * point.p_B,
+       radius_of(face, sides.faced.is_corner(on_face)), radius_of(point, sides.pointed.is_corner(on_point))},
+      on_face,
+      on_point,
+      0};
 }
 
 // Of the faced and the pointed body, where the contact runs over the end of its span that is
@@ -62,7 +45,7 @@ std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
     return faced.joint_after(high ? span : faced.next_span(span, high));
   };
   const bool on_corner = faced.is_corner(sides.on_face);
-  if (!is_at_end(faced, sides.on_face, on_corner ? !high : high)) {
+  if (!is_at_end(faced, sides.on_face, on_corner ? !high : high, kAtSpanEnd)) {
     return std::nullopt;
   }
   const int last = sides.on_face.span;
@@ -72,7 +55,7 @@ std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
                  !faced.spans()[static_cast<std::size_t>(corner)]->is_corner())) {
     return std::nullopt;
   }
-  const BoundaryPlace beyond = end_place(faced, notch ? corner : faced.next_span(corner, high), !high);
+  const BoundaryPlace beyond = end_of(faced, notch ? corner : faced.next_span(corner, high), !high);
   const Vector2d n_W = sides.X_WF.R_WB * faced.at(beyond).n_B;
   if (const auto point = on_same_corner(sides.pointed, sides.X_WP, sides.on_point, -n_W)) {
     return VertexPassage{touch_of(sides, beyond, *point), 0, notch};
@@ -81,8 +64,8 @@ std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
   if (notch || sides.pointed.joint_after(high ? sides.on_point.span : beside) == SpanJoint::kEnd) {
     return std::nullopt;
   }
-  const BoundaryPlace face = end_place(sides.pointed, beside, !high);
-  const auto on_corner_place = on_same_corner(faced, sides.X_WF, end_place(faced, corner, !high),
+  const BoundaryPlace face = end_of(sides.pointed, beside, !high);
+  const auto on_corner_place = on_same_corner(faced, sides.X_WF, end_of(faced, corner, !high),
                                               -(sides.X_WP.R_WB * sides.pointed.at(face).n_B));
   return on_corner_place ? std::optional(VertexPassage{touch_of(sides, *on_corner_place, face), 0, false})
                          : std::nullopt;

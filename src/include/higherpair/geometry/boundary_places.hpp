@@ -19,10 +19,24 @@ namespace higherpair {
   return {span, high ? range.high : range.low};
 }
 
+/// How far it is from a place along its span to a parameter of that, by the speed at the place: negative
+/// against the sense of the parameter [m, on corners rad].
+[[nodiscard]] inline double distance_along(const Boundary& boundary, const BoundaryPlace& from, double t) {
+  return (t - from.t) * boundary.at(from).speed;
+}
+
+/// Whether a place is at the begin or the end of its span.
+/// \param near  what counts as that, of the boundary's size; on corners [rad]
+[[nodiscard]] inline bool is_at_end(const Boundary& boundary, const BoundaryPlace& place, bool high,
+                                    double near) {
+  return std::abs(distance_along(boundary, place, end_of(boundary, place.span, high).t)) <=
+         near * (boundary.is_corner(place) ? 1 : boundary.size());
+}
+
 /// An end of a span as seen from a place on it.
 struct SpanEnd {
   BoundaryPlace behind;  ///< the same point on the span that goes on from there
-  double way = 0;        ///< along the boundary, by the speed at the place [m]
+  double way = 0;        ///< distance_along() to it, without its sign
 };
 
 /// The end of its span ahead of a place, in the sense of the parameter or against it; none where the curve
@@ -34,8 +48,8 @@ struct SpanEnd {
   if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
     return std::nullopt;
   }
-  const double left = std::abs(end_of(boundary, from.span, forward).t - from.t);
-  return SpanEnd{end_of(boundary, next, !forward), left * boundary.at(from).speed};
+  const double way = distance_along(boundary, from, end_of(boundary, from.span, forward).t);
+  return SpanEnd{end_of(boundary, next, !forward), std::abs(way)};
 }
 
 /// Whether a boundary is straight at a place.
