@@ -129,6 +129,19 @@ std::string csv_head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{}[{}]", column.name, column.unit);
 }
 
+void append_csv_text(std::string_view text, std::string& out) {
+  if (text.find_first_of(",\"\n") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    out += c;
+    if (c == '"') out += c;
+  }
+  out += '"';
+}
+
 void append_csv_header(const std::vector<Column>& columns, std::string& out) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     out += i > 0 ? "," : "";

@@ -100,6 +100,9 @@ void append_csv_cells(std::span<const Column> columns, std::span<const double> v
 /// A column's name with its unit, as in the header of CSV.
 [[nodiscard]] std::string csv_head(const Column& column);
 
+/// Appends a cell of text, in quotes where it has to be.
+void append_csv_text(std::string_view text, std::string& out);
+
 /// Whether a name is one that the glob means: `*` is any text, `?` any character.
 [[nodiscard]] bool matches(std::string_view glob, std::string_view name);
 

@@ -22,17 +22,19 @@ bool same_programs(const std::vector<DriverProgram>& a, const std::vector<Driver
 
 // Whether the mechanism is nothing but the numbers that for_each_number knows.
 bool is_all_numbers(const Mechanism& mechanism) {
-  const bool whole_curves =
-      std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
-        return std::all_of(body.curves.begin(), body.curves.end(),
-                           [](const NamedCurve& curve) { return curve.boundary == nullptr; });
-      });
   const bool endless = std::all_of(mechanism.joints.begin(), mechanism.joints.end(),
                                    [](const Joint& joint) { return !joint.from && !joint.to; });
-  return whole_curves && endless;
+  return has_whole_curves(mechanism) && endless;
 }
 
 }  // namespace
+
+bool has_whole_curves(const Mechanism& mechanism) {
+  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
+    return std::all_of(body.curves.begin(), body.curves.end(),
+                       [](const NamedCurve& curve) { return curve.boundary == nullptr; });
+  });
+}
 
 DesignNumbers::DesignNumbers(Model model, const DesignTask& task) : model_(std::move(model)), task_(&task) {
   for (const DesignTask::Variable& variable : task.variables) {

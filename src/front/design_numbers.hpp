@@ -12,6 +12,9 @@
 
 namespace higherpair {
 
+/// Whether no curve of any body is one of several parts: chains, splines, flanks and the like.
+[[nodiscard]] bool has_whole_curves(const Mechanism& mechanism);
+
 /// From the variables of a design to the mechanism. Where every number of the mechanism is a linear function
 /// of them, as of the coordinates of points, lengths and radii, it is worked out so; else the profile is read
 /// anew.

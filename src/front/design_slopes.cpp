@@ -19,12 +19,7 @@ constexpr std::size_t kMostAlong = 8;
 
 bool is_covered(const DesignSetup& setup) {
   const Mechanism& mechanism = setup.numbers.model().mechanism();
-  const bool whole_curves =
-      std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {
-        return std::all_of(body.curves.begin(), body.curves.end(),
-                           [](const NamedCurve& curve) { return curve.boundary == nullptr; });
-      });
-  return (whole_curves || !setup.needs_extents()) &&
+  return (has_whole_curves(mechanism) || !setup.needs_extents()) &&
          std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(),
                       [](const Contact& contact) { return contact.keep == Keep::kGap; });
 }

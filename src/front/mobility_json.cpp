@@ -1,5 +1,6 @@
 #include "mobility_json.hpp"
 
+#include "column_set.hpp"
 #include "higherpair/linkage/instant_centers.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/pins.hpp"
@@ -220,18 +221,13 @@ std::string mobility_csv(const MobilityFindings& findings) {
   std::string csv = "key,value\n";
   const nlohmann::ordered_json flat = json_of(findings).flatten();
   for (const auto& [path, value] : flat.items()) {
-    std::string text = value.is_null() || value.empty() ? "" : text_of_json(value);
+    csv += path.substr(1) + ',';
     if (value.is_string()) {
-      text = value.get<std::string>();
-      if (text.find_first_of(",\"\n") != std::string::npos) {
-        for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) {
-          text.insert(at, 1, '"');
-        }
-        text.insert(0, 1, '"');
-        text += '"';
-      }
+      append_csv_text(value.get_ref<const std::string&>(), csv);
+    } else if (!value.is_null() && !value.empty()) {
+      csv += text_of_json(value);
     }
-    csv += path.substr(1) + ',' + text + '\n';
+    csv += '\n';
   }
   return csv;
 }

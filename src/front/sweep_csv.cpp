@@ -6,23 +6,6 @@
 #include <fmt/format.h>
 
 namespace higherpair {
-namespace {
-
-// A cell of text, in quotes where it has to be.
-void append_text(const std::string& text, std::string& out) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    out += text;
-    return;
-  }
-  out += '"';
-  for (const char c : text) {
-    out += c;
-    if (c == '"') out += c;
-  }
-  out += '"';
-}
-
-}  // namespace
 
 std::string sweep_csv_header(const Sweep& sweep) {
   std::string header;
@@ -40,7 +23,7 @@ void append_sweep_csv(const Sweep& sweep, const SweepBlock& block, std::string& 
     fmt::format_to(std::back_inserter(out), "{},", static_cast<std::int64_t>(values[0]));
     append_csv_cells(columns, values.subspan(1), out);
     out += ',';
-    append_text(block.causes[row], out);
+    append_csv_text(block.causes[row], out);
     out += '\n';
   }
 }

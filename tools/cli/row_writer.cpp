@@ -1,5 +1,7 @@
 #include "row_writer.hpp"
 
+#include "json_text.hpp"
+
 #include <charconv>
 #include <cmath>
 
@@ -7,13 +9,6 @@
 #include <nlohmann/json.hpp>
 
 namespace higherpair::cli {
-namespace {
-
-std::string json_text(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-}  // namespace
 
 RowWriter::RowWriter(const std::string& path, Format format, const std::string& title,
                      const std::vector<Column>& columns)
@@ -28,10 +23,10 @@ void RowWriter::begin(const std::string& title) {
     file_->write(head);
     return;
   }
-  head += "{\"format\": 1, \"title\": " + json_text(title) + ",\n\"columns\": [";
+  head += "{\"format\": 1, \"title\": " + text_of(title, -1) + ",\n\"columns\": [";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::string unit = columns_[i].unit.empty() ? "null" : json_text(columns_[i].unit);
-    head += (i > 0 ? ",\n  " : "\n  ") + ("{\"name\": " + json_text(columns_[i].name)) +
+    const std::string unit = columns_[i].unit.empty() ? "null" : text_of(columns_[i].unit, -1);
+    head += (i > 0 ? ",\n  " : "\n  ") + ("{\"name\": " + text_of(columns_[i].name, -1)) +
             ", \"unit\": " + unit + "}";
   }
   file_->write(head + "],\n\"rows\": [");
@@ -46,7 +41,7 @@ void RowWriter::append_json_row(const RowBlock& block, std::size_t row, std::str
     if (std::isnan(value)) {
       out += "null";
     } else if (!columns_[i].words.empty()) {
-      out += json_text(word_of(columns_[i], value));
+      out += text_of(word_of(columns_[i], value), -1);
     } else {
       char text[32];
       out.append(text, std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr);
@@ -76,7 +71,7 @@ void RowWriter::end(const std::vector<Event>& events, bool good) {
           {"time", event.time ? nlohmann::json(*event.time) : nlohmann::json()},
           {"item", event.item.empty() ? nlohmann::json() : nlohmann::json(event.item)},
           {"cause", event.cause}};
-      tail += (i > 0 ? ",\n  " : "\n  ") + json.dump();
+      tail += (i > 0 ? ",\n  " : "\n  ") + text_of(json, -1);
     }
     file_->write(tail + fmt::format("],\n\"ok\": {}}}\n", good));
   }
