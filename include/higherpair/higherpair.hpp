@@ -25,5 +25,6 @@
 #include "higherpair/front/sensitivity.hpp"     // IWYU pragma: export
 #include "higherpair/front/sweep.hpp"           // IWYU pragma: export
 #include "higherpair/front/tolerance.hpp"       // IWYU pragma: export
+#include "higherpair/front/version.hpp"         // IWYU pragma: export
 #include "higherpair/io/suggestion.hpp"         // IWYU pragma: export
 #include "higherpair/mechanism/build.hpp"       // IWYU pragma: export

@@ -1,5 +1,6 @@
 #include "higherpair/design/optimise.hpp"
 
+#include "higherpair/numeric/stop.hpp"
 #include "search.hpp"
 
 #include <algorithm>
@@ -191,7 +192,7 @@ private:
                 options_.seconds);
   }
 
-  [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] bool is_stopped() const { return is_raised(options_.stop); }
 
   [[nodiscard]] std::optional<DesignEnd> end_after() const {
     if (options_.target && holds(best_) && best_.objective <= *options_.target) return DesignEnd::kTarget;

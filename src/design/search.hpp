@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/design/optimise.hpp"
+#include "higherpair/numeric/stop.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -28,7 +29,7 @@ public:
   [[nodiscard]] const DesignPoint& best() const { return best_; }
   [[nodiscard]] Eigen::VectorXd best_unit() const;
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-  [[nodiscard]] bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+  [[nodiscard]] bool stopped() const { return is_raised(stop_); }
 
   /// Keeps a variable at a value of its own from now on.
   void fix(std::size_t variable, double value);

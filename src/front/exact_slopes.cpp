@@ -2,6 +2,7 @@
 
 #include "arena.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ ExactSlopes::ExactSlopes(PathColumns& columns, const std::vector<PathResult>& re
 
 bool ExactSlopes::stopped() const {
   const std::atomic<bool>* const stop = columns_.settings().stop;
-  return stop != nullptr && stop->load();
+  return is_raised(stop);
 }
 
 void ExactSlopes::take() {

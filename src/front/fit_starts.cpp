@@ -1,6 +1,7 @@
 #include "fit_starts.hpp"
 
 #include "arena.hpp"
+#include "higherpair/numeric/stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ public:
   }
 
 private:
-  [[nodiscard]] bool stopped() const { return settings_.stop != nullptr && settings_.stop->load(); }
+  [[nodiscard]] bool stopped() const { return is_raised(settings_.stop); }
 
   // By the spread of each column, before its noise is known.
   [[nodiscard]] Eigen::VectorXd spread_scales() const {

@@ -1,5 +1,11 @@
 #include "json_writer.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+#include <fmt/format.h>
+
 namespace higherpair {
 namespace {
 
@@ -43,6 +49,21 @@ JsonWriter& JsonWriter::string(std::string_view value) {
     i += length == 0 ? 1 : length;
   }
   text_ += '"';
+  return *this;
+}
+
+JsonWriter& JsonWriter::integer(long long value) {
+  separate();
+  fmt::format_to(std::back_inserter(text_), "{}", value);
+  return *this;
+}
+
+JsonWriter& JsonWriter::number(double value, int digits) {
+  if (!std::isfinite(value)) {
+    return null();
+  }
+  separate();
+  fmt::format_to(std::back_inserter(text_), "{:.{}g}", value == 0 ? 0.0 : value, digits);
   return *this;
 }
 

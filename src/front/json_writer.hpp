@@ -1,12 +1,8 @@
 #pragma once
 
-#include <cmath>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace higherpair {
 
@@ -34,20 +30,9 @@ public:
   JsonWriter& string(std::string_view value);
   JsonWriter& boolean(bool value) { return plain(value ? "true" : "false"); }
   JsonWriter& null() { return plain("null"); }
-  JsonWriter& integer(long long value) {
-    separate();
-    fmt::format_to(std::back_inserter(text_), "{}", value);
-    return *this;
-  }
+  JsonWriter& integer(long long value);
   /// \param digits  significant ones at most; null where the value is not finite
-  JsonWriter& number(double value, int digits) {
-    if (!std::isfinite(value)) {
-      return null();
-    }
-    separate();
-    fmt::format_to(std::back_inserter(text_), "{:.{}g}", value == 0 ? 0.0 : value, digits);
-    return *this;
-  }
+  JsonWriter& number(double value, int digits);
 
   [[nodiscard]] std::string take() { return std::move(text_); }
 

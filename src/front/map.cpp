@@ -5,6 +5,7 @@
 #include "higherpair/contact/contact_map.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/stop.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -262,7 +263,7 @@ Result<MapReport> map_of(const Model& model, const MapSettings& settings) {
   for (const MappedContact& contact : mapped->contacts) {
     report.contacts.push_back(report_of(data.profile, contact, *schedule, settings));
   }
-  report.stopped = settings.stop != nullptr && settings.stop->load();
+  report.stopped = is_raised(settings.stop);
   if (report.stopped) {
     report.contacts.clear();
     return report;

@@ -2,6 +2,7 @@
 
 #include "higherpair/front/drawing.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/numeric/stop.hpp"
 #include "model_data.hpp"
 #include "reach.hpp"
 #include "report_data.hpp"
@@ -134,13 +135,13 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
   report.good = data.good;
   report.size = data.size;
   report.every = stride_of(data.size, settings);
-  report.stopped = settings.stop != nullptr && settings.stop->load();
+  report.stopped = is_raised(settings.stop);
   if (!data.rows.empty() && !report.stopped) {
     if (auto error = nothing_to_draw(model, data.motions)) {
       return tl::unexpected(*std::move(error));
     }
     const std::string json = json_of(model, data, settings.source, settings.stop);
-    report.stopped = settings.stop != nullptr && settings.stop->load();
+    report.stopped = is_raised(settings.stop);
     report.html = report.stopped ? "" : filled(report_page(), json);
   }
   return report;

@@ -1,5 +1,7 @@
 #include "higherpair/drawing/scene.hpp"
+#include "higherpair/front/version.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/numeric/stop.hpp"
 #include "packed_series.hpp"
 #include "report_data.hpp"
 #include "report_parts.hpp"
@@ -136,7 +138,7 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   JsonWriter json;
   json.open('{').key("format").integer(2).key("title").string(mechanism.title);
   json.key("description").string(mechanism.description);
-  json.key("version").string(HIGHERPAIR_VERSION).key("file");
+  json.key("version").string(version()).key("file");
   json.string(std::filesystem::path(model.profile().source).filename().string());
   json.key("source").string(source).key("residual").number(largest_residual(data), 3);
   json.key("good").boolean(data.good).key("size").integer(data.size);
@@ -148,7 +150,7 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   write_events(json, model, data);
   write_columns(json, data);
   write_scene(json, model, data);
-  const auto go_on = [&] { return stop == nullptr || !stop->load(); };
+  const auto go_on = [&] { return !is_raised(stop); };
   if (go_on()) write_polygons(json, model, data);
   if (go_on()) write_maps(json, model, data, stop);
   return json.close('}').take();

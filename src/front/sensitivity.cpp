@@ -5,6 +5,7 @@
 #include "exact_slopes.hpp"
 #include "higherpair/io/tolerance_task.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
 #include "path_results.hpp"
 #include "sensitivity_numbers.hpp"
@@ -70,7 +71,7 @@ public:
   }
 
 private:
-  [[nodiscard]] bool stopped() const { return run_.stop != nullptr && run_.stop->load(); }
+  [[nodiscard]] bool stopped() const { return is_raised(run_.stop); }
 
   [[nodiscard]] double where(const PathPlace& place) const {
     return run_.in_time ? columns_->drivers().time(place)

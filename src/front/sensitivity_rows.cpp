@@ -3,6 +3,7 @@
 #include "higherpair/front/sensitivity.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
 #include "sensitivity_numbers.hpp"
 
@@ -93,7 +94,7 @@ public:
   }
 
 private:
-  [[nodiscard]] bool stopped() const { return run_.stop != nullptr && run_.stop->load(); }
+  [[nodiscard]] bool stopped() const { return is_raised(run_.stop); }
 
   // No words, and nothing that is but rounding.
   void choose_slots(SlopeTable& table) {

@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/stop.hpp"
 #include "sweep_data.hpp"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ public:
   }
 
 private:
-  [[nodiscard]] bool goes_on() const { return data_.run.stop == nullptr || !data_.run.stop->load(); }
+  [[nodiscard]] bool goes_on() const { return !is_raised(data_.run.stop); }
 
   void begin_row(SweepBlock& block) const {
     block.values.push_back(static_cast<double>(variant_));

@@ -1,9 +1,9 @@
 #include "column_set.hpp"
 #include "higherpair/front/sweep.hpp"
 
-#include <cmath>
-
-#include <fmt/format.h>
+#include <cstdint>
+#include <span>
+#include <string>
 
 namespace higherpair {
 
@@ -20,7 +20,7 @@ void append_sweep_csv(const Sweep& sweep, const SweepBlock& block, std::string& 
   const auto columns = std::span(sweep.columns()).subspan(1);
   for (std::size_t row = 0; row < block.causes.size(); ++row) {
     const auto values = std::span(block.values).subspan(row * width, width);
-    fmt::format_to(std::back_inserter(out), "{},", static_cast<std::int64_t>(values[0]));
+    out += std::to_string(static_cast<std::int64_t>(values[0])) + ',';
     append_csv_cells(columns, values.subspan(1), out);
     out += ',';
     append_csv_text(block.causes[row], out);

@@ -2,6 +2,7 @@
 #include "analysis_impl.hpp"
 #include "higherpair/front/sweep.hpp"
 #include "higherpair/front/tolerance.hpp"
+#include "higherpair/numeric/stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +143,7 @@ Result<ToleranceVariants> tolerance_variants(const Model& model, const Sensitivi
     variants.count += block.variants;
     variants.good += block.good;
     if (settings.progress) settings.progress(variants.count);
-    return settings.stop == nullptr || !settings.stop->load();
+    return !is_raised(settings.stop);
   });
   variants.stopped = variants.count < sweep->size();
   const std::vector<ToleranceBand> bands = tolerance_bands(tolerances, report);

@@ -1,5 +1,6 @@
 #include "least_squares.hpp"
 
+#include "higherpair/numeric/stop.hpp"
 #include "least_norm.hpp"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ public:
   }
 
 private:
-  [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] bool is_stopped() const { return is_raised(options_.stop); }
 
   [[nodiscard]] Eigen::VectorXd within(const Eigen::VectorXd& x) const {
     return problem_.low.size() == 0 ? x : Eigen::VectorXd(x.cwiseMax(problem_.low).cwiseMin(problem_.high));

@@ -3,8 +3,11 @@
 #include "branches_report.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "output_options.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace higherpair::cli {
@@ -30,6 +33,20 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
 }
 
 }  // namespace
+
+CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "branches", "every contact of the two curves at the first driver position, free or not");
+  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options.profile, {"the list", options.csv}, {"the list", options.json});
+  add_unused_samples(*command, "the first driver position counts");
+  add_set_option(*command, options.overrides);
+  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
+      ->check(positive_number());
+  command->add_flag("--quiet", options.quiet, "no notes and remarks on standard error");
+  command->add_flag("--certify", options.certify, "decide every contact in exact arithmetic");
+  return command;
+}
 
 int branches_command(const BranchesOptions& options) {
   if (options.certify && !can_certify()) {

@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace higherpair::cli {
 
 struct BranchesOptions {
@@ -15,6 +19,9 @@ struct BranchesOptions {
   bool quiet = false;
   bool certify = false;  ///< decide every contact in exact arithmetic
 };
+
+/// Adds the command `branches` and its options.
+CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options);
 
 /// Lists every contact at the first driver position; returns the exit code.
 [[nodiscard]] int branches_command(const BranchesOptions& options);

@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace higherpair::cli {
 
 inline constexpr int kExitOk = 0;
@@ -57,6 +61,13 @@ void listen_to_signals();
 
 /// The exit code where an output has not been written: because of interruption(), or by a failure.
 [[nodiscard]] int exit_unwritten();
+
+/// \name Add a command and its options.
+/// @{
+CLI::App* add_analyze_command(CLI::App& app, RunOptions& options);
+CLI::App* add_step_command(CLI::App& app, RunOptions& options);
+CLI::App* add_forces_command(CLI::App& app, RunOptions& options);
+/// @}
 
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

@@ -1,6 +1,7 @@
 #include "run_identity.hpp"
 
 #include "checksum.hpp"
+#include "higherpair/front/version.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -24,8 +25,9 @@ RunIdentity model_identity(const std::string& profile, const Model& model) {
   for (const std::string& path : model.profile().files) {
     files.push_back(content_of(path));
   }
-  return {
-      {"version", HIGHERPAIR_VERSION}, {"profile", sum_of({content_of(profile)})}, {"files", sum_of(files)}};
+  return {{"version", std::string(version())},
+          {"profile", sum_of({content_of(profile)})},
+          {"files", sum_of(files)}};
 }
 
 std::string sum_of(const std::vector<std::string>& texts) {

@@ -2,6 +2,8 @@
 
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "output_options.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 #include "verify/reference.hpp"
 
@@ -10,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -92,6 +95,25 @@ int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
 }
 
 }  // namespace
+
+CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
+  command->add_option("PROFILE", options.profile, "check this profile instead of the shipped references");
+  command->add_option("TABLE", options.table,
+                      "CSV of what is right for it: the rows of analyze or step, all columns or some");
+  command->add_option("--json", options.json, "write values, errors and times as JSON to this file");
+  command->add_option("--bound", options.bound, "largest error, relative to a column's largest value")
+      ->check(positive_number());
+  command->add_flag("--quiet", options.quiet, "print only what fails");
+  command->final_callback([&options] {
+    std::vector<NamedFile> inputs;
+    if (options.profile) inputs.push_back({"PROFILE", *options.profile});
+    if (options.table) inputs.push_back({"TABLE", *options.table});
+    if (options.json) refuse_shared_files(inputs, {{"--json", *options.json}});
+  });
+  return command;
+}
 
 int verify_command(const VerifyOptions& options) {
   std::vector<Verdict> verdicts;

@@ -3,6 +3,10 @@
 #include <optional>
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace higherpair::cli {
 
 struct VerifyOptions {
@@ -13,6 +17,9 @@ struct VerifyOptions {
   double bound = 1e-11;  ///< largest error of a column, relative to its largest value
   bool quiet = false;
 };
+
+/// Adds the command `verify` and its options.
+CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options);
 
 /// Runs `verify`; returns the exit code: 4 where a reference does not hold.
 [[nodiscard]] int verify_command(const VerifyOptions& options);

@@ -1,4 +1,5 @@
 // `sweep` on many ranks of MPI, for clusters: a program of its own, so that `higherpair` needs no MPI.
+#include "higherpair/front/version.hpp"
 #include "mpi/dispatcher.hpp"
 #include "mpi/messages.hpp"
 #include "mpi/worker.hpp"
@@ -47,7 +48,7 @@ void work(const SweepOptions& options) {
 int run(int argc, char** argv) {
   CLI::App app("Many variants of a mechanism on many ranks, as `higherpair sweep` runs them on one machine.",
                "higherpair-sweep-mpi");
-  app.set_version_flag("--version", "higherpair-sweep-mpi " HIGHERPAIR_VERSION);
+  app.set_version_flag("--version", "higherpair-sweep-mpi " + std::string(version()));
   SweepOptions options;
   add_sweep_options(app, options);
   try {

@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/row.hpp"
 #include "higherpair/analysis/state.hpp"
+#include "higherpair/numeric/stop.hpp"
 
 #include <atomic>
 #include <memory>
@@ -134,7 +135,7 @@ struct Run {
 
 /// Whether whoever asked for the run wants it no longer.
 [[nodiscard]] inline bool is_stopped(const Run& run) {
-  return run.stop != nullptr && run.stop->load(std::memory_order_relaxed);
+  return is_raised(run.stop);
 }
 
 /// Moves along the straight path of the drivers to their given positions, in as many inner steps as it takes

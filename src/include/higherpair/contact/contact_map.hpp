@@ -3,6 +3,7 @@
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/contact/critical_positions.hpp"
+#include "higherpair/numeric/stop.hpp"
 
 #include <array>
 #include <atomic>
@@ -30,7 +31,7 @@ struct MapRange {
 
 /// Whether whoever asked for a map wants it no longer.
 [[nodiscard]] inline bool is_stopped(const MapRange& range) {
-  return range.stop != nullptr && range.stop->load(std::memory_order_relaxed);
+  return is_raised(range.stop);
 }
 
 /// One position on a branch.

@@ -1,0 +1,9 @@
+#include "higherpair/front/version.hpp"
+
+namespace higherpair {
+
+std::string_view version() {
+  return HIGHERPAIR_VERSION;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,98 @@
+#include "program.hpp"
+
+#include "branches_command.hpp"
+#include "check_command.hpp"
+#include "design_command.hpp"
+#include "draw_command.hpp"
+#include "export_command.hpp"
+#include "fit_command.hpp"
+#include "higherpair/front/version.hpp"
+#include "map_command.hpp"
+#include "mobility_command.hpp"
+#include "plot_command.hpp"
+#include "polygon_command.hpp"
+#include "report_command.hpp"
+#include "run_command.hpp"
+#include "sensitivity_command.hpp"
+#include "sweep_command.hpp"
+#include "unknown_argument.hpp"
+#include "verify_command.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+struct Command {
+  CLI::App* arguments = nullptr;
+  std::function<int()> run;
+};
+
+template <class Options>
+Command command(CLI::App& app, CLI::App* (*add)(CLI::App&, Options&), int (*run)(const Options&)) {
+  const auto options = std::make_shared<Options>();
+  return {add(app, *options), [options, run] { return run(*options); }};
+}
+
+// In the order of `higherpair --help`.
+std::vector<Command> commands_of(CLI::App& app) {
+  return {
+      command(app, add_analyze_command, run_command),
+      command(app, add_step_command, run_command),
+      command(app, add_forces_command, run_command),
+      command(app, add_branches_command, branches_command),
+      command(app, add_mobility_command, mobility_command),
+      command(app, add_map_command, map_command),
+      command(app, add_draw_command, draw_command),
+      command(app, add_export_command, export_command),
+      command(app, add_plot_command, plot_command),
+      command(app, add_polygon_command, polygon_command),
+      command(app, add_report_command, report_command),
+      command(app, add_check_command, check_command),
+      command<SweepOptions>(app, add_sweep_command, sweep_command),
+      command(app, add_sensitivity_command, sensitivity_command),
+      command(app, add_design_command, design_command),
+      command(app, add_fit_command, fit_command),
+      command(app, add_verify_command, verify_command),
+  };
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Analyses planar mechanisms whose bodies touch, by their equivalent linkages.", "higherpair");
+  app.require_subcommand(1);
+  const std::vector<Command> commands = commands_of(app);
+  const std::string version = "higherpair " + std::string(higherpair::version());
+  app.set_version_flag("--version", version);
+  for (const Command& one : commands) one.arguments->set_version_flag("--version", version);
+  const bool known = argc < 2 || argv[1][0] == '-' ||
+                     std::any_of(commands.begin(), commands.end(),
+                                 [&](const Command& one) { return one.arguments->check_name(argv[1]); });
+  if (!known) {
+    fmt::print(stderr, "higherpair: {}; see higherpair --help\n", unknown_command(app, argv[1]));
+    return kExitInput;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    for (const CLI::App* one : app.get_subcommands()) {
+      fmt::print(stderr, "higherpair: {}\n", unknown_argument(*one));
+    }
+    return kExitInput;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitInput;
+  }
+  return std::find_if(commands.begin(), commands.end(),
+                      [](const Command& one) { return one.arguments->parsed(); })
+      ->run();
+}
+
+}  // namespace higherpair::cli
