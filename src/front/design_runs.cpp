@@ -48,12 +48,12 @@ void give_up(const DriverSchedule& schedule, std::int64_t row, const std::vector
   }
 }
 
-bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run, WhenLost when_lost,
-             RowReader& reader, DesignRows& rows) {
+// A run of a candidate with the columns of the measures; none where they cannot be computed.
+std::optional<Analysis> analysis_of(const DesignSetup& setup, const DesignCandidate& candidate, Run run) {
   const std::shared_ptr<const Model::Data>& data = candidate.data;
   auto columns = columns_of(*data, setup.settings, data->profile.units);
   if (!columns) {
-    return false;
+    return std::nullopt;
   }
   std::optional<InverseDynamics> dynamics;
   std::optional<Run> start;
@@ -61,28 +61,26 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
     dynamics.emplace(run);
     start = run;
   }
-  Analysis analysis(std::make_unique<Analysis::Impl>(Analysis::Impl{data,
-                                                                    data->profile.units,
-                                                                    candidate.schedule,
-                                                                    std::move(run),
-                                                                    *std::move(columns),
-                                                                    std::move(dynamics),
-                                                                    std::move(start),
-                                                                    0,
-                                                                    {},
-                                                                    {},
-                                                                    {},
-                                                                    true,
-                                                                    {},
-                                                                    {},
-                                                                    nullptr}));
-  MeasureSet measures(setup.measures, analysis.columns());
-  for (const Measure& one : setup.measures) {
-    const auto slot = std::find_if(analysis.columns().begin(), analysis.columns().end(),
-                                   [&](const Column& column) { return column.name == one.column; });
-    rows.table_slots.push_back(static_cast<std::size_t>(slot - analysis.columns().begin()));
-  }
-  rows.table_columns = analysis.columns().size();
+  return Analysis(std::make_unique<Analysis::Impl>(Analysis::Impl{data,
+                                                                  data->profile.units,
+                                                                  candidate.schedule,
+                                                                  std::move(run),
+                                                                  *std::move(columns),
+                                                                  std::move(dynamics),
+                                                                  std::move(start),
+                                                                  0,
+                                                                  {},
+                                                                  {},
+                                                                  {},
+                                                                  true,
+                                                                  {},
+                                                                  {},
+                                                                  nullptr}));
+}
+
+// Runs it through its rows.
+void take_rows(Analysis& analysis, WhenLost when_lost, RowReader& reader, MeasureSet& measures,
+               DesignRows& rows) {
   Row row;
   while (analysis.next(row)) {
     const Run& at = analysis.impl().run;
@@ -98,16 +96,32 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
       break;
     }
   }
+}
+
+bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run, WhenLost when_lost,
+             RowReader& reader, DesignRows& rows) {
+  std::optional<Analysis> analysis = analysis_of(setup, candidate, std::move(run));
+  if (!analysis) {
+    return false;
+  }
+  MeasureSet measures(setup.measures, analysis->columns());
+  for (const Measure& one : setup.measures) {
+    const auto slot = std::find_if(analysis->columns().begin(), analysis->columns().end(),
+                                   [&](const Column& column) { return column.name == one.column; });
+    rows.table_slots.push_back(static_cast<std::size_t>(slot - analysis->columns().begin()));
+  }
+  rows.table_columns = analysis->columns().size();
+  take_rows(*analysis, when_lost, reader, measures, rows);
   rows.measured.assign(setup.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < setup.quantities.size(); ++k) {
     const DesignQuantity& quantity = setup.quantities[k];
     if (quantity.measure) rows.measured[k] = measures.value(*quantity.measure).value;
-    if (!quantity.without.empty()) rows.measured[k] = count_of(quantity.without, analysis.events());
+    if (!quantity.without.empty()) rows.measured[k] = count_of(quantity.without, analysis->events());
   }
-  const auto ends = std::count_if(analysis.events().begin(), analysis.events().end(),
+  const auto ends = std::count_if(analysis->events().begin(), analysis->events().end(),
                                   [](const Event& event) { return is_end(event.type); });
-  reader.finish(analysis.good() ? 0 : static_cast<int>(ends));
-  rows.run = analysis.impl().run;
+  reader.finish(analysis->good() ? 0 : static_cast<int>(ends));
+  rows.run = analysis->impl().run;
   return true;
 }
 

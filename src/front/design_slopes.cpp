@@ -145,6 +145,70 @@ void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
   }
 }
 
+DesignSlopes no_slopes(std::size_t variables, const DesignRows& rows,
+                       std::span<const std::vector<SlopePlace>> places) {
+  const auto zeros = [variables](std::size_t count) {
+    return Eigen::MatrixXd(
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(variables)));
+  };
+  DesignSlopes slopes;
+  slopes.measured = zeros(rows.measured.size());
+  slopes.gaps = zeros(rows.gaps.size());
+  slopes.transmissions = zeros(rows.transmissions.size());
+  for (const auto& path : places) slopes.paths.push_back(zeros(2 * path.size()));
+  return slopes;
+}
+
+// The quantities that have to be differentiated along a displaced row, and their weights there.
+using AlongRows = std::map<std::size_t, std::vector<std::pair<std::size_t, WeightedRow>>>;
+
+// Quantities that are columns of bodies have slopes in closed form. \return the others
+AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::optional<BodyColumn>>& columns,
+                           const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
+  AlongRows along;
+  for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
+    const DesignQuantity& quantity = setup.quantities[q];
+    if (!quantity.measure) continue;
+    std::vector<double> values;
+    for (std::size_t k = rows.table_slots[*quantity.measure]; k < rows.table.size();
+         k += rows.table_columns) {
+      values.push_back(rows.table[k]);
+    }
+    for (const WeightedRow& at : rows_of(setup.measures[*quantity.measure], values, rows.places)) {
+      const auto& column = columns[*quantity.measure];
+      if (!column) {
+        along[at.row].push_back({q, at});
+        continue;
+      }
+      tasks[at.row].push_back([&slopes, q, at, &column](const SlopeRun& run, const auto& of_row) {
+        for (std::size_t v = 0; v < of_row.size(); ++v) {
+          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+              at.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
+        }
+        return true;
+      });
+    }
+  }
+  return along;
+}
+
+// \param like  the candidate's data; outlives the tasks
+void add_along_tasks(const DesignSetup& setup, const AlongRows& along, std::optional<Model::Data>& like,
+                     const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
+  for (const auto& [row, wanted] : along) {
+    tasks[row].push_back([&, wanted = wanted](const SlopeRun& run, const auto& of_row) {
+      for (std::size_t v = 0; v < of_row.size(); ++v) {
+        const std::vector<double> table = run.table_slopes(*like, v, of_row[v]);
+        for (const auto& [q, at] : wanted) {
+          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+              at.weight * table[rows.table_slots[*setup.quantities[q].measure]];
+        }
+      }
+      return true;
+    });
+  }
+}
+
 }  // namespace
 
 std::optional<RunSlopes> RunSlopes::of(const DesignSetup& setup) {
@@ -177,61 +241,22 @@ std::optional<DesignSlopes> RunSlopes::of_candidate(std::span<const double> x,
                                                     std::span<const std::vector<SlopePlace>> places,
                                                     bool groups) const {
   const auto derivatives = derivatives_at(x);
-  if (!derivatives) {
+  const bool elsewhere =
+      std::any_of(rows.gap_rows.begin(), rows.gap_rows.end(), [](const auto& gap) { return gap.empty(); });
+  if (!derivatives || (groups && elsewhere)) {
     return std::nullopt;
   }
-  const auto variables = static_cast<Eigen::Index>(x.size());
-  DesignSlopes slopes;
-  slopes.measured.setZero(static_cast<Eigen::Index>(rows.measured.size()), variables);
-  slopes.gaps.setZero(static_cast<Eigen::Index>(rows.gaps.size()), variables);
-  slopes.transmissions.setZero(static_cast<Eigen::Index>(rows.transmissions.size()), variables);
-  for (const auto& path : places) {
-    slopes.paths.emplace_back(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * path.size()), variables));
-  }
+  DesignSlopes slopes = no_slopes(x.size(), rows, places);
   Tasks tasks;
   add_rooms(*setup_, candidate, *derivatives, slopes);
   add_extent_tasks(*setup_, rows, slopes, tasks);
-  std::map<std::size_t, std::vector<std::pair<std::size_t, WeightedRow>>> along;  // columns not of bodies
-  for (std::size_t q = 0; q < setup_->quantities.size(); ++q) {
-    const DesignQuantity& quantity = setup_->quantities[q];
-    if (!quantity.measure) continue;
-    const std::size_t slot = rows.table_slots[*quantity.measure];
-    std::vector<double> values;
-    for (std::size_t k = slot; k < rows.table.size(); k += rows.table_columns)
-      values.push_back(rows.table[k]);
-    for (const WeightedRow& at : rows_of(setup_->measures[*quantity.measure], values, rows.places)) {
-      if (const auto& column = columns_[*quantity.measure]) {
-        tasks[at.row].push_back([&slopes, q, at, &column](const SlopeRun& run, const auto& of_row) {
-          for (std::size_t v = 0; v < of_row.size(); ++v) {
-            slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-                at.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
-          }
-          return true;
-        });
-      } else {
-        along[at.row].push_back({q, at});
-      }
-    }
-  }
-  const bool elsewhere =
-      std::any_of(rows.gap_rows.begin(), rows.gap_rows.end(), [](const auto& gap) { return gap.empty(); });
-  if ((groups && elsewhere) || along.size() > kMostAlong || (!along.empty() && !candidate.data)) {
+  const AlongRows along = add_column_tasks(*setup_, columns_, rows, slopes, tasks);
+  if (along.size() > kMostAlong || (!along.empty() && !candidate.data)) {
     return std::nullopt;
   }
   std::optional<Model::Data> like;
   if (!along.empty()) like = *candidate.data;
-  for (const auto& [row, wanted] : along) {
-    tasks[row].push_back([&, wanted = wanted](const SlopeRun& run, const auto& of_row) {
-      for (std::size_t v = 0; v < of_row.size(); ++v) {
-        const std::vector<double> table = run.table_slopes(*like, v, of_row[v]);
-        for (const auto& [q, at] : wanted) {
-          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-              at.weight * table[rows.table_slots[*setup_->quantities[q].measure]];
-        }
-      }
-      return true;
-    });
-  }
+  add_along_tasks(*setup_, along, like, rows, slopes, tasks);
   add_path_tasks(places, slopes, tasks);
   if (groups) add_group_tasks(*setup_, rows, slopes, tasks);
   auto run = SlopeRun::start(*setup_, candidate, branch, *derivatives);

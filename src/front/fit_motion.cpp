@@ -31,6 +31,67 @@ DesignTask ranges_of(const DesignTask& task) {
   return ranges;
 }
 
+// What a parameter of the fit changes: the mechanism, or where a driver is.
+struct Parameter {
+  Sensitivity by;
+  std::optional<std::size_t> offset;  // of this driver
+};
+
+// The variables, then the offsets that are free.
+std::optional<std::vector<Parameter>> parameters_of(const FitCandidate& candidate, const FitData& data,
+                                                    const DesignNumbers& numbers,
+                                                    std::span<const double> variables) {
+  std::vector<Parameter> parameters;
+  const std::vector<double> at_rest(candidate.run.mechanism().drivers.size(), 0.0);
+  const auto add = [&](const auto& derivative, std::optional<std::size_t> offset) {
+    auto by = Sensitivity::at_start(candidate.run, derivative, at_rest);
+    if (by) parameters.push_back({*std::move(by), offset});
+    return by.has_value();
+  };
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const auto derivative = numbers.derivative(i, variables);
+    if (!derivative || !add(*derivative, std::nullopt)) return std::nullopt;
+  }
+  Mechanism none = candidate.run.mechanism();
+  for_each_number(none, [](double& number) { number = 0; });
+  for (std::size_t i = 0; i < data.where_offset.size(); ++i) {
+    if (data.where_offset[i] && !add(none, i)) return std::nullopt;
+  }
+  return parameters;
+}
+
+// How the drivers' motions in a row change with a parameter: an offset of a position is taken away from it;
+// of time it makes all drivers earlier.
+std::vector<DriverMotion> shift_of(const FitData& data, const std::vector<DriverState>& row,
+                                   std::optional<std::size_t> offset) {
+  std::vector<DriverMotion> by(row.size(), DriverMotion{0, 0, 0});
+  if (offset && data.in_time()) {
+    const double per_second = to_si(dimension::kTime, data.model.units()).apply(1);
+    for (std::size_t i = 0; i < by.size(); ++i) {
+      by[i] = {-per_second * row[i].si.velocity, -per_second * row[i].si.acceleration,
+               -per_second * row[i].higher_si[0]};
+    }
+  } else if (offset) {
+    const bool turns = driver_turns(data.model.mechanism(), *offset);
+    by[*offset].position =
+        -to_si(turns ? dimension::kAngle : dimension::kLength, data.model.units()).apply(1);
+  }
+  return by;
+}
+
+// Some of the measured columns in a row, of a mechanism that is displaced there.
+std::vector<double> measured_of(FitCandidate& candidate, const FitData& data, std::size_t k,
+                                const Run& displaced, const std::vector<std::size_t>& wanted) {
+  std::optional<InverseDynamics> dynamics;
+  if (data.settings.forces) dynamics.emplace(displaced);
+  std::vector<double> all, values;
+  candidate.columns.fill({displaced, candidate.rows[k], candidate.times[k],
+                          dynamics ? &dynamics->solve(displaced) : nullptr, false},
+                         all);
+  for (const std::size_t c : wanted) values.push_back(all[candidate.slots[c]]);
+  return values;
+}
+
 }  // namespace
 
 FitMotion::FitMotion(const FitData& data, int branch)
@@ -84,68 +145,28 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
                                                                   std::span<const double> offsets) const {
   auto candidate = start(variables, offsets);
   if (!candidate) return std::nullopt;
-  // What each parameter changes: the mechanism, or where a driver is.
-  struct Free {
-    Sensitivity by;
-    std::optional<std::size_t> offset;
-  };
-  std::vector<Free> parameters;
-  const std::vector<double> at_rest(candidate->run.mechanism().drivers.size(), 0.0);
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    const auto derivative = numbers_.derivative(i, variables);
-    auto by = derivative ? Sensitivity::at_start(candidate->run, *derivative, at_rest) : std::nullopt;
-    if (!by) return std::nullopt;
-    parameters.push_back({*std::move(by), std::nullopt});
-  }
-  Mechanism none = candidate->run.mechanism();
-  for_each_number(none, [](double& number) { number = 0; });
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
-    if (!data_.where_offset[i]) continue;
-    auto by = Sensitivity::at_start(candidate->run, none, at_rest);
-    if (!by) return std::nullopt;
-    parameters.push_back({*std::move(by), i});
-  }
+  const auto parameters = parameters_of(*candidate, data_, numbers_, variables);
+  if (!parameters) return std::nullopt;
   const FitColumns closed(candidate->run.mechanism(), data_);
-  const double per_second = to_si(dimension::kTime, data_.model.units()).apply(1);
-  std::vector<FitTable> tables(parameters.size(),
+  std::vector<FitTable> tables(parameters->size(),
                                FitTable::Constant(static_cast<Eigen::Index>(data_.rows()),
                                                   static_cast<Eigen::Index>(data_.columns.size()), kNoValue));
   bool made = true;
   for_each_row(*candidate, [&](std::size_t k, const auto& motions, const std::vector<double>& values) {
     const bool there = std::any_of(candidate->slots.begin(), candidate->slots.end(),
                                    [&](std::size_t slot) { return !std::isnan(values[slot]); });
-    for (std::size_t p = 0; made && there && p < parameters.size(); ++p) {
-      std::vector<DriverMotion> by(motions.size(), DriverMotion{0, 0, 0});
-      if (const auto offset = parameters[p].offset; offset && data_.in_time()) {
-        for (std::size_t i = 0; i < by.size(); ++i) {
-          const DriverState& state = candidate->rows[k][i];
-          by[i] = {-per_second * state.si.velocity, -per_second * state.si.acceleration,
-                   -per_second * state.higher_si[0]};
-        }
-      } else if (offset) {
-        const bool turns = driver_turns(data_.model.mechanism(), *offset);
-        by[*offset].position =
-            -to_si(turns ? dimension::kAngle : dimension::kLength, data_.model.units()).apply(1);
-      }
-      const auto of_row = parameters[p].by.of_row(candidate->run, motions, by);
-      made = made && of_row.has_value();
+    for (std::size_t p = 0; made && there && p < parameters->size(); ++p) {
+      const auto& [by, offset] = (*parameters)[p];
+      const auto of_row = by.of_row(candidate->run, motions, shift_of(data_, candidate->rows[k], offset));
+      made = of_row.has_value();
       if (!made) return;
-      const auto fill_others = [&](const Run& displaced) {
-        std::optional<InverseDynamics> dynamics;
-        if (data_.settings.forces) dynamics.emplace(displaced);
-        std::vector<double> all, chosen;
-        candidate->columns.fill({displaced, candidate->rows[k], candidate->times[k],
-                                 dynamics ? &dynamics->solve(displaced) : nullptr, false},
-                                all);
-        for (const std::size_t c : closed.others()) chosen.push_back(all[candidate->slots[c]]);
-        return chosen;
-      };
       auto row = tables[p].row(static_cast<Eigen::Index>(k));
-      closed.derivatives(candidate->run, parameters[p].by.derivative(), *of_row, row);
+      closed.derivatives(candidate->run, by.derivative(), *of_row, row);
       if (closed.others().empty()) continue;
       const std::vector<double> others =
-          derivative_along(candidate->run, parameters[p].by, *of_row,
-                           [&](const Run& displaced, double /*step*/) { return fill_others(displaced); });
+          derivative_along(candidate->run, by, *of_row, [&](const Run& displaced, double /*step*/) {
+            return measured_of(*candidate, data_, k, displaced, closed.others());
+          });
       for (std::size_t i = 0; i < others.size(); ++i) {
         row(static_cast<Eigen::Index>(closed.others()[i])) = others[i];
       }
