@@ -1,3 +1,4 @@
+#include "higherpair/front/version.hpp"
 #include "program_testing.hpp"
 
 #include <cmath>
@@ -311,7 +312,8 @@ C = { type = "revolute", between = ["a.C", "b.C"] }
 
 TEST_F(Program, TellsItsVersionEverywhereAndKnowsItsCommands) {
   for (const char* command : {"", "analyze ", "mobility ", "map ", "verify "}) {
-    EXPECT_EQ(run(std::string(command) + "--version").out, fmt::format("higherpair {}\n", version()));
+    EXPECT_EQ(run(std::string(command) + "--version").out,
+              fmt::format("higherpair {}\n", higherpair::version()));
   }
   const Outcome wrong = run("analyse " + profile("four_bar.toml"));
   EXPECT_EQ(wrong.code, 2);
