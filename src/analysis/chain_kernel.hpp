@@ -161,7 +161,7 @@ inline void solve_group(const RrrDyad& dyad, double mode, ChainBody<T>* bodies, 
     reach = rrr_reach(D, length_a, length_b, T(0));
   }
   const RrrPosition<T> position = rrr_position(D, length_a, length_b, reach, T(mode));
-  watch.note(T(1) - reach.slack() / T(2 * dyad.length_a * dyad.length_b));
+  watch.note(T(1) - reach.slack() * T(0.5 / (dyad.length_a * dyad.length_b)));
   ChainBody<T>& a = bodies[dyad.link_a];
   ChainBody<T>& b = bodies[dyad.link_b];
   a.R_WB = position.u_a * all_lanes<T>(dyad.along_a.inverse());
@@ -217,7 +217,7 @@ inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, 
   const T length(dyad.length);
   const Reach<T> reach{length + seen.p_W.y(), length - seen.p_W.y(), T(0)};
   const RrpPosition<T> position = rrp_position(seen.p_W.x(), length, reach, T(mode));
-  watch.note(T(1) - reach.slack() / length);
+  watch.note(T(1) - reach.slack() * T(1 / dyad.length));
   watch.far2 = max(watch.far2, seen.p_W.x() * seen.p_W.x() + seen.p_W.y() * seen.p_W.y());
   ChainBody<T>& link = bodies[dyad.link];
   link.R_WB = u * position.u_leg * all_lanes<T>(dyad.along.inverse());

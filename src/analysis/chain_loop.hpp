@@ -11,7 +11,7 @@
 #include <memory>
 #include <type_traits>
 
-// The rows of a chain in packs of W. Each width is compiled by itself, for the instruction set that has such
+// The rows of a chain in packs T. Each width is compiled by itself, for the instruction set that has such
 // registers; the numbers are the same to the last bit.
 
 namespace higherpair::chain_loop {
@@ -113,30 +113,28 @@ template <ChainRates kRates, class T>
 
 // Whether none of the next kChainRows rows is half a turn or more from the one behind it, which must be
 // there.
-template <int W>
+template <class T>
 [[nodiscard]] inline bool stays_within_turn(const double* rows) {
-  using T = Pack<W>;
   const auto rises_little = [&](std::size_t k) {
     return abs(T::load(rows + k + 1) - T::load(rows + k)) <= T(kPi);
   };
   auto mask = rises_little(0);
-  for (std::size_t k = W; k < kChainRows; k += W) {
+  for (std::size_t k = T::kLanes; k < kChainRows; k += T::kLanes) {
     mask = mask & rises_little(k);
   }
   return holds_everywhere(mask);
 }
 
 // Makes angles in (-π, π] those of a body that turns by less than half a turn from row to row.
-template <int W>
+template <class T>
 inline void unwind(ChainTask& task) {
-  using T = Pack<W>;
   const double offset = task.angle.offset;
   double* rows = task.values.data();
   double turns = nearest_turn(rows[0], task.posed_angle) - rows[0];
   const std::size_t count = task.values.size();
   for (std::size_t k = 0; k < count; k += kChainRows) {
-    if (k + kChainRows < count && stays_within_turn<W>(rows + k)) {
-      for (std::size_t i = k; i < k + kChainRows; i += W) {
+    if (k + kChainRows < count && stays_within_turn<T>(rows + k)) {
+      for (std::size_t i = k; i < k + kChainRows; i += T::kLanes) {
         ((T::load(rows + i) + T(turns)) + T(offset)).store(rows + i);
       }
       continue;
@@ -151,10 +149,9 @@ inline void unwind(ChainTask& task) {
   }
 }
 
-template <ChainRates kRates, int W>
+template <ChainRates kRates, class T>
 inline void fill(const ChainRowsJob& job) {
-  using T = Pack<W>;
-  constexpr std::size_t kPacks = kChainRows / W;
+  constexpr std::size_t kPacks = kChainRows / T::kLanes;
   const std::size_t bodies = job.placed.size();
   const std::size_t groups = job.groups.size();
   Room<ChainBody<T>, kPacks * kMostChainBodies> room(kPacks * bodies);
@@ -168,20 +165,20 @@ inline void fill(const ChainRowsJob& job) {
   const std::size_t contacts = job.statics != nullptr ? job.statics->contacts : 0;
   Room<T, kPacks * kMostChainBodies> presses(kPacks * contacts);
   ChainReach<T> reach;
+  std::array<ChainEffort<T>, kPacks> effort{};
   const ChainSchedule& schedule = job.schedule;
   for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
     std::array<ChainDriver<T>, kPacks> driver;
     std::array<DriverRates<T>, kPacks> rates;
-    std::array<ChainEffort<T>, kPacks> effort;
     for (std::size_t i = 0; i < kPacks; ++i) {
-      const std::size_t at = k + i * W;
+      const std::size_t at = k + i * T::kLanes;
       driver[i] = {T::load(&schedule.position[at]),
                    {T::load(&schedule.cosine[at]), T::load(&schedule.sine[at])}};
       rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
     }
     for (std::size_t g = 0; g < groups; ++g) {
       if (const auto* ovals = std::get_if<OvalContact>(&job.groups[g].kind)) {
-        solve_ovals<W>(*ovals, driver, job.size, job.ovals[g], room.data(), bodies, watches[g]);
+        solve_ovals(*ovals, driver, job.size, job.ovals[g], room.data(), bodies, watches[g]);
         continue;
       }
       for (std::size_t i = 0; i < kPacks; ++i) {
@@ -203,13 +200,13 @@ inline void fill(const ChainRowsJob& job) {
                 ? force_of_rows(task.column, reactions.data() + i * joints, presses.data() + i * contacts,
                                 effort[i])
                 : value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies);
-        values.store(&task.values[k + i * W]);
+        values.store(&task.values[k + i * T::kLanes]);
       }
     }
   }
   for (ChainTask& task : job.tasks) {
     if (is_unwound(task)) {
-      unwind<W>(task);
+      unwind<T>(task);
     }
   }
   for (std::size_t g = 0; g < groups; ++g) {
@@ -223,15 +220,15 @@ inline void fill(const ChainRowsJob& job) {
   }
 }
 
-template <int W>
+template <class T>
 inline void fill(const ChainRowsJob& job) {
   switch (job.rates) {
     case ChainRates::kNone:
-      return fill<ChainRates::kNone, W>(job);
+      return fill<ChainRates::kNone, T>(job);
     case ChainRates::kVelocities:
-      return fill<ChainRates::kVelocities, W>(job);
+      return fill<ChainRates::kVelocities, T>(job);
     case ChainRates::kAccelerations:
-      return fill<ChainRates::kAccelerations, W>(job);
+      return fill<ChainRates::kAccelerations, T>(job);
   }
 }
 

@@ -28,12 +28,11 @@ inline constexpr double kLeastSine = 0.02;
 /// The contact in kPacks packs of consecutive rows.
 /// \param before  the row before them; the result: their last one
 /// \param bodies  of the first pack; those of the next ones `stride` further each
-template <int W, std::size_t kPacks>
-inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver<Pack<W>>, kPacks>& driver,
-                        double size, OvalRow& before, ChainBody<Pack<W>>* bodies, std::size_t stride,
-                        ChainWatch<Pack<W>>& watch) {
+template <class T, std::size_t kPacks>
+inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver<T>, kPacks>& driver,
+                        double size, OvalRow& before, ChainBody<T>* bodies, std::size_t stride,
+                        ChainWatch<T>& watch) {
   using namespace chain_ovals;
-  using T = Pack<W>;
   std::array<ChainPoint<T>, kPacks> joint;
   std::array<Frame<T>, kPacks> frame;
   std::array<Guess<T>, kPacks> guess;
@@ -57,14 +56,14 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
       take_pass(contact, touch[i], guess[i]);
     }
   }
-  Numbers<kPacks * W> numbers;
+  Numbers<kPacks * T::kLanes> numbers;
   numbers.begin(before);
   for (std::size_t i = 0; i < kPacks; ++i) {
     ChainBody<T>* pack = bodies + i * stride;
     const Rates<T> rates =
         rates_at(contact, touch[i], guess[i].normal(), joint[i], pack[contact.touch.known]);
     place_bodies(contact, guess[i], touch[i], rates, joint[i], pack);
-    const std::size_t at = 1 + i * W;
+    const std::size_t at = 1 + i * T::kLanes;
     numbers.put(at, driver[i].position, guess[i], rates);
     const T least = abs(rates.gap_q);
     const auto sound = (least * least >= T(kLeastSine * kLeastSine) * rates.arm2) &

@@ -8,7 +8,7 @@ namespace higherpair {
 namespace {
 
 [[gnu::flatten]] void fill_by_2(const ChainRowsJob& job) {
-  chain_loop::fill<2>(job);
+  chain_loop::fill<PackPair<2>>(job);
 }
 
 using Fill = void (*)(const ChainRowsJob&);

@@ -4,7 +4,7 @@
 namespace higherpair {
 
 [[gnu::flatten]] void fill_by_4(const ChainRowsJob& job) {
-  chain_loop::fill<4>(job);
+  chain_loop::fill<PackPair<4>>(job);
 }
 
 }  // namespace higherpair

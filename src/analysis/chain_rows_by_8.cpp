@@ -5,7 +5,7 @@
 namespace higherpair {
 
 [[gnu::flatten]] void fill_by_8(const ChainRowsJob& job) {
-  chain_loop::fill<8>(job);
+  chain_loop::fill<PackPair<8>>(job);
 }
 
 }  // namespace higherpair

@@ -34,17 +34,14 @@ template <class T>
   const T z2 = z * z;
   const T z4 = z2 * z2;
   const T p = (pair(0) + pair(2) * z2) + ((pair(4) + pair(6) * z2) + (pair(8) + T(kP[10]) * z2) * z4) * z4;
-  // The angle is base + s (t + rest), each octant with its base, a multiple of π/4.
-  const T tail = t * z * p;
+  // The angle is base ± (t + tail), each octant with its base, a multiple of π/4.
   const auto left = x < T(0);
+  const T turned = select(left, -t, t);
+  const T turn = select(steep, -turned, turned);
   const T of_octant = select(wide, T(1), T(0));
   const T first = select(steep, T(2) - of_octant, of_octant);  // in quarters of π
   const T base = select(left, T(4) - first, first);
-  const T small = select(steep, -t, t);
-  const T small_tail = select(steep, -tail, tail);
-  const T turn = select(left, -small, small);
-  const T turn_tail = select(left, -small_tail, small_tail);
-  const T angle = base * T(kQuarterPi) + (turn + (turn_tail + base * T(kQuarterPiRest)));
+  const T angle = base * T(kQuarterPi) + (turn + (turn * z * p + base * T(kQuarterPiRest)));
   return copysign(angle, y);
 }
 

@@ -49,16 +49,18 @@ template <int W>
 /// Which lanes of a pack something holds in: all bits or none.
 template <int W>
 struct PackMask {
-  typename pack_detail::Lanes<W>::Bits bits;
+  mutable typename pack_detail::Lanes<W>::Bits bits;
 };
 
-/// `W` doubles, 2, 4 or 8: as many as a register of the machine should have.
+/// `W` doubles, 2, 4 or 8: as many as a register of the machine should have. Members are mutable because GCC
+/// keeps constants of other classes in memory.
 template <int W>
 struct Pack {
   using Doubles = typename pack_detail::Lanes<W>::Doubles;
   using Bits = typename pack_detail::Lanes<W>::Bits;
+  static constexpr int kLanes = W;
 
-  Doubles lanes;
+  mutable Doubles lanes;
 
   Pack() = default;
   [[gnu::always_inline]] explicit Pack(double value) { pack_detail::set_all<W>(value, lanes); }
@@ -72,16 +74,50 @@ struct Pack {
   [[gnu::always_inline]] void store(double* to) const { std::memcpy(to, &lanes, sizeof lanes); }
 };
 
-// NOLINTBEGIN(bugprone-macro-parentheses)
-#define HIGHERPAIR_PACK_OPERATOR(op)                                                      \
-  template <int W>                                                                        \
-  [[gnu::always_inline]] inline Pack<W> operator op(const Pack<W>& a, const Pack<W>& b) { \
-    return Pack<W>(typename Pack<W>::Doubles(a.lanes op b.lanes));                        \
+/// Which lanes of a pair something holds in.
+template <int W>
+struct PairMask {
+  PackMask<W> low, high;
+};
+
+/// Two packs side by side: where one would wait for its own results, the other goes on.
+template <int W>
+struct PackPair {
+  static constexpr int kLanes = 2 * W;
+
+  Pack<W> low, high;
+
+  PackPair() = default;
+  [[gnu::always_inline]] explicit PackPair(double value) : low(value), high(value) {}
+  [[gnu::always_inline]] PackPair(const Pack<W>& first, const Pack<W>& second) : low(first), high(second) {}
+
+  [[gnu::always_inline]] static PackPair load(const double* from) {
+    return {Pack<W>::load(from), Pack<W>::load(from + W)};
   }
-#define HIGHERPAIR_PACK_COMPARISON(op)                                                        \
-  template <int W>                                                                            \
-  [[gnu::always_inline]] inline PackMask<W> operator op(const Pack<W>& a, const Pack<W>& b) { \
-    return {a.lanes op b.lanes};                                                              \
+  [[gnu::always_inline]] void store(double* to) const {
+    low.store(to);
+    high.store(to + W);
+  }
+};
+
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define HIGHERPAIR_PACK_OPERATOR(op)                                                                  \
+  template <int W>                                                                                    \
+  [[gnu::always_inline]] inline Pack<W> operator op(const Pack<W>& a, const Pack<W>& b) {             \
+    return Pack<W>(typename Pack<W>::Doubles(a.lanes op b.lanes));                                    \
+  }                                                                                                   \
+  template <int W>                                                                                    \
+  [[gnu::always_inline]] inline PackPair<W> operator op(const PackPair<W>& a, const PackPair<W>& b) { \
+    return {a.low op b.low, a.high op b.high};                                                        \
+  }
+#define HIGHERPAIR_PACK_COMPARISON(op)                                                                \
+  template <int W>                                                                                    \
+  [[gnu::always_inline]] inline PackMask<W> operator op(const Pack<W>& a, const Pack<W>& b) {         \
+    return {a.lanes op b.lanes};                                                                      \
+  }                                                                                                   \
+  template <int W>                                                                                    \
+  [[gnu::always_inline]] inline PairMask<W> operator op(const PackPair<W>& a, const PackPair<W>& b) { \
+    return {a.low op b.low, a.high op b.high};                                                        \
   }
 // NOLINTEND(bugprone-macro-parentheses)
 HIGHERPAIR_PACK_OPERATOR(+)
@@ -123,9 +159,9 @@ template <int W>
 
 template <int W>
 [[gnu::always_inline]] inline Pack<W> sqrt(const Pack<W>& a) {
-  typename Pack<W>::Doubles roots;
+  typename Pack<W>::Doubles roots = a.lanes;
   for (int i = 0; i < W; ++i) {
-    roots[i] = __builtin_sqrt(a.lanes[i]);
+    roots[i] = __builtin_sqrt(roots[i]);
   }
   return Pack<W>(roots);
 }
@@ -171,10 +207,59 @@ template <int W>
   return largest;
 }
 
+/// \name The same of pairs.
+/// @{
+template <int W>
+[[gnu::always_inline]] inline PackPair<W> operator-(const PackPair<W>& a) {
+  return {-a.low, -a.high};
+}
+template <int W>
+[[gnu::always_inline]] inline PackPair<W> select(const PairMask<W>& mask, const PackPair<W>& a,
+                                                 const PackPair<W>& b) {
+  return {select(mask.low, a.low, b.low), select(mask.high, a.high, b.high)};
+}
+template <int W>
+[[gnu::always_inline]] inline PairMask<W> operator&(const PairMask<W>& a, const PairMask<W>& b) {
+  return {a.low & b.low, a.high & b.high};
+}
+template <int W>
+[[gnu::always_inline]] inline bool holds_everywhere(const PairMask<W>& mask) {
+  return holds_everywhere(mask.low & mask.high);
+}
+template <int W>
+[[gnu::always_inline]] inline PackPair<W> sqrt(const PackPair<W>& a) {
+  return {sqrt(a.low), sqrt(a.high)};
+}
+template <int W>
+[[gnu::always_inline]] inline PackPair<W> abs(const PackPair<W>& a) {
+  return {abs(a.low), abs(a.high)};
+}
+template <int W>
+[[gnu::always_inline]] inline PackPair<W> copysign(const PackPair<W>& a, const PackPair<W>& b) {
+  return {copysign(a.low, b.low), copysign(a.high, b.high)};
+}
+template <int W>
+[[gnu::always_inline]] inline PackPair<W> max(const PackPair<W>& a, const PackPair<W>& b) {
+  return {max(a.low, b.low), max(a.high, b.high)};
+}
+template <int W>
+[[gnu::always_inline]] inline double sum_of_lanes(const PackPair<W>& a) {
+  return sum_of_lanes(a.low + a.high);
+}
+template <int W>
+[[gnu::always_inline]] inline double largest_lane(const PackPair<W>& a) {
+  return largest_lane(max(a.low, a.high));
+}
+/// @}
+
 }  // namespace higherpair
 
 // Eigen would align vectors of packs to 16 bytes, which Clang refuses where a pack asks for more.
 template <int W, int Size>
 struct Eigen::internal::compute_default_alignment<higherpair::Pack<W>, Size> {
+  enum { value = 0 };
+};
+template <int W, int Size>
+struct Eigen::internal::compute_default_alignment<higherpair::PackPair<W>, Size> {
   enum { value = 0 };
 };

@@ -118,9 +118,9 @@ std::vector<double> numbers_by(const Fill& fill) {
 }
 
 TEST(ChainPacks, RowsHaveTheSameBitsWhateverTheirWidth) {
-  const auto two = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<2>(job); });
-  const auto four = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<4>(job); });
-  const auto eight = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<8>(job); });
+  const auto two = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<PackPair<2>>(job); });
+  const auto four = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<PackPair<4>>(job); });
+  const auto eight = numbers_by([](const ChainRowsJob& job) { chain_loop::fill<PackPair<8>>(job); });
   const auto widest = numbers_by([](const ChainRowsJob& job) { fill_chain_rows(job); });
   for (const double number : two) {
     ASSERT_FALSE(std::isnan(number));
