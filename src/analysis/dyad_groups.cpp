@@ -4,6 +4,8 @@
 #include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
 
+#include <algorithm>
+
 namespace higherpair {
 namespace {
 
@@ -203,6 +205,26 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state) {
     move_rider(*dyad.pinned, motion_of(state, *dyad.pin), state);
   }
   state.groups[g].sine_rate = motion.sine_rate;
+}
+
+namespace {
+
+double least_of(const Reach<double>& reach) {
+  return std::min(reach.stretch, reach.fold);
+}
+
+}  // namespace
+
+double reach_of(const RrrDyad& dyad, const GroupState&, const State& state) {
+  return least_of(rrr_ends(dyad, state).reach);
+}
+
+double reach_of(const RrpDyad& dyad, const GroupState& group, const State& state) {
+  return least_of(solve(dyad, group, state).reach);
+}
+
+double reach_of(const RprDyad& dyad, const GroupState& group, const State& state) {
+  return least_of(solve(dyad, group, state).reach);
 }
 
 double dyad_sine(const RrrDyad& dyad, const State& state) {

@@ -2,6 +2,7 @@
 
 #include "coupled_bodies.hpp"
 #include "group_kinds.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "joint_ends.hpp"
 
 namespace higherpair {
@@ -163,6 +164,17 @@ GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& f
   const GroupStatus status = tracked != nullptr ? place_tracked_anew(*tracked, g, from, drivers, to)
                                                 : place_touching_anew(model, *touching, g, from, to);
   return status == GroupStatus::kOk && joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : status;
+}
+
+double reach_of(const Planned& model, std::size_t g, const State& state) {
+  const GroupState& group = state.groups[g];
+  return std::visit(
+      Overload{[&](const RrrDyad& dyad) { return reach_of(dyad, group, state); },
+               [&](const RrpDyad& dyad) { return reach_of(dyad, group, state); },
+               [&](const RprDyad& dyad) { return reach_of(dyad, group, state); },
+               [&](const TrackedPair&) { return -kInf; }, [&](const TouchingBody&) { return -kInf; },
+               [&](const CoupledBodies&) { return -kInf; }, [&](const auto&) { return kInf; }},
+      model.plan.groups[g].kind);
 }
 
 double sine_of(const Planned& model, std::size_t g, const State& state) {

@@ -35,6 +35,11 @@ enum class GroupStatus {
 void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state);
 
+/// How far group `g`, whose earlier groups are placed, is inside its reach: < 0 where it cannot be placed, 0
+/// at its limit, and continuous in the positions of the earlier groups [m, m²]; +inf where it always can be.
+/// -inf where no such number is known: of contacts and coupled bodies.
+[[nodiscard]] double reach_of(const Planned& model, std::size_t g, const State& state);
+
 /// GroupState::sine of a group that can cross over to another branch, at the present poses of its bodies.
 [[nodiscard]] double sine_of(const Planned& model, std::size_t g, const State& state);
 

@@ -1,7 +1,9 @@
 #include "joint_ends.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace higherpair {
@@ -10,20 +12,31 @@ namespace {
 constexpr double kBeyond = 1e-12;  // of the size: rounding, so that a row may be at the very end
 constexpr double kAt = 1e-9;       // of the size
 
-// The first joint of a group with an end that is less than `margin` ahead of it; beyond it where that is < 0.
-std::optional<JointEnd> joint_near_end(const Planned& model, std::size_t g, const State& state,
-                                       double margin) {
+// Calls f(end, room) for the ends of the joints of a group.
+template <class F>
+void for_each_end(const Planned& model, std::size_t g, const State& state, const F& f) {
   for (const int index : model.plan.groups[g].ended_joints) {
     const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(index)];
     const double s = joint_motion(model.mechanism, joint, state.bodies).position;
-    if (joint.from && s - *joint.from < margin) {
-      return JointEnd{index, false};
+    if (joint.from) {
+      f(JointEnd{index, false}, s - *joint.from);
     }
-    if (joint.to && *joint.to - s < margin) {
-      return JointEnd{index, true};
+    if (joint.to) {
+      f(JointEnd{index, true}, *joint.to - s);
     }
   }
-  return std::nullopt;
+}
+
+// The first end that is less than `margin` ahead; beyond it where that is < 0.
+std::optional<JointEnd> joint_near_end(const Planned& model, std::size_t g, const State& state,
+                                       double margin) {
+  std::optional<JointEnd> found;
+  for_each_end(model, g, state, [&](const JointEnd& end, double room) {
+    if (!found && room < margin) {
+      found = end;
+    }
+  });
+  return found;
 }
 
 }  // namespace
@@ -32,6 +45,12 @@ std::optional<JointEnd> joint_beyond_end(const Planned& model, std::size_t g, co
   return model.plan.groups[g].ended_joints.empty()
              ? std::nullopt
              : joint_near_end(model, g, state, -kBeyond * model.plan.size);
+}
+
+double room_to_end(const Planned& model, std::size_t g, const State& state) {
+  double least = kInf;
+  for_each_end(model, g, state, [&](const JointEnd&, double room) { least = std::min(least, room); });
+  return least;
 }
 
 std::optional<JointEnd> joint_at_end(const Planned& model, std::size_t g, const State& state) {

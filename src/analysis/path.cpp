@@ -55,7 +55,10 @@ void accept(Run& run) {
 // limits and change points: chapter 8, and reduction.hpp.
 class Follower {
 public:
-  Follower(Run& run, const Path& path) : Follower(run, path, parts_of(run, path)) { run.at.beside.reset(); }
+  Follower(Run& run, const Path& path, double first_step)
+      : Follower(run, path, first_step, parts_of(run, path)) {
+    run.at.beside.reset();
+  }
 
   bool follow() {
     while (s_ != path_.length) {
@@ -74,7 +77,7 @@ public:
 private:
   enum class Outcome { kGoesOn, kArrived, kLost };
 
-  Follower(Run& run, const Path& path, double parts)
+  Follower(Run& run, const Path& path, double first_step, double parts)
       : run_(run),
         path_(path),
         largest_(std::abs(path.length) / parts),
@@ -83,7 +86,11 @@ private:
         length_(largest_),
         limit_(run, path, scale_),
         open_(has_open_contact(run.at.state)),
-        steps_left_(kMostSteps + 4 * parts) {}
+        steps_left_(kMostSteps + 4 * parts) {
+    if (first_step < largest_) {
+      length_.refused(2 * first_step);
+    }
+  }
 
   Outcome next() {
     if (--steps_left_ < 0) {
@@ -407,8 +414,8 @@ private:
 
 }  // namespace
 
-bool follow(Run& run, const Path& path) {
-  return Follower(run, path).follow();
+bool follow(Run& run, const Path& path, double first_step) {
+  return Follower(run, path, first_step).follow();
 }
 
 }  // namespace higherpair

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,11 @@ namespace higherpair {
 namespace {
 
 constexpr double kProbe = kPi / 144;  // of the driver's scale: where a branch that was lost is looked for
+constexpr int kFirstProbes = 4;       // before the first of these, each four times as far from the limit
 constexpr double kMostProbes = 1e4;
+constexpr double kGoldenShare = 0.3819660112501051;
+constexpr double kShortestStretch = 1e-9;  // of the driver's scale
+constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
 bool has_track(const Run& run) {
   return std::any_of(run.at.state.tracks.begin(), run.at.state.tracks.end(),
@@ -55,7 +60,7 @@ bool come_back(Run& run, const std::vector<double>& drivers) {
 // The branch at a position of the drivers, if it is there, followed back on the way to `from`: to where this
 // stretch of it begins. run.work.trial is then at that position.
 std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from) {
-  if (!place_anew(run, at)) {
+  if (!place_anew(run, at).complete) {
     return std::nullopt;
   }
   Run back = run;
@@ -96,10 +101,11 @@ void go_on_from(Run& run, const Run& back, const State& state, const std::vector
   }
 }
 
-bool follow_to(Run& run, const std::vector<double>& drivers) {
+bool follow_to(Run& run, const std::vector<double>& drivers,
+               double first_step = std::numeric_limits<double>::infinity()) {
   Path path;
   set_path(path, run.at.drivers, drivers);
-  return follow(run, path);
+  return follow(run, path, first_step);
 }
 
 // Takes up the stretch that holds `at` where it begins, if that is before the drivers' positions, and goes on
@@ -116,7 +122,10 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
   const Standing before = run.at;
   const std::size_t events = run.events.size();
   go_on_from(run, *back, back->at.state, begin, lost_at, drivers);
-  if (follow_to(run, drivers)) {
+  const double to_limit = back->at.held ? std::numeric_limits<double>::infinity()
+                                        : std::max(std::abs(back->at.lost.at[0] - begin[0]),
+                                                   kNearestBegin * driver_scale(run, 0));
+  if (follow_to(run, drivers, to_limit)) {
     return true;
   }
   if ((run.at.lost.at[0] - at[0]) * ahead >= 0) {
@@ -132,17 +141,62 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
   return follow_to(run, drivers);
 }
 
-// Where a branch that was lost is looked for between `from` and `to`, and once beyond: every kProbe of the
-// driver from the limit, so that it is found again at the same place whatever the rows.
-std::vector<double> probes(const Run& run, double from, double to) {
-  const double step = std::copysign(kProbe * driver_scale(run, 0), to - from);
-  const double first = std::max(1.0, std::ceil((from - run.at.lost.at[0]) / step));
-  const double last = std::min((to - run.at.lost.at[0]) / step, first + kMostProbes);
-  std::vector<double> found;
-  for (double k = first; k < last + 1; ++k) {
-    found.push_back(run.at.lost.at[0] + k * step);
+// Positions of the driver at which a branch that was lost is looked for: the limit, close behind it, and then
+// every kProbe. They are the same whatever the rows, so that what is found at them is.
+class Probes {
+public:
+  Probes(const Run& run, double to)
+      : limit_(run.at.lost.at[0]), step_(std::copysign(kProbe * driver_scale(run, 0), to - limit_)) {}
+
+  [[nodiscard]] double at(double k) const {
+    return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
+           : k > 0          ? limit_ + std::pow(4, k - kFirstProbes) / 4 * step_
+                            : limit_;
   }
-  return found;
+  /// The first one that is not before a position; at least 1.
+  [[nodiscard]] double first_from(double driver) const {
+    double k = std::max(1.0, std::ceil((driver - limit_) / step_) + kFirstProbes);
+    while (k > 1 && (at(k - 1) - driver) * step_ >= 0) {
+      --k;
+    }
+    return k;
+  }
+
+private:
+  double limit_, step_;
+};
+
+// Where the branch can be placed between a and c, if more of it can be at b than at either: nearer and nearer
+// to where most of it can (golden section search; W. H. Press et al., Numerical Recipes, 2007, 10.2).
+std::optional<double> placed_between(Run& run, double a, double b, double c) {
+  const auto placing = [&](double x) { return place_anew(run, {x}); };
+  Placing at_a = placing(a), at_b = placing(b), at_c = placing(c);
+  if (at_b.complete || at_b < at_a || at_b < at_c || !(at_a < at_b || at_c < at_b)) {
+    return at_b.complete ? std::optional(b) : std::nullopt;
+  }
+  const double shortest = kShortestStretch * driver_scale(run, 0);
+  while (std::abs(c - a) > shortest && std::isfinite(at_b.room) && !is_stopped(run)) {
+    // A hill lies below its chords through b, drawn on; twice that for one that is no parabola.
+    const double skew = std::abs(c - b) / std::abs(b - a);
+    const double rise = 2 * std::max((at_b.room - at_a.room) * skew, (at_b.room - at_c.room) / skew);
+    if (at_a.conditions == at_b.conditions && at_c.conditions == at_b.conditions && at_b.room + rise < 0) {
+      return std::nullopt;
+    }
+    const bool before = std::abs(b - a) > std::abs(c - b);
+    const double x = b + kGoldenShare * ((before ? a : c) - b);
+    const Placing at_x = placing(x);
+    if (at_x.complete) {
+      return x;
+    }
+    const bool better = at_b < at_x;
+    double& side = before == better ? c : a;
+    Placing& at_side = before == better ? at_c : at_a;
+    side = better ? b : x;
+    at_side = better ? at_b : at_x;
+    b = better ? x : b;
+    at_b = better ? at_x : at_b;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -164,17 +218,17 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
     }
     return back.has_value();
   }
-  std::vector<double> places = probes(run, from[0], drivers[0]);
-  places.push_back(drivers[0]);
-  for (const double place : places) {
-    if (is_stopped(run)) {
-      return false;
-    }
-    if (const auto arrives = take_up(run, {place}, drivers)) {
+  const Probes probes(run, drivers[0]);
+  const double first = probes.first_from(from[0]);
+  const double beyond = std::min(probes.first_from(drivers[0]), first + kMostProbes);
+  for (double k = first; k <= beyond && !is_stopped(run); ++k) {
+    const auto at = placed_between(run, probes.at(k - 1), probes.at(k), probes.at(k + 1));
+    if (const auto arrives = at ? take_up(run, {*at}, drivers) : std::nullopt) {
       return *arrives || resume(run, drivers, run.at.lost.at);
     }
   }
-  return false;
+  const auto arrives = is_stopped(run) ? std::nullopt : take_up(run, drivers, drivers);
+  return arrives && (*arrives || resume(run, drivers, run.at.lost.at));
 }
 
 }  // namespace higherpair

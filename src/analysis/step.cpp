@@ -3,6 +3,7 @@
 #include "crossing.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "joint_ends.hpp"
 #include "reduction.hpp"
 #include "span_joints.hpp"
 #include "tolerances.hpp"
@@ -255,16 +256,19 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
   return solve_groups(run, run.at.state, path, end, s, x);
 }
 
-bool place_anew(Run& run, const std::vector<double>& drivers) {
+Placing place_anew(Run& run, const std::vector<double>& drivers) {
+  State& to = run.work.trial;
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    run.work.trial.groups[g].mode = run.at.state.groups[g].mode;
-    if (place_group_anew(model_of(run), g, run.at.state, drivers, run.work.trial) != GroupStatus::kOk) {
-      return false;
+    to.groups[g].mode = run.at.state.groups[g].mode;
+    if (place_group_anew(model_of(run), g, run.at.state, drivers, to) != GroupStatus::kOk) {
+      const double reach = reach_of(model_of(run), g, to);
+      return reach >= 0 ? Placing{false, 2 * g + 1, room_to_end(model_of(run), g, to)}
+                        : Placing{false, 2 * g, reach};
     }
   }
   set_unit_motions(drivers, run.work.motions);
-  set_rates(run, run.work.motions, run.work.trial);
-  return true;
+  set_rates(run, run.work.motions, to);
+  return {true, 2 * run.plan().groups.size(), 0};
 }
 
 }  // namespace higherpair

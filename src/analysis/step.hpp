@@ -4,6 +4,7 @@
 #include "higherpair/analysis/run.hpp"
 
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -73,8 +74,21 @@ struct StepResult {
 /// The same as `solve_at` for the groups before `end` only.
 [[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
+/// How much of a mechanism can be placed at a position of its drivers.
+struct Placing {
+  bool complete = false;
+  std::size_t conditions =
+      0;            ///< that can be met one after the other: of each group its reach and its joints' ends
+  double room = 0;  ///< of the first that cannot: < 0; -inf: by how much it fails is not known
+
+  /// Whether less of it can be placed, or as much with more lacking.
+  [[nodiscard]] bool operator<(const Placing& other) const {
+    return std::tie(complete, conditions, room) < std::tie(other.complete, other.conditions, other.room);
+  }
+};
+
 /// Places all groups at the drivers' positions in run.work.trial in the modes of run.at.state, however far
 /// that is; rates are per unit of a single driver.
-[[nodiscard]] bool place_anew(Run& run, const std::vector<double>& drivers);
+[[nodiscard]] Placing place_anew(Run& run, const std::vector<double>& drivers);
 
 }  // namespace higherpair

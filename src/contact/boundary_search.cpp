@@ -153,12 +153,6 @@ Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d
   return {-(p_B - point.p_B).dot(point.n_B), place};
 }
 
-// The samples of a boundary, in their order, with their depth in another one; of those far from it none.
-struct SampleDepth {
-  const Boundary::Sample* sample = nullptr;
-  Depth depth;
-};
-
 // A body of which points are asked how deep they are in it.
 class Inside {
 public:
@@ -167,6 +161,8 @@ public:
 
   [[nodiscard]] const Boundary& boundary() const { return boundary_; }
   [[nodiscard]] const Pose<double>& X_WB() const { return X_WB_; }
+  /// Its samples, in its frame.
+  [[nodiscard]] const Features& points() const { return points_; }
   [[nodiscard]] Depth depth_of(const Vector2d& p_W) const {
     return depth_in(boundary_, samples_, X_WB_.inverse_times(p_W));
   }
@@ -186,26 +182,80 @@ private:
   PartTree samples_;
 };
 
-std::vector<SampleDepth> depths_of(const Inside& own, const Inside& other) {
+using Places = std::vector<BoundaryPlace>;
+
+// Where the outlines of two bodies cross: places of either.
+std::array<Places, 2> crossings_of(const Inside& one, const Inside& two) {
+  const Pose<double> X_12{one.X_WB().R_WB.inverse() * two.X_WB().R_WB,
+                          one.X_WB().inverse_times(two.X_WB().p_WB)};
+  Features points2 = two.points();
+  for (Feature& point : points2) {
+    point.at = X_12 * point.at;
+  }
+  std::array<Places, 2> crossings;
+  for_each_crossing(one.points(), points2, 0, [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
+    crossings[0].push_back(place1);
+    crossings[1].push_back(place2);
+  });
+  return crossings;
+}
+
+// The samples of a body, and a point of every part into which the other one's outline cuts the way between
+// two of them: such a part is in the other body or is not, as a whole, whatever its ends are.
+Features points_between(const Inside& own, Places cuts) {
+  const auto is_before = [](const BoundaryPlace& a, const BoundaryPlace& b) {
+    return a.span != b.span ? a.span < b.span : a.t < b.t;
+  };
+  std::sort(cuts.begin(), cuts.end(), is_before);
+  Features points;
+  auto cut = cuts.begin();
+  for (const Feature& sample : own.points()) {
+    BoundaryPlace from = points.empty() ? sample.place : points.back().place;
+    const auto add_up_to = [&](const BoundaryPlace& to) {
+      const BoundaryPlace middle{to.span, (from.t + to.t) / 2};
+      if (from.span == to.span && from.t < middle.t && middle.t < to.t) {
+        points.push_back({own.boundary().at(middle).p_B, middle});
+      }
+      from = to;
+    };
+    const auto first = cut;
+    for (; cut != cuts.end() && is_before(*cut, sample.place); ++cut) {
+      add_up_to(*cut);
+    }
+    if (cut != first) {
+      add_up_to(sample.place);
+    }
+    points.push_back(sample);
+  }
+  return points;
+}
+
+// Points of a boundary, in their order, with their depth in another one; of those far from it none.
+struct PointDepth {
+  Feature point;
+  Depth depth;
+};
+
+std::vector<PointDepth> depths_of(const Inside& own, const Places& cuts, const Inside& other) {
   const Vector2d middle_B = own.X_WB().inverse_times(other.X_WB() * other.boundary().middle_B());
   const double reach = other.boundary().size() * (1 + kFarther) + kFarther * own.boundary().size();
-  std::vector<SampleDepth> depths;
-  for (const auto& sample : own.boundary().samples()) {
-    const bool near = (sample.point.p_B - middle_B).squaredNorm() <= reach * reach;
-    depths.push_back({&sample, near ? other.depth_of(own.X_WB() * sample.point.p_B) : Depth{}});
+  std::vector<PointDepth> depths;
+  for (const Feature& point : points_between(own, cuts)) {
+    const bool near = (point.at - middle_B).squaredNorm() <= reach * reach;
+    depths.push_back({point, near ? other.depth_of(own.X_WB() * point.at) : Depth{}});
   }
   return depths;
 }
 
-// Calls f for every sample that is deeper than its neighbours, where the curve may be in the other body.
+// Calls f for every point that is deeper than its neighbours, where the curve may be in the other body.
 template <class F>
-void for_deepest(const std::vector<SampleDepth>& depths, const F& f) {
+void for_deepest(const std::vector<PointDepth>& depths, const F& f) {
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    const SampleDepth& before = depths[i == 0 ? depths.size() - 1 : i - 1];
-    const SampleDepth& after = depths[i + 1 == depths.size() ? 0 : i + 1];
+    const PointDepth& before = depths[i == 0 ? depths.size() - 1 : i - 1];
+    const PointDepth& after = depths[i + 1 == depths.size() ? 0 : i + 1];
     const double depth = depths[i].depth.depth;
-    const double spacing = std::max((depths[i].sample->point.p_B - before.sample->point.p_B).norm(),
-                                    (depths[i].sample->point.p_B - after.sample->point.p_B).norm());
+    const double spacing =
+        std::max((depths[i].point.at - before.point.at).norm(), (depths[i].point.at - after.point.at).norm());
     if (depth >= before.depth.depth && depth >= after.depth.depth && depth > -spacing) {
       f(depths[i]);
     }
@@ -220,8 +270,8 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
   const Inside two(boundary2, X_W2);
   Penetration worst;
   worst.depth = tolerance;
-  const auto look = [&](const SampleDepth& found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
-    Penetration here{found.depth.depth, place1, place2};
+  const auto look = [&](double found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
+    Penetration here{found, place1, place2};
     const auto normal = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
     if (normal && -normal->at.gap() > here.depth) {
       // Behind a face is not in its body, where that is thin.
@@ -230,10 +280,13 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
     }
     worst = here.depth > worst.depth ? here : worst;
   };
-  for_deepest(depths_of(one, two),
-              [&](const SampleDepth& found) { look(found, found.sample->place, found.depth.place); });
-  for_deepest(depths_of(two, one),
-              [&](const SampleDepth& found) { look(found, found.depth.place, found.sample->place); });
+  const auto crossings = crossings_of(one, two);
+  for_deepest(depths_of(one, crossings[0], two), [&](const PointDepth& found) {
+    look(found.depth.depth, found.point.place, found.depth.place);
+  });
+  for_deepest(depths_of(two, crossings[1], one), [&](const PointDepth& found) {
+    look(found.depth.depth, found.depth.place, found.point.place);
+  });
   worst.depth = worst.depth > tolerance ? worst.depth : 0;
   return worst;
 }

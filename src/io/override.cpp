@@ -33,7 +33,9 @@ std::optional<std::size_t> item_number(std::string_view part) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
-Step item_of(Array& items, const std::string& part, const Mark& mark) {
+// The item of a list; or a new one at its end, which makes the list one that the option gives.
+Step item_of(Value& list, const std::string& part, const Mark& mark) {
+  auto& items = std::get<Array>(list.content);
   const auto number = item_number(part);
   if (!number || *number > items.size()) {
     return tl::unexpected(
@@ -41,6 +43,7 @@ Step item_of(Array& items, const std::string& part, const Mark& mark) {
   }
   if (*number == items.size()) {
     items.push_back({Table{}, mark});
+    list.mark = mark;
   }
   return &items[*number];
 }
@@ -60,8 +63,8 @@ Step entry_of(Table& table, const std::string& part, const Mark& mark) {
 
 // The value at one more part of the path; a new empty table if there is none.
 Step descend(Value& value, const std::string& part, const Mark& mark) {
-  if (auto* items = std::get_if<Array>(&value.content)) {
-    return item_of(*items, part, mark);
+  if (std::holds_alternative<Array>(value.content)) {
+    return item_of(value, part, mark);
   }
   if (auto* table = std::get_if<Table>(&value.content)) {
     return entry_of(*table, part, mark);

@@ -3,8 +3,10 @@
 #include "higherpair/analysis/run.hpp"
 #include "run_testing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -229,6 +231,51 @@ TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
                {"bodies.ground.points.O2=[-5.855358163792044, -50]", "bodies.cam.points.O=[50, 0]",
                 "bodies.ring.pose.x=0"},
                "touch.normal");
+}
+
+// Two geared cranks hold two links that reach 91.115 mm together: with the second crank at 200° - 3 θ their
+// tips are nearer than that in three stretches, of which the second one is 0.5° long.
+TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
+  const auto distance = [](double theta) {
+    const testing::Complex i(0, 1);
+    return std::abs(100.0 + 30.0 * std::exp(i * (200 * kPi / 180 - 3 * theta)) - 30.0 * std::exp(i * theta));
+  };
+  const double reach = 50 + 41.115;
+  std::vector<double> limits;
+  constexpr int kParts = 7200;
+  for (int k = 0; k < kParts; ++k) {
+    double a = 2 * kPi * k / kParts, b = 2 * kPi * (k + 1) / kParts;
+    if ((distance(a) > reach) == (distance(b) > reach)) {
+      continue;
+    }
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = (a + b) / 2;
+      ((distance(middle) > reach) == (distance(a) > reach) ? a : b) = middle;
+    }
+    limits.push_back(a);
+  }
+  ASSERT_EQ(limits.size(), 6U);
+  for (const char* rows : {"7", "61", "601"}) {
+    for (const bool back : {false, true}) {
+      SCOPED_TRACE(fmt::format("{} {}", rows, back));
+      const testing::RunTable motion = testing::analyze(testing::shipped(
+          "geared_five_bar",
+          {"joints.gears.ratio=3", "bodies.right_crank.pose.angle=200", "bodies.left_link.points.T=[50, 0]",
+           "bodies.right_link.points.T=[41.115, 0]", back ? "driver.end=-360" : "driver.end=360",
+           std::string("driver.samples=") + rows}));
+      std::vector<double> found;
+      for (const RunEvent& event : motion.events()) {
+        if (event.type == EventType::kLimitPosition) {
+          found.push_back(event.driver + (back ? 2 * kPi : 0));
+        }
+      }
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found.size(), limits.size());
+      for (std::size_t k = 0; k < limits.size(); ++k) {
+        EXPECT_NEAR(found[k], limits[k], 1e-12);
+      }
+    }
+  }
 }
 
 }  // namespace

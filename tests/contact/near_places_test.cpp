@@ -337,5 +337,100 @@ TEST(Penetration, OfADiscInAHollowPolygonIsNoneWhereItIsAsFarFromItAsItsRadius) 
   }
 }
 
+// The sides of a polygon as a boundary, counter-clockwise.
+Boundary polygon_of(const std::vector<Vector2d>& corners) {
+  std::vector<SpanPtr> spans;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    spans.push_back(face_span(corners[i], corners[(i + 1) % corners.size()]));
+  }
+  return *Boundary::make(spans, true, 1e-12);
+}
+
+// How much two convex polygons share: the area left of the one when it is cut along every side of the other
+// (I. E. Sutherland and G. W. Hodgman, Reentrant Polygon Clipping, CACM 17, 1974).
+double shared_area(std::vector<Vector2d> left, const std::vector<Vector2d>& other) {
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    const Vector2d& a = other[i];
+    const Vector2d along = other[(i + 1) % other.size()] - a;
+    std::vector<Vector2d> cut;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const Vector2d &p = left[k], &q = left[(k + 1) % left.size()];
+      const double at_p = cross(along, Vector2d(p - a)), at_q = cross(along, Vector2d(q - a));
+      if (at_p >= 0) {
+        cut.push_back(p);
+      }
+      if (at_p * at_q < 0) {
+        cut.push_back(p + at_p / (at_p - at_q) * (q - p));
+      }
+    }
+    left = cut;
+  }
+  double twice = 0;
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    twice += cross(left[k], left[(k + 1) % left.size()]);
+  }
+  return twice / 2;
+}
+
+TEST(Penetration, OfTwoBarsThatCrossIsHalfTheWidthOfTheThinnerOne) {
+  const auto bar = [](double length, double width) {
+    return std::vector<Vector2d>{
+        {-length, -width / 2}, {length, -width / 2}, {length, width / 2}, {-length, width / 2}};
+  };
+  const Boundary one = polygon_of(bar(0.07, 0.004));
+  const Boundary two = polygon_of(bar(0.05, 0.0026));
+  for (const double angle : {0.31, 1.1, kPi / 2, 2.3}) {
+    for (const double along : {-0.04, 0.0, 0.0123}) {
+      const Pose<double> X_W2{Rotation<double>::from_angle(angle), Vector2d(along, 0.003)};
+      const double depth = deepest_penetration(one, {}, two, X_W2, 1e-9).depth;
+      EXPECT_GE(depth, 0.0013 - 1e-15) << angle << ' ' << along;
+      EXPECT_LE(depth, 0.002 + 1e-15) << angle << ' ' << along;
+    }
+  }
+}
+
+TEST(Penetration, OfConvexPolygonsIsSeenWhereverTheyShareAnArea) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> shape(0.02, 0.06), slender(0.03, 1), place(-0.06, 0.06),
+      turn(-kPi, kPi);
+  int across = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::array<std::vector<Vector2d>, 2> corners_W;
+    std::array<std::vector<Vector2d>, 2> corners;
+    std::array<Pose<double>, 2> X_WB;
+    for (std::size_t body = 0; body < 2; ++body) {
+      const int count = 3 + (trial + static_cast<int>(body)) % 5;
+      const double length = shape(random), width = length * slender(random);
+      for (int i = 0; i < count; ++i) {
+        const Vector2d at = unit_vector(2 * kPi * (i + 0.3 * slender(random)) / count);
+        corners[body].emplace_back(length * at.x(), width * at.y());
+      }
+      X_WB[body] = {Rotation<double>::from_angle(turn(random)), Vector2d(place(random), place(random))};
+      for (const Vector2d& corner : corners[body]) {
+        corners_W[body].push_back(X_WB[body] * corner);
+      }
+    }
+    const double area = shared_area(corners_W[0], corners_W[1]);
+    const double depth =
+        deepest_penetration(polygon_of(corners[0]), X_WB[0], polygon_of(corners[1]), X_WB[1], 1e-9).depth;
+    // A shared sliver of less depth than the tolerance is none.
+    EXPECT_EQ(depth > 0, area > 1e-10) << trial << ' ' << area << ' ' << depth;
+    const auto is_in = [&](std::size_t body, const Vector2d& p) {
+      for (std::size_t i = 0; i < corners_W[body].size(); ++i) {
+        const Vector2d& a = corners_W[body][i];
+        if (cross(Vector2d(corners_W[body][(i + 1) % corners_W[body].size()] - a), Vector2d(p - a)) < 0) {
+          return false;
+        }
+      }
+      return true;
+    };
+    const bool no_corner =
+        std::none_of(corners_W[0].begin(), corners_W[0].end(), [&](auto& p) { return is_in(1, p); }) &&
+        std::none_of(corners_W[1].begin(), corners_W[1].end(), [&](auto& p) { return is_in(0, p); });
+    across += area > 1e-10 && no_corner ? 1 : 0;
+  }
+  EXPECT_GT(across, 20);
+}
+
 }  // namespace
 }  // namespace higherpair

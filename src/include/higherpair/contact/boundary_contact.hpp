@@ -80,8 +80,8 @@ struct BoundaryResult {
 /// A depth of two bodies in each other that is none, of the sizes of their boundaries together.
 inline constexpr double kTouchingDepth = 1e-7;
 
-/// How deep one body is in the other [m], at the common normal near the deepest samples of their boundaries;
-/// 0 where they are free of each other to within `tolerance`.
+/// How deep one body is in the other [m], near the deepest of their outlines' samples and of points between
+/// their crossings; 0 where they are free of each other to within `tolerance`.
 struct Penetration {
   double depth = 0;
   BoundaryPlace place1, place2;
