@@ -1,10 +1,9 @@
 #include "envelope.hpp"
-#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/interval.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "relative_motion.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

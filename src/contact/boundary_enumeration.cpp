@@ -182,7 +182,7 @@ private:
   // Where there is one contact at most, and its place by the tangents is not far away.
   void look_for_contact(const Stretch& a, const Stretch& b) {
     const Interval passing = cross(a.slope, b.slope);
-    if (holds_zero(passing)) {
+    if (holds_zero(passing) || a.span < 0 || b.span < 0) {
       return;
     }
     Vector2d away = median_of(b.middle - a.middle);

@@ -12,6 +12,14 @@ constexpr double kErrorOfPoints = 8 * std::numeric_limits<double>::epsilon();
 
 constexpr double kSmoothJoint = 1e-12;  // of the length of a radian: a gap at a joint that is rounding
 
+// The joint behind a span, and back again.
+int bridge_at(int joint) {
+  return -1 - joint;
+}
+int joint_of_bridge(int span) {
+  return -1 - span;
+}
+
 double norm_of(const IntervalVector& v) {
   return std::hypot(boost::numeric::norm(v.x), boost::numeric::norm(v.y));
 }
@@ -45,6 +53,9 @@ double FeatureCurve::error_at(const Vector2d& m) const {
 }
 
 std::optional<Stretch> FeatureCurve::over(int span, const Bounds& t) const {
+  if (span < 0) {
+    return bridge(joint_of_bridge(span), t);
+  }
   const auto bounds = boundary_->spans()[static_cast<std::size_t>(span)]->bounds(t);
   if (!bounds) {
     return std::nullopt;
@@ -114,7 +125,41 @@ std::optional<std::vector<Stretch>> FeatureCurve::pieces() const {
     }
     pieces.push_back(*std::move(piece));
   }
+  for (int joint = 0; joint < static_cast<int>(boundary_->spans().size()); ++joint) {
+    if (has_gap(joint)) {
+      pieces.push_back(bridge(joint, {0, 1}));
+    }
+  }
   return pieces;
+}
+
+Stretch FeatureCurve::bridge(int joint, const Bounds& t) const {
+  const Stretch from = at(end_of(*boundary_, joint, true));
+  const Stretch to = at(end_of(*boundary_, boundary_->next_span(joint, true), false));
+  Vector2d gap = median_of(to.middle - from.middle);
+  double dq = boost::numeric::median(to.q - from.q);
+  if (follower_.turns) {
+    dq = std::remainder(dq, 2 * kPi);
+  } else {
+    gap.x() = std::remainder(gap.x(), 2 * kPi * length_);
+  }
+  const double middle = (t.low + t.high) / 2;
+  Stretch stretch;
+  stretch.span = bridge_at(joint);
+  stretch.t = t;
+  stretch.from_middle = to_interval(t) - middle;
+  stretch.slope = exactly(gap);
+  stretch.middle = {from.middle.x + middle * gap.x(), from.middle.y + middle * gap.y()};
+  stretch.range = {stretch.middle.x + gap.x() * stretch.from_middle,
+                   stretch.middle.y + gap.y() * stretch.from_middle};
+  stretch.q = boost::numeric::hull(from.q, from.q + dq);
+  return stretch;
+}
+
+bool FeatureCurve::has_gap(int joint) const {
+  const SpanJoint kind = boundary_->joint_after(joint);
+  return kind != SpanJoint::kEnd && kind != SpanJoint::kNotch &&
+         median_of(bridge(joint, {0, 1}).slope).norm() > kSmoothJoint * length_;
 }
 
 // How much further the parameter is there, but no more than half of the span.
@@ -140,10 +185,9 @@ std::vector<Stretch> FeatureCurve::parts_near(const BoundaryPlace& place, double
     const BoundaryPlace& next = end->behind;
     const double way = step_along(next, reach);
     parts.push_back(*over(next.span, forward ? Bounds{next.t, next.t + way} : Bounds{next.t - way, next.t}));
-    Vector2d gap = median_of(at(next).middle - at(end_of(*boundary_, place.span, forward)).middle);
-    gap.x() = follower_.turns ? gap.x() : std::remainder(gap.x(), 2 * kPi * length_);
-    if (gap.norm() > kSmoothJoint * length_) {
-      parts.emplace_back().slope = exactly(forward ? gap : Vector2d(-gap));
+    const int joint = forward ? place.span : next.span;
+    if (has_gap(joint)) {
+      parts.push_back(bridge(joint, {0, 1}));
     }
   }
   return parts;

@@ -15,7 +15,7 @@ namespace higherpair {
 /// about its pivot, of a sliding one (angle of the normal times a length, p·d⊥); of body 2 with the normal
 /// -n, at q = 0. Where the curves of both bodies meet is a contact.
 struct Stretch {
-  int span = -1;
+  int span = -1;  ///< < 0: the bridge over a gap at a joint
   Bounds t;
   Interval from_middle;   ///< t - middle
   IntervalVector middle;  ///< the point there
@@ -53,12 +53,13 @@ public:
   FeatureCurve(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower, double sense,
                double length);
 
-  /// None where the span gives no bounds.
+  /// None where the span gives no bounds. \param span  of a stretch; of a bridge t goes from 0 to 1
   [[nodiscard]] std::optional<Stretch> over(int span, const Bounds& t) const;
-  /// All of the boundary, cut as its samples are; none where a span gives no bounds.
+  /// All of the boundary, cut as its samples are; none where a span gives no bounds. Where spans meet with a
+  /// gap that is more than rounding (the digits of a drawing), a straight bridge over it is a piece as well.
   [[nodiscard]] std::optional<std::vector<Stretch>> pieces() const;
-  /// What is not farther from a place than `reach` [m] along it, over one joint of spans at most; with a gap
-  /// there that is more than rounding as if it were bridged. \pre pieces() are given
+  /// What is not farther from a place than `reach` [m] along it, over one joint of spans at most.
+  /// \pre pieces() are given
   [[nodiscard]] std::vector<Stretch> parts_near(const BoundaryPlace& place, double reach) const;
   /// The halves of a stretch, worked out once.
   [[nodiscard]] const std::array<Stretch, 2>& halves(const Stretch& whole) const;
@@ -74,6 +75,8 @@ private:
                        const IntervalVector& n, Stretch& stretch) const;
   [[nodiscard]] double error_at(const Vector2d& m) const;
   [[nodiscard]] Stretch at(const BoundaryPlace& place) const { return *over(place.span, {place.t, place.t}); }
+  [[nodiscard]] bool has_gap(int joint) const;
+  [[nodiscard]] Stretch bridge(int joint, const Bounds& t) const;
   [[nodiscard]] double step_along(const BoundaryPlace& from, double reach) const;
 
   const Boundary* boundary_;

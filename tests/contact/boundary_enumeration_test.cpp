@@ -1,6 +1,7 @@
 #include "higherpair/contact/boundary_enumeration.hpp"
 
 #include "contact/random_boundaries.hpp"
+#include "front/mirrored.hpp"
 #include "higherpair/geometry/edges.hpp"
 
 #include <algorithm>
@@ -136,6 +137,40 @@ TEST(BoundaryEnumeration, OfACopyInAnotherUnitIsTheSame) {
   }
 }
 
+OneFreedom mirrored(OneFreedom freedom) {
+  freedom.p_WO = testing::mirrored(freedom.p_WO);
+  freedom.p_BO = testing::mirrored(freedom.p_BO);
+  freedom.direction_W = testing::mirrored(freedom.direction_W);
+  freedom.theta = -freedom.theta;
+  freedom.R_WB = freedom.R_WB.inverse();
+  return freedom;
+}
+
+TEST(BoundaryEnumeration, OfAMirroredCopyIsTheMirroredList) {
+  for (unsigned seed = 2000; seed < 2060; ++seed) {
+    RandomBoundaries random(seed, 1);
+    const Boundary first = random.boundary();
+    const Boundary second = random.boundary();
+    const OneFreedom cam = random.freedom();
+    const OneFreedom follower = random.freedom();
+    const double u = random.between(-1, 1);
+    const Boundary copy1 = testing::mirrored(first);
+    const Boundary copy2 = testing::mirrored(second);
+    const auto all = enumerate_boundary_contacts({&first, cam, &second, follower}, u);
+    auto copies =
+        enumerate_boundary_contacts({&copy1, mirrored(cam), &copy2, mirrored(follower)}, cam.turns ? -u : u);
+    if (follower.turns) {
+      std::reverse(copies.contacts.begin(), copies.contacts.end());
+    }
+    EXPECT_EQ(copies.undecided.size(), all.undecided.size()) << "seed " << seed;
+    ASSERT_EQ(copies.contacts.size(), all.contacts.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < all.contacts.size(); ++i) {
+      EXPECT_NEAR(copies.contacts[i].q, all.contacts[i].q * (follower.turns ? -1 : 1), 1e-10)
+          << "seed " << seed;
+    }
+  }
+}
+
 // A roller that slides by almost as far as it can touch a disc: the contacts are 2 sqrt((R + r)² - e²) apart,
 // for half of all directions on one and the same part between samples.
 TEST(BoundaryEnumeration, TellsContactsApartThatAreFarNearerThanTheSamples) {
@@ -220,6 +255,33 @@ TEST(BoundaryEnumeration, LeavesOpenWhereFlatsLieOnEachOther) {
   EXPECT_TRUE(tilted.undecided.empty());
   ASSERT_EQ(tilted.contacts.size(), 1U);
   EXPECT_NEAR(tilted.contacts[0].q, a * (std::cos(0.1) + std::sin(0.1)), 1e-15);
+}
+
+// Two faces that a drawing's digits have turned against each other by less than a corner: convex, where the
+// roller stands on the joint and no face has its normal; and hollow, where it stands on both.
+TEST(BoundaryEnumeration, DoesNotOverlookAContactInTheGapOfAJoint) {
+  for (const double kink : {3e-8, -3e-8, 3e-10, -3e-10, 3e-14, -3e-14}) {
+    const double a = 0.03;
+    const Boundary cam = *Boundary::make(
+        {face_span(a * unit_vector(-kink / 2), {0, 0}), face_span({0, 0}, -a * unit_vector(kink / 2))}, false,
+        1e-12);
+    ASSERT_EQ(cam.spans().size(), 2U);
+    const Boundary roller = disc(0.01);
+    for (const double direction : {kPi / 2, 1.2}) {
+      const BoundaryContacts all = enumerate_boundary_contacts(
+          {&cam, OneFreedom{}, &roller, slide_along(direction, 0.01 * std::cos(direction))}, 0);
+      const double q = 0.01 * std::sin(direction);
+      EXPECT_TRUE(all.contacts.size() == 1 || !all.undecided.empty()) << kink;
+      for (const BoundaryContact& contact : all.contacts) {
+        EXPECT_NEAR(contact.q, q, 1e-9);
+      }
+      for (const Bounds& open : all.undecided) {
+        EXPECT_NEAR(open.low, q, 1e-8);
+        EXPECT_NEAR(open.high, q, 1e-8);
+      }
+      EXPECT_TRUE(std::abs(kink) > 1e-12 || all.undecided.empty()) << kink;
+    }
+  }
 }
 
 // A disc in a hollow of its own radius touches all along it.

@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/geometry/one_freedom.hpp"
 #include "higherpair/geometry/spline_span.hpp"
 
 #include <cmath>
