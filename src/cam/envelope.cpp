@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support.hpp"
+#include "relative_motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,68 +20,14 @@ constexpr int kMaxNewton = 50;
 constexpr double kSettled = 1e-14;  // of an angle
 constexpr int kNormals = 64;        // at which the equation is looked at
 
-Series shortened(const Longer& x) {
-  Series y;
-  std::copy_n(x.c.begin(), y.c.size(), y.c.begin());
-  return y;
-}
-
-Series derivative(const Longer& x) {
-  Series y;
-  for (std::size_t k = 0; k < y.c.size(); ++k) {
-    y.c[k] = static_cast<double>(k + 1) * x.c[k + 1];
-  }
-  return y;
-}
-
-template <class F>
-Vector each(const Vector2<Longer>& v, const F& f) {
-  return {f(v.x()), f(v.y())};
-}
-
-Vector2<Longer> constant(const Vector2d& v) {
-  return {Longer(v.x()), Longer(v.y())};
-}
-
-Pose<Longer> pose_of(const OneFreedom& freedom, const Longer& q) {
-  if (freedom.turns) {
-    const auto R = Rotation<Longer>::from_angle(q);
-    return {R, constant(freedom.p_WO) - R * constant(freedom.p_BO)};
-  }
-  const Rotation<Longer> R{Longer(freedom.R_WB.cos), Longer(freedom.R_WB.sin)};
-  return {R, constant(freedom.p_WO - freedom.R_WB * freedom.p_BO) + q * constant(freedom.direction_W)};
-}
-
-// The follower's motion against the cam, by the coordinate of the cam's joint.
-struct Relative {
-  Rotation<Series> R;  // from the follower's frame to the cam's
-  Vector p;            // origin of the follower's frame in the cam's
-  Vector w;            // its velocity, in the follower's frame
-  Series omega;
-};
+using Relative = RelativeMotion<double, 3>;
 
 Relative relative_at(const CamMotion& motion, double x, LawSide side) {
   Longer joint(x);
   joint.c[1] = 1;
   Longer s;
   motion.law.expand(x, side, s.c);
-  const Pose<Longer> cam = pose_of(motion.cam, motion.cam_sign * joint);
-  const Longer q = motion.follower_sign * (motion.follower_rest + s);
-  const Pose<Longer> follower = pose_of(motion.follower, q);
-  const Rotation<Longer> R = cam.R_WB.inverse() * follower.R_WB;
-  const Vector2<Longer> p = cam.inverse_times(follower.p_WB);
-  Relative relative;
-  relative.R = {shortened(R.cos), shortened(R.sin)};
-  relative.p = each(p, shortened);
-  relative.w = relative.R.inverse() * each(p, derivative);
-  relative.omega = Series(0.0);
-  if (motion.follower.turns) {
-    relative.omega += derivative(q);
-  }
-  if (motion.cam.turns) {
-    relative.omega -= Series(motion.cam_sign);
-  }
-  return relative;
+  return relative_motion<double, 3>(motion, joint, s);
 }
 
 // A point of the follower and its outward normal, in the follower's frame.

@@ -21,6 +21,10 @@ public:
   /// law on one side of it. None where no point of the follower can touch.
   [[nodiscard]] std::optional<SpanPoint> at(double x, LawSide side) const;
 
+  /// Bounds of the span by that parameter, over coordinates within one piece of the law. None where they
+  /// cannot be told.
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& x) const;
+
 private:
   FlankOrigin origin_;
   double sense_ = 1;

@@ -41,6 +41,9 @@ public:
   [[nodiscard]] Bounds range() const override {
     return sense_ > 0 ? joint_ : Bounds{-joint_.high, -joint_.low};
   }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    return envelope_->bounds(sense_ > 0 ? t : Bounds{-t.high, -t.low});
+  }
   [[nodiscard]] int parts() const override { return parts_; }
   [[nodiscard]] FlankOrigin origin() const { return envelope_->origin(); }
 

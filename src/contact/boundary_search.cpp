@@ -1,4 +1,5 @@
-#include "higherpair/contact/boundary_contact.hpp"
+#include "boundary_search.hpp"
+
 #include "higherpair/geometry/boundary_places.hpp"
 #include "polyline_crossings.hpp"
 
@@ -67,31 +68,53 @@ bool is_known(const std::vector<BoundaryContact>& contacts, const BoundaryContac
 
 }  // namespace
 
-std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u, const Bounds& range) {
-  const Pose<double> X_W1 = pose_at(pair.motion1, u);
+std::optional<BoundaryContact> contact_between(const BoundaryPair& pair, double u,
+                                               const BoundaryPlace& place1, const BoundaryPlace& place2) {
+  const double guess = coordinate_of(pair, pose_at(pair.motion1, u), place1, place2);
+  BoundaryResult solved = solve_boundary_contact(pair, u, guess, place1, place2, 0);
+  if (solved.status != ContactStatus::kOk) {
+    return std::nullopt;
+  }
+  if (pair.motion2.turns) {
+    solved.contact.q = nearest_turn(solved.contact.q, 0);
+  }
+  return solved.contact;
+}
+
+std::vector<BoundaryContact> contacts_at_crossings(const BoundaryPair& pair, double u) {
   const double scale = std::max(pair.boundary1->size(), pair.boundary2->size());
-  const Features features1 = features_of(*pair.boundary1, X_W1, pair.motion2, 1, scale);
+  const Features features1 = features_of(*pair.boundary1, pose_at(pair.motion1, u), pair.motion2, 1, scale);
   const Features features2 = features_of(*pair.boundary2, pose_at(pair.motion2, 0), pair.motion2, -1, scale);
-  const double unit = pair.motion2.turns ? 1 : scale;
   std::vector<BoundaryContact> contacts;
   for_each_crossing(features1, features2, pair.motion2.turns ? 0 : 2 * kPi * scale,
                     [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
-                      const double guess = coordinate_of(pair, X_W1, place1, place2);
-                      BoundaryResult solved = solve_boundary_contact(pair, u, guess, place1, place2, 0);
-                      if (solved.status != ContactStatus::kOk) {
-                        return;
-                      }
-                      BoundaryContact& contact = solved.contact;
-                      contact.q = pair.motion2.turns ? nearest_turn(contact.q, 0) : contact.q;
-                      const EquivalentLink link = link_at(contact.at);
-                      const bool proper = contact.gap_q != 0 && std::isfinite(link.z) && link.z >= 0;
-                      if (proper && (pair.motion2.turns || range.contains(contact.q)) &&
-                          !is_known(contacts, contact, unit, scale)) {
-                        contacts.push_back(contact);
+                      if (auto contact = contact_between(pair, u, place1, place2)) {
+                        contacts.push_back(*std::move(contact));
                       }
                     });
+  return contacts;
+}
+
+bool is_proper(const BoundaryContact& contact) {
+  const EquivalentLink link = link_at(contact.at);
+  return contact.gap_q != 0 && std::isfinite(link.z) && link.z >= 0;
+}
+
+void sort_by_coordinate(std::vector<BoundaryContact>& contacts) {
   std::sort(contacts.begin(), contacts.end(),
             [](const BoundaryContact& a, const BoundaryContact& b) { return a.q < b.q; });
+}
+
+std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u, const Bounds& range) {
+  const double scale = std::max(pair.boundary1->size(), pair.boundary2->size());
+  std::vector<BoundaryContact> contacts;
+  for (const BoundaryContact& found : contacts_at_crossings(pair, u)) {
+    if (is_proper(found) && (pair.motion2.turns || range.contains(found.q)) &&
+        !is_known(contacts, found, pair.motion2.turns ? 1 : scale, scale)) {
+      contacts.push_back(found);
+    }
+  }
+  sort_by_coordinate(contacts);
   return contacts;
 }
 

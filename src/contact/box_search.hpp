@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interval.hpp"
+#include "higherpair/geometry/interval.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "higherpair/contact/subdivision.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "interval.hpp"
+#include "higherpair/geometry/interval.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -94,7 +94,7 @@ private:
 
   [[nodiscard]] IntervalVector normal(const Interval& phi) const {
     const Interval angle = phi - axis_angle_;
-    return {sign() * cosine(angle), sign() * sine(angle)};
+    return {sign() * cos(angle), sign() * sin(angle)};
   }
 
   // w² is positive on all pieces; rounding may say otherwise next to the end of the cone.

@@ -24,10 +24,6 @@ Interval angle_of_body(const OneFreedom& motion, double q) {
   return hull(around(motion.theta, error), around(from_rotation, error));
 }
 
-IntervalVector difference(const IntervalVector& a, const IntervalVector& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-
 // The vector in a frame that is turned by the angle.
 IntervalVector in_frame(const Interval& angle, const IntervalVector& v) {
   const IntervalVector x_axis = unit_interval(angle);
@@ -133,7 +129,7 @@ Arrangement make_arrangement(const SupportPair& pair, double u, bool opposed) {
     joint1_W.x += Interval(u) * driver.direction_W.x();
     joint1_W.y += Interval(u) * driver.direction_W.y();
   }
-  const IntervalVector joint2_1 = in_frame(a.theta1, difference(exactly(pair.motion2.p_WO), joint1_W));
+  const IntervalVector joint2_1 = in_frame(a.theta1, exactly(pair.motion2.p_WO) - joint1_W);
   a.about1 = {joint2_1.x + driver.p_BO.x(), joint2_1.y + driver.p_BO.y()};
   a.about2 = exactly(pair.motion2.p_BO);
   a.turn = opposed ? half_turn() : Interval(0);

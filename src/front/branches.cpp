@@ -1,7 +1,7 @@
 #include "higherpair/front/branches.hpp"
 
 #include "higherpair/analysis/branches.hpp"
-#include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/contact/boundary_enumeration.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/io/driver_schedule.hpp"
@@ -30,18 +30,22 @@ std::string remark_on(const CurveContact& contact) {
   return contact.at_limit ? "limit position: two contacts merge" : "";
 }
 
-ContactEntry entry_of(const CurveContact& contact, const Profile& profile, const ContactPlace& place) {
+// A turning joint's coordinate starts at the turn that is nearest to the poses.
+double position_of(double q, const Profile& profile, const ContactPlace& place) {
   const CarriedBody& follower = place.follower;
   const bool turns = follower.freedom.turns;
+  const double own = q - place.carrier_angle;
+  const Scaling scaling = from_si(turns ? dimension::kAngle : dimension::kLength, profile.units);
+  return plus_zero(scaling.apply(follower.sign * (turns ? nearest_turn(own, place.posed) : own)));
+}
+
+ContactEntry entry_of(const CurveContact& contact, const Profile& profile, const ContactPlace& place) {
   const Scaling length = from_si(dimension::kLength, profile.units);
   const Scaling angle = from_si(dimension::kAngle, profile.units);
-  // A turning joint's coordinate starts at the turn that is nearest to the poses.
-  const double q = contact.q - place.carrier_angle;
   const bool reversed = !place.known_is_first && contact.opposed;
   const Vector2d n_W = reversed ? Vector2d(-contact.n_W) : contact.n_W;
   ContactEntry entry;
-  entry.position =
-      plus_zero((turns ? angle : length).apply(follower.sign * (turns ? nearest_turn(q, place.posed) : q)));
+  entry.position = position_of(contact.q, profile, place);
   entry.x = plus_zero(length.apply(contact.p_W.x()));
   entry.y = plus_zero(length.apply(contact.p_W.y()));
   entry.normal = plus_zero(angle.apply(angle_of(n_W)));
@@ -53,14 +57,14 @@ ContactEntry entry_of(const CurveContact& contact, const Profile& profile, const
 
 // The interval of q as one of the position: in the profile's units, rounded outwards.
 std::array<double, 2> position_interval(const std::array<double, 2>& q, double q_of_contact,
-                                        const ContactEntry& entry, const Profile& profile,
-                                        const ContactPlace& place) {
+                                        const Profile& profile, const ContactPlace& place) {
+  const double position = position_of(q_of_contact, profile, place);
   const double sign = place.follower.sign;
   const Scaling scaling =
       from_si(place.follower.freedom.turns ? dimension::kAngle : dimension::kLength, profile.units);
   // The position may be a turn away from q: the interval keeps its place about it.
   const auto bound = [&](double q_bound, double towards) {
-    return std::nextafter(entry.position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
+    return std::nextafter(position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
   };
   const double infinity = std::numeric_limits<double>::infinity();
   const double a = bound(q[0], -sign * infinity);
@@ -119,7 +123,8 @@ ContactReport report_on(const Profile& profile, const ContactPlace& place, const
   report.contact = profile.mechanism.contacts[static_cast<std::size_t>(place.contact)].name;
   report.joint = joint_name(profile.mechanism, place.follower);
   report.position_unit = unit_of(profile, place.follower.freedom.turns);
-  if (found.status != ContactsStatus::kComplete) {
+  report.complete = found.status == ContactsStatus::kComplete;
+  if (!report.complete) {
     report.note = describe(found.status);
   }
   for (const CurveContact& contact : found.contacts) {
@@ -139,31 +144,24 @@ void add_certificate(const Certificate& certificate, const CurveContacts& found,
   }
   for (std::size_t i = 0; i < report.entries.size(); ++i) {
     if (const auto& interval = certificate.intervals[i]) {
-      report.entries[i].certified =
-          position_interval(*interval, found.contacts[i].q, report.entries[i], profile, place);
+      report.entries[i].certified = position_interval(*interval, found.contacts[i].q, profile, place);
     }
   }
 }
 
-// The positions on curves with ends or of several parts, by samples of these.
-CurveContacts boundary_contacts(const Mechanism& mechanism, const ContactPlace& place) {
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(place.contact)];
-  const CurveRef& known = place.known_is_first ? contact.first : contact.second;
-  const CurveRef& own = place.known_is_first ? contact.second : contact.first;
-  const BoundaryPair pair{&boundary_of(mechanism, known), place.pair.motion1, &boundary_of(mechanism, own),
-                          place.pair.motion2};
-  constexpr double kFar = std::numeric_limits<double>::infinity();
+// The positions on curves with ends or of several parts.
+CurveContacts curve_contacts(const BoundaryPair& pair, double u, const BoundaryContacts& all) {
   const double tolerance = kTouchingDepth * (pair.boundary1->size() + pair.boundary2->size());
   CurveContacts found;
   found.status = ContactsStatus::kComplete;
-  for (const BoundaryContact& at : find_boundary_contacts(pair, place.u, {-kFar, kFar})) {
+  for (const BoundaryContact& at : all.contacts) {
     CurveContact entry;
-    entry.u = place.u;
+    entry.u = u;
     entry.q = at.q;
     entry.p_W = at.at.p_W();
     entry.n_W = at.at.n_W;
     entry.opposed = true;
-    entry.free = deepest_penetration(*pair.boundary1, pose_at(pair.motion1, place.u), *pair.boundary2,
+    entry.free = deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
                                      pose_at(pair.motion2, at.q), tolerance)
                      .depth == 0;
     found.contacts.push_back(entry);
@@ -171,8 +169,38 @@ CurveContacts boundary_contacts(const Mechanism& mechanism, const ContactPlace& 
   return found;
 }
 
+// Whether the list is proven, and where not.
+void add_proof(const BoundaryContacts& all, const Profile& profile, const ContactPlace& place,
+               ContactReport& report) {
+  report.complete = all.has_bounds && all.undecided.empty();
+  if (report.complete) {
+    report.proof = "proven: there are no other contacts of opposed normals";
+    return;
+  }
+  report.proof = "not proven to be all: ";
+  if (!all.has_bounds) {
+    report.proof += "one of the curves gives no bounds";
+    return;
+  }
+  for (const Bounds& q : all.undecided) {
+    const auto interval = position_interval({q.low, q.high}, (q.low + q.high) / 2, profile, place);
+    report.undecided.push_back(interval);
+    report.proof += fmt::format("{}[{:.10g}, {:.10g}] {}", report.undecided.size() == 1 ? "in " : ", ",
+                                interval[0], interval[1], report.position_unit);
+  }
+  report.proof += " contacts merge or the curves lie on each other, to within rounding";
+}
+
 ContactReport list_boundary_contact(const Profile& profile, const ContactPlace& place, bool certify) {
-  ContactReport report = report_on(profile, place, boundary_contacts(profile.mechanism, place));
+  const Mechanism& mechanism = profile.mechanism;
+  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(place.contact)];
+  const CurveRef& known = place.known_is_first ? contact.first : contact.second;
+  const CurveRef& own = place.known_is_first ? contact.second : contact.first;
+  const BoundaryPair pair{&boundary_of(mechanism, known), place.pair.motion1, &boundary_of(mechanism, own),
+                          place.pair.motion2};
+  const BoundaryContacts all = enumerate_boundary_contacts(pair, place.u);
+  ContactReport report = report_on(profile, place, curve_contacts(pair, place.u, all));
+  add_proof(all, profile, place, report);
   if (certify) {
     report.certificate = "not decided exactly: the algebra knows whole conics, lines and points only";
   }

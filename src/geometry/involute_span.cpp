@@ -1,5 +1,7 @@
 #include "higherpair/geometry/involute_span.hpp"
 
+#include "higherpair/geometry/interval.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -25,6 +27,10 @@ public:
   }
   [[nodiscard]] Bounds range() const override {
     return sense_ > 0 ? involute_.roll : Bounds{-involute_.roll.high, -involute_.roll.low};
+  }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    const Interval speed = involute_.base_radius * sense_ * to_interval(t);
+    return SpanBounds{to_bounds(speed), {1, 1}};
   }
   // No part turns by more than a tenth of a radian, nor does its radius grow by much more than a third of the
   // whole.

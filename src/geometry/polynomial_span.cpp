@@ -1,5 +1,7 @@
 #include "polynomial_span.hpp"
 
+#include "higherpair/geometry/interval.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,6 +79,23 @@ std::array<T, 4> taylor(const T* coefficients, int degree, double t) {
   return d;
 }
 
+constexpr double kCoefficientRounding = 1e-13;  // of a derivative, of the sum of its terms' sizes
+constexpr int kHalvingsOfInterval = 10;         // where a curve turns much, or is slow, within one interval
+
+// A polynomial and its first two derivatives over u ± r, from its Taylor coefficients at u and those of the
+// sizes of its own at the end of its interval: no derivative is larger before that.
+std::array<Interval, 3> enclosed(const std::array<double, 4>& at, const std::array<double, 4>& most,
+                                 double r) {
+  const double bend = r * (2 * std::abs(at[2]) + 3 * r * most[3]);
+  return {around(at[0], r * (std::abs(at[1]) + bend) + kCoefficientRounding * most[0]),
+          around(at[1], bend + kCoefficientRounding * most[1]),
+          around(2 * at[2], 6 * r * most[3] + 2 * kCoefficientRounding * most[2])};
+}
+
+std::array<double, 4> component(const std::array<Vector2d, 4>& of, int i) {
+  return {of[0][i], of[1][i], of[2][i], of[3][i]};
+}
+
 template <bool kRational>
 class PolynomialSpan final : public Span {
 public:
@@ -90,17 +109,46 @@ public:
         denominators_.push_back(powers(row, 2));
       }
     }
+    for (std::size_t i = 0; i < intervals_.count(); ++i) {
+      const auto first = static_cast<std::ptrdiff_t>(first_of(i));
+      const double length = intervals_.begin(i + 1) - intervals_.begin(i);
+      std::vector<Vector2d> sizes(numerators_.begin() + first, numerators_.begin() + first + terms);
+      std::transform(sizes.begin(), sizes.end(), sizes.begin(),
+                     [](const Vector2d& c) { return c.cwiseAbs(); });
+      most_.push_back(taylor(sizes.data(), degree_, length));
+      if constexpr (kRational) {
+        std::vector<double> weights(denominators_.begin() + first, denominators_.begin() + first + terms);
+        std::transform(weights.begin(), weights.end(), weights.begin(), [](double w) { return std::abs(w); });
+        most_weights_.push_back(taylor(weights.data(), degree_, length));
+      }
+    }
     parts_ = count_parts();
   }
 
   [[nodiscard]] SpanPoint at(double t) const override { return point_of(derivatives(t)); }
   [[nodiscard]] Bounds range() const override { return intervals_.range(); }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    std::optional<SpanBounds> all;
+    const std::size_t last = intervals_.at(t.high);
+    for (std::size_t i = intervals_.at(t.low); i <= last; ++i) {
+      const double begin = intervals_.begin(i);
+      const double end = std::min(t.high, intervals_.begin(i + 1));
+      if (!add_bounds(i, {std::max(t.low, begin) - begin, end - begin}, kHalvingsOfInterval, all)) {
+        return std::nullopt;
+      }
+    }
+    return all;
+  }
   [[nodiscard]] int parts() const override { return parts_; }
 
 private:
+  [[nodiscard]] std::size_t first_of(std::size_t interval) const {
+    return interval * static_cast<std::size_t>(degree_ + 1);
+  }
+
   [[nodiscard]] Derivatives derivatives(double t) const {
     const std::size_t interval = intervals_.at(t);
-    const std::size_t first = interval * static_cast<std::size_t>(degree_ + 1);
+    const std::size_t first = first_of(interval);
     const double u = t - intervals_.begin(interval);
     const auto a = taylor(&numerators_[first], degree_, u);
     if constexpr (!kRational) {
@@ -117,6 +165,56 @@ private:
       p[k] /= w[0];
     }
     return {p[0], p[1], 2 * p[2], 6 * p[3]};
+  }
+
+  // p′ and p″ over part of an interval.
+  [[nodiscard]] std::array<IntervalVector, 2> rates(std::size_t interval, const Bounds& u) const {
+    const double middle = (u.low + u.high) / 2;
+    const double r = std::max(middle - u.low, u.high - middle);
+    auto at = taylor(&numerators_[first_of(interval)], degree_, middle);
+    auto most = most_[interval];
+    if constexpr (!kRational) {
+      const auto x = enclosed(component(at, 0), component(most, 0), r);
+      const auto y = enclosed(component(at, 1), component(most, 1), r);
+      return {{{x[1], y[1]}, {x[2], y[2]}}};
+    } else {
+      // b = a - w p(u), so that b / w is small.
+      const auto w_at = taylor(&denominators_[first_of(interval)], degree_, middle);
+      const Vector2d p = at[0] / w_at[0];
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        at[k] -= w_at[k] * p;
+        most[k] += most_weights_[interval][k] * p.cwiseAbs();
+      }
+      const auto w = enclosed(w_at, most_weights_[interval], r);
+      std::array<IntervalVector, 2> result;
+      for (int i = 0; i < 2; ++i) {
+        const auto b = enclosed(component(at, i), component(most, i), r);
+        const Interval q = b[0] / w[0];
+        const Interval dq = (b[1] - q * w[1]) / w[0];
+        const Interval ddq = (b[2] - 2.0 * dq * w[1] - q * w[2]) / w[0];
+        (i == 0 ? result[0].x : result[0].y) = dq;
+        (i == 0 ? result[1].x : result[1].y) = ddq;
+      }
+      return result;
+    }
+  }
+
+  // False where the curve may have a cusp.
+  bool add_bounds(std::size_t interval, const Bounds& u, int halvings, std::optional<SpanBounds>& all) const {
+    const auto [first, second] = rates(interval, u);
+    const Interval square = boost::numeric::square(first.x) + boost::numeric::square(first.y);
+    if (!(square.lower() > square.upper() / 4) && halvings > 0) {
+      const double middle = (u.low + u.high) / 2;
+      return add_bounds(interval, {u.low, middle}, halvings - 1, all) &&
+             add_bounds(interval, {middle, u.high}, halvings - 1, all);
+    }
+    if (!(square.lower() > 0)) {
+      return false;
+    }
+    const Interval turn = (first.x * second.y - first.y * second.x) / square;
+    const SpanBounds here{to_bounds(sqrt(square)), to_bounds(turn)};
+    all = all ? SpanBounds{hull(all->speed, here.speed), hull(all->turn, here.turn)} : here;
+    return true;
   }
 
   // So many that none turns by more than a tenth of a radian; no more than some an interval, for where the
@@ -143,6 +241,8 @@ private:
   int parts_ = 0;
   std::vector<Vector2d> numerators_;  // interval by interval, the highest power first
   std::vector<double> denominators_;
+  std::vector<std::array<Vector2d, 4>> most_;  // Taylor coefficients of the sizes, at the intervals' ends
+  std::vector<std::array<double, 4>> most_weights_;
 };
 
 }  // namespace

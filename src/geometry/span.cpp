@@ -1,13 +1,17 @@
 #include "higherpair/geometry/span.hpp"
 
+#include "higherpair/geometry/interval.hpp"
 #include "higherpair/geometry/support.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
 namespace higherpair {
 namespace {
+
+constexpr double kRounding = 1e-12;  // of a radius or a speed, where its bounds are values at places
 
 // By the angle of the outward normal, or, on the concave side, where that falls along t, by minus the angle.
 class ConicSpan final : public Span {
@@ -25,6 +29,19 @@ public:
     return {point.p_W, n, 1 / point.rho, -slope / (point.rho * point.rho * point.rho), std::abs(point.rho)};
   }
   [[nodiscard]] Bounds range() const override { return range_; }
+  // The radius grows or falls from vertex to vertex.
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    const double a = at(t.low).speed;
+    const double b = at(t.high).speed;
+    Bounds speed{std::min(a, b), std::max(a, b)};
+    const double apart = curve_.q > 0 ? kPi / 2 : 2 * kPi;  // normals of neighbouring vertices
+    const double vertex = sense_ * angle_of(-curve_.axis_B);
+    for (double k = std::ceil((t.low - vertex) / apart); vertex + k * apart < t.high; ++k) {
+      const double value = at(vertex + k * apart).speed;
+      speed = hull(speed, {value, value});
+    }
+    return SpanBounds{{speed.low * (1 - kRounding), speed.high * (1 + kRounding)}, {sense_, sense_}};
+  }
 
 private:
   Curve curve_;
@@ -40,6 +57,9 @@ public:
 
   [[nodiscard]] SpanPoint at(double t) const override { return {from_ + t * t_, -perp(t_), 0, 0, 1}; }
   [[nodiscard]] Bounds range() const override { return {0, length_}; }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& /*t*/) const override {
+    return SpanBounds{{1, 1}, {0, 0}};
+  }
   [[nodiscard]] int parts() const override { return 1; }
 
 private:
@@ -54,6 +74,9 @@ public:
 
   [[nodiscard]] SpanPoint at(double t) const override { return {p_, unit_vector(t), 0, 0, 1}; }
   [[nodiscard]] Bounds range() const override { return range_; }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& /*t*/) const override {
+    return SpanBounds{{0, 0}, {1, 1}};
+  }
   [[nodiscard]] bool is_corner() const override { return true; }
   [[nodiscard]] int parts() const override { return 1 + static_cast<int>(range_.width() / 0.1); }
 
@@ -72,6 +95,13 @@ public:
     return {point.p_B, -point.n_B, -point.kappa, point.slope, point.speed};
   }
   [[nodiscard]] Bounds range() const override { return {-span_->range().high, -span_->range().low}; }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    auto of = span_->bounds({-t.high, -t.low});
+    if (of) {
+      of->turn = {-of->turn.high, -of->turn.low};
+    }
+    return of;
+  }
   [[nodiscard]] int parts() const override { return span_->parts(); }
 
 private:
@@ -90,6 +120,13 @@ public:
             point.speed * m};
   }
   [[nodiscard]] Bounds range() const override { return span_->range(); }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    auto of = span_->bounds(t);
+    if (of) {
+      of->speed = to_bounds(to_interval(of->speed) + distance_ * to_interval(of->turn));
+    }
+    return of;
+  }
   [[nodiscard]] int parts() const override { return span_->parts(); }
 
 private:

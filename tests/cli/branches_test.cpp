@@ -129,6 +129,16 @@ TEST(Branches, AsCsvHaveAColumnForEachUnitOfAPosition) {
   EXPECT_THAT(upper, ::testing::StartsWith("\nupper,,"));
 }
 
+TEST(Branches, OfCurvesInPartsAreProven) {
+  for (const char* name : {"tangent_cam.toml", "flat_faced_translating.toml"}) {
+    const auto json = nlohmann::json::parse(output_of(shipped_profile(name) + " --json -"));
+    EXPECT_EQ(json.at("lists"),
+              nlohmann::json::parse(R"([{"contact": "touch", "complete": true, "undecided": []}])"));
+  }
+  EXPECT_THAT(output_of(shipped_profile("tangent_cam.toml")),
+              ::testing::HasSubstr("proven: there are no other contacts of opposed normals"));
+}
+
 // Willis' equation is linear: no other assembly can exist.
 TEST(Branches, OfAGearTrainAreComplete) {
   const std::string text = output_of(shipped_profile("planetary_gear.toml"));

@@ -1,10 +1,13 @@
+#include "cam_profile.hpp"
 #include "higherpair/front/branches.hpp"
 #include "higherpair/front/map.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +17,7 @@ namespace {
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 Model tangent_cam() {
   return *Model::open(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/tangent_cam.toml");
@@ -33,6 +37,75 @@ TEST(BoundaryLists, HaveTheContactsOfCurvesInParts) {
     EXPECT_FALSE(entry.certified);
   }
   EXPECT_THAT(touch.certificate, HasSubstr("not decided exactly"));
+  EXPECT_TRUE(touch.complete);
+  EXPECT_THAT(touch.undecided, IsEmpty());
+  EXPECT_EQ(touch.proof, "proven: there are no other contacts of opposed normals");
+}
+
+// A square of 40 under a flat face; a disc in two halves beside which a roller of 15 slides by.
+Model sliding(const std::string& cam, const std::string& tip, double beside) {
+  const std::string text = fmt::format(R"(
+[bodies.ground]
+points.O = [0, 0]
+points.G = [{0:.17g}, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = {1}
+[bodies.follower]
+pose = {{ x = {0:.17g}, y = 30 }}
+points.P = [0, 0]
+curves.tip = {2}
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.G", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.flank", "follower.tip"]
+[driver]
+joint = "O"
+)",
+                                       beside, cam, tip);
+  return testing::model_of(text);
+}
+
+TEST(BoundaryLists, SayWhereFlatsLieOnEachOther) {
+  std::string spans;
+  for (const char* side : {"[-20, -20], to = [20, -20]", "[20, -20], to = [20, 20]",
+                           "[20, 20], to = [-20, 20]", "[-20, 20], to = [-20, -20]"}) {
+    spans += fmt::format("{}{{ type = \"segment\", from = {} }}", spans.empty() ? "" : ", ", side);
+  }
+  const auto branches = branches_of(sliding("{ type = \"chain\", closed = true, spans = [" + spans + "] }",
+                                            "{ type = \"line\", point = [0, 0], normal = [0, -1] }", 0));
+  ASSERT_TRUE(branches);
+  const ContactReport& touch = branches->contacts.at(0);
+  EXPECT_FALSE(touch.complete);
+  ASSERT_EQ(touch.undecided.size(), 1U);
+  EXPECT_NEAR(touch.undecided[0][0], 20, 1e-9);
+  EXPECT_NEAR(touch.undecided[0][1], 20, 1e-9);
+  EXPECT_LE(touch.undecided[0][0], 20);
+  EXPECT_GE(touch.undecided[0][1], 20);
+  EXPECT_THAT(touch.proof, HasSubstr("not proven to be all: in [19.99"));
+  EXPECT_THAT(touch.proof, HasSubstr("mm contacts merge or the curves lie on each other"));
+}
+
+// The samples of such a disc are 3 mm apart, and one contact is all that they show.
+TEST(BoundaryLists, HoldContactsThatAreNearerToEachOtherThanTheSamples) {
+  const std::string cam = R"({ type = "chain", closed = true, spans = [
+    { type = "arc", center = [0, 0], radius = 30, from = 7, to = 187 },
+    { type = "arc", center = [0, 0], radius = 30, from = 187, to = 367 }] })";
+  for (const double apart : {0.5, 1e-2, 1e-4}) {
+    const auto branches = branches_of(sliding(cam, "{ type = \"circle\", center = [0, 0], radius = 15 }",
+                                              std::sqrt(45 * 45 - apart * apart / 4)));
+    ASSERT_TRUE(branches);
+    const ContactReport& touch = branches->contacts.at(0);
+    EXPECT_TRUE(touch.complete) << apart;
+    ASSERT_EQ(touch.entries.size(), 2U) << apart;
+    EXPECT_NEAR(touch.entries[0].position, -apart / 2, 1e-3 * apart);
+    EXPECT_NEAR(touch.entries[1].position, apart / 2, 1e-3 * apart);
+  }
 }
 
 TEST(BoundaryLists, AreThoseOfTheMap) {

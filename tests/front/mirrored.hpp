@@ -25,6 +25,9 @@ public:
     return {mirrored(point.p_B), mirrored(point.n_B), point.kappa, -point.slope, point.speed};
   }
   [[nodiscard]] Bounds range() const override { return {-span_->range().high, -span_->range().low}; }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    return span_->bounds({-t.high, -t.low});
+  }
   [[nodiscard]] int parts() const override { return span_->parts(); }
 
 private:

@@ -22,7 +22,8 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
   }
   if ((options.csv || options.json) && !options.quiet) {
     for (const ContactReport& contact : report.contacts) {
-      for (const std::string& remark : {contact.note, contact.certificate}) {
+      for (const std::string& remark :
+           {contact.note, contact.complete ? "" : contact.proof, contact.certificate}) {
         if (!remark.empty()) {
           fmt::print(stderr, "{}: contacts.{}: {}\n", options.profile, contact.contact, remark);
         }

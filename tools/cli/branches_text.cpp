@@ -24,6 +24,7 @@ std::string contact_text(const BranchesReport& report, const ContactReport& cont
       text += fmt::format("{:>20}in [{}, {}]\n", "", (*entry.certified)[0], (*entry.certified)[1]);
     }
   }
+  text += contact.proof.empty() ? "" : "\n" + contact.proof + "\n";
   return contact.certificate.empty() ? text : text + "\n" + contact.certificate + "\n";
 }
 
@@ -101,6 +102,11 @@ nlohmann::ordered_json branches_json(const BranchesReport& report) {
         json["contacts"].back()["certified"] = nullptr;
       }
     }
+  }
+  json["lists"] = nlohmann::ordered_json::array();
+  for (const ContactReport& contact : report.contacts) {
+    json["lists"].push_back(
+        {{"contact", contact.contact}, {"complete", contact.complete}, {"undecided", contact.undecided}});
   }
   json["assemblies"] = nlohmann::ordered_json::array();
   for (const std::vector<double>& assembly : report.assemblies) {

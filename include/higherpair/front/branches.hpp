@@ -33,8 +33,11 @@ struct ContactReport {
   std::string joint;  ///< of the follower
   std::string position_unit;
   std::vector<ContactEntry> entries;
-  std::string note;         ///< why there is no list, or empty
-  std::string certificate;  ///< what was certified; empty: not asked for
+  std::string note;       ///< why there is no list, or empty
+  bool complete = false;  ///< `entries` are proven to be all; of curves in parts, those of opposed normals
+  std::vector<std::array<double, 2>> undecided;  ///< else intervals of the position in which others may be
+  std::string proof;                             ///< of curves in parts: the same in a sentence; else empty
+  std::string certificate;                       ///< what was certified; empty: not asked for
 };
 
 /// Every way in which a mechanism can be put together at the first positions of its drivers.

@@ -61,6 +61,11 @@ using Interval = boost::numeric::interval<
   return {x.lower(), x.upper()};
 }
 
+/// From the lower begin to the higher end.
+[[nodiscard]] inline Bounds hull(const Bounds& a, const Bounds& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
 [[nodiscard]] inline bool holds_zero(const Interval& x) {
   return x.lower() <= 0 && x.upper() >= 0;
 }
@@ -97,13 +102,15 @@ using Interval = boost::numeric::interval<
   return {std::max(low, -1.0), std::min(high, 1.0)};
 }
 
-[[nodiscard]] inline Interval cosine(const Interval& x) {
+/// \name Found by the type of their argument, in templates over a scalar
+/// @{
+[[nodiscard]] inline Interval cos(const Interval& x) {
   return wave(x, 0);
 }
-
-[[nodiscard]] inline Interval sine(const Interval& x) {
+[[nodiscard]] inline Interval sin(const Interval& x) {
   return wave(x, 1);
 }
+/// @}
 
 /// A planar vector of which only bounds are known.
 struct IntervalVector {
@@ -112,6 +119,9 @@ struct IntervalVector {
 
   [[nodiscard]] Interval dot(const IntervalVector& other) const { return x * other.x + y * other.y; }
   [[nodiscard]] IntervalVector turned() const { return {-y, x}; }
+  [[nodiscard]] IntervalVector operator-(const IntervalVector& other) const {
+    return {x - other.x, y - other.y};
+  }
 };
 
 [[nodiscard]] inline IntervalVector exactly(const Vector2d& v) {
@@ -120,7 +130,7 @@ struct IntervalVector {
 
 /// (cos, sin) of an angle.
 [[nodiscard]] inline IntervalVector unit_interval(const Interval& angle) {
-  return {cosine(angle), sine(angle)};
+  return {cos(angle), sin(angle)};
 }
 
 /// What lies between a curve's support h and slope h′ about a reference point, and its radius, over an

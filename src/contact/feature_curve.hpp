@@ -1,0 +1,89 @@
+#pragma once
+
+#include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/interval.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace higherpair {
+
+/// A boundary's plane curve over an interval of a span's parameter, enclosed: of a turning follower (h, h′)
+/// about its pivot, of a sliding one (angle of the normal times a length, p·d⊥); of body 2 with the normal
+/// -n, at q = 0. Where the curves of both bodies meet is a contact.
+struct Stretch {
+  int span = -1;  ///< < 0: the bridge over a gap at a joint
+  Bounds t;
+  Interval from_middle;   ///< t - middle
+  IntervalVector middle;  ///< the point there
+  IntervalVector range;   ///< all points
+  IntervalVector slope;   ///< derivative by t
+  Interval q;             ///< the follower's coordinate is that of body 1 less that of body 2
+  bool flat = false;      ///< straight edge
+  mutable std::unique_ptr<std::array<Stretch, 2>> halves;
+
+  /// About how long it is [m].
+  [[nodiscard]] double extent() const {
+    return boost::numeric::width(from_middle) *
+           std::max(boost::numeric::norm(slope.x), boost::numeric::norm(slope.y));
+  }
+};
+
+/// The middles of both components.
+[[nodiscard]] inline Vector2d median_of(const IntervalVector& v) {
+  return {boost::numeric::median(v.x), boost::numeric::median(v.y)};
+}
+
+/// The determinant of two directions.
+[[nodiscard]] inline Interval cross(const IntervalVector& a, const IntervalVector& b) {
+  return a.turned().dot(b);
+}
+
+/// The least sine of the angle at which two curves pass each other, if they do in one sense all along these
+/// parts and so meet once at most; else 0. (On a straight way between two pairs of places the mean of the
+/// tangents of several parts is a mean of theirs.)
+[[nodiscard]] double least_sine(const std::vector<Stretch>& parts1, const std::vector<Stretch>& parts2);
+
+class FeatureCurve {
+public:
+  /// \param sense  +1 for body 1, -1 for body 2 \param length  that of one radian of a normal's angle [m]
+  FeatureCurve(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower, double sense,
+               double length);
+
+  /// None where the span gives no bounds. \param span  of a stretch; of a bridge t goes from 0 to 1
+  [[nodiscard]] std::optional<Stretch> over(int span, const Bounds& t) const;
+  /// All of the boundary, cut as its samples are; none where a span gives no bounds. Where spans meet with a
+  /// gap that is more than rounding (the digits of a drawing), a straight bridge over it is a piece as well.
+  [[nodiscard]] std::optional<std::vector<Stretch>> pieces() const;
+  /// What is not farther from a place than `reach` [m] along it, over one joint of spans at most.
+  /// \pre pieces() are given
+  [[nodiscard]] std::vector<Stretch> parts_near(const BoundaryPlace& place, double reach) const;
+  /// The halves of a stretch, worked out once.
+  [[nodiscard]] const std::array<Stretch, 2>& halves(const Stretch& whole) const;
+
+private:
+  // At the middle: the point from the follower's joint, and the normal.
+  struct Middle {
+    Vector2d m, n;
+  };
+  void enclose_turning(const Middle& at, const IntervalVector& p, const SpanBounds& bounds,
+                       const IntervalVector& n, Stretch& stretch) const;
+  void enclose_sliding(const Middle& at, const Interval& phi, const SpanBounds& bounds,
+                       const IntervalVector& n, Stretch& stretch) const;
+  [[nodiscard]] double error_at(const Vector2d& m) const;
+  [[nodiscard]] Stretch at(const BoundaryPlace& place) const { return *over(place.span, {place.t, place.t}); }
+  [[nodiscard]] bool has_gap(int joint) const;
+  [[nodiscard]] Stretch bridge(int joint, const Bounds& t) const;
+  [[nodiscard]] double step_along(const BoundaryPlace& from, double reach) const;
+
+  const Boundary* boundary_;
+  Pose<double> X_WB_;
+  OneFreedom follower_;
+  double sense_;
+  double length_;
+};
+
+}  // namespace higherpair
