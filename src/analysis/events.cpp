@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -91,8 +92,9 @@ private:
 
   // Between two places x0 and x1 of the step.
   void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
-    const double fast = std::max({std::abs(before), std::abs(after), output.fastest});
-    output.fastest = fast;
+    // What was fast long ago, beside a pole, says nothing of what is slow here.
+    const double fastest = std::max(std::abs(before), std::abs(after));
+    const double fast = std::max(fastest, std::exchange(output.fastest, fastest));
     if (output.sense * before < 0 && std::abs(before) > slowest(output, fast)) {
       output.sense = -output.sense;  // by a jump, at another contact: the event of that says so
     }

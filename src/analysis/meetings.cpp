@@ -17,10 +17,12 @@ namespace {
 
 constexpr double kFarther = 1.5;  // than the bodies move against each other by their rates: what is looked at
 constexpr double kSameMeeting = 1e-6;  // of the boundaries: a place that is that of the contact
-constexpr double kAgrees = 0.1;        // of the change by rates: a gap that may be that of the same place
-constexpr double kWorthALook = 0.5;    // of a gap: a least one within the step that may be none in truth
-constexpr int kStepHalvings = 4;       // of a step in which a place could not be followed
-constexpr int kHalvingsToTouch = 40;   // the same where the bodies are in each other at its end
+constexpr double kSameNormal =
+    1e-3;                            // [rad] the same of its normal: the sides of a notch are near each other
+constexpr double kAgrees = 0.1;      // of the change by rates: a gap that may be that of the same place
+constexpr double kWorthALook = 0.5;  // of a gap: a least one within the step that may be none in truth
+constexpr int kStepHalvings = 4;     // of a step in which a place could not be followed
+constexpr int kHalvingsToTouch = 40;  // the same where the bodies are in each other at its end
 
 // Where the two bodies are at a position within the step.
 struct Pairing {
@@ -274,7 +276,9 @@ private:
 }  // namespace
 
 bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
-  return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <= kSameMeeting * size;
+  return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <=
+             kSameMeeting * size &&
+         (contact.n_W - place.at.n_W).norm() <= kSameNormal;
 }
 
 bool is_smooth_touch(const NearPlace& place) {

@@ -22,7 +22,7 @@ namespace {
 constexpr double kProbe = kPi / 144;  // of the driver's scale: where a branch that was lost is looked for
 constexpr int kFirstProbes = 4;       // before the first of these, each four times as far from the limit
 constexpr double kMostProbes = 1e4;
-constexpr double kGoldenShare = 0.3819660112501051;
+constexpr double kNudge = 1e-4;            // of the way between two of these: what is a little ahead
 constexpr double kShortestStretch = 1e-9;  // of the driver's scale
 constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
@@ -115,10 +115,18 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
   const double ahead = at[0] - lost_at[0];
   const auto back = found_again(run, at, lost_at);
   const std::vector<double> begin = back && !back->at.held ? back->at.lost.from : lost_at;
+  const State found = run.work.trial;
+  if (back && !back->at.held) {
+    // At a pole another stretch ends where this one begins.
+    const double across = 2 * back->at.lost.at[0] - begin[0];
+    const bool is_new = (across - lost_at[0]) * ahead > 0 && (across - begin[0]) * ahead < 0;
+    if (const auto arrives = is_new ? take_up(run, {across}, drivers) : std::nullopt) {
+      return arrives;
+    }
+  }
   if (!back || (drivers[0] - begin[0]) * ahead < 0) {
     return std::nullopt;
   }
-  const State found = run.work.trial;
   const Standing before = run.at;
   const std::size_t events = run.events.size();
   go_on_from(run, *back, back->at.state, begin, lost_at, drivers);
@@ -166,35 +174,56 @@ private:
   double limit_, step_;
 };
 
-// Where the branch can be placed between a and c, if more of it can be at b than at either: nearer and nearer
-// to where most of it can (golden section search; W. H. Press et al., Numerical Recipes, 2007, 10.2).
-std::optional<double> placed_between(Run& run, double a, double b, double c) {
-  const auto placing = [&](double x) { return place_anew(run, {x}); };
-  Placing at_a = placing(a), at_b = placing(b), at_c = placing(c);
-  if (at_b.complete || at_b < at_a || at_b < at_c || !(at_a < at_b || at_c < at_b)) {
-    return at_b.complete ? std::optional(b) : std::nullopt;
+// How much can be placed at a position of the driver, and whether that is less (-1) or more (1) than a little
+// ahead; 0: as much, or nothing is known of it.
+struct Outlook {
+  double x = 0;
+  Placing placing;
+  int rises = 0;
+  double slope = 0;  // of Placing::room, where it is of the same condition
+};
+
+Outlook outlook_at(Run& run, double x, double nudge) {
+  const Placing ahead = place_anew(run, {x + nudge});
+  const Placing here = place_anew(run, {x});
+  const bool alike = here.conditions == ahead.conditions && std::isfinite(here.room - ahead.room);
+  return {x, here,
+          here < ahead   ? 1
+          : ahead < here ? -1
+                         : 0,
+          alike ? (ahead.room - here.room) / nudge : std::numeric_limits<double>::quiet_NaN()};
+}
+
+// Whether more can be placed between two positions than at both: the one with more has yet more inwards.
+bool has_hill(const Outlook& a, const Outlook& b) {
+  return a.placing < b.placing ? b.rises < 0 : a.rises > 0;
+}
+
+// What a hill may reach that lies below its tangents at both ends, and twice what that is above them for one
+// that is not quite so; +inf where different conditions fail.
+double highest_between(const Outlook& a, const Outlook& b) {
+  if (a.placing.conditions != b.placing.conditions || !std::isfinite(a.slope + b.slope)) {
+    return std::numeric_limits<double>::infinity();
   }
+  const double w = b.x - a.x;
+  const double from_a = a.placing.room + std::max(a.slope * w, 0.0);
+  const double from_b = b.placing.room + std::max(-b.slope * w, 0.0);
+  const double share = (b.placing.room - a.placing.room - b.slope * w) / ((a.slope - b.slope) * w);
+  const bool both = a.rises > 0 && b.rises < 0;
+  const double top = both ? a.placing.room + a.slope * w * share : std::min(from_a, from_b);
+  return 2 * top - std::max(a.placing.room, b.placing.room);
+}
+
+// Where the branch can be placed between two positions at which it cannot, if more and more of it can be on
+// the way between: halves that, towards where the most can.
+std::optional<double> placed_between(Run& run, Outlook a, Outlook b) {
   const double shortest = kShortestStretch * driver_scale(run, 0);
-  while (std::abs(c - a) > shortest && std::isfinite(at_b.room) && !is_stopped(run)) {
-    // A hill lies below its chords through b, drawn on; twice that for one that is no parabola.
-    const double skew = std::abs(c - b) / std::abs(b - a);
-    const double rise = 2 * std::max((at_b.room - at_a.room) * skew, (at_b.room - at_c.room) / skew);
-    if (at_a.conditions == at_b.conditions && at_c.conditions == at_b.conditions && at_b.room + rise < 0) {
-      return std::nullopt;
+  while (has_hill(a, b) && std::abs(b.x - a.x) > shortest && highest_between(a, b) >= 0 && !is_stopped(run)) {
+    const Outlook middle = outlook_at(run, (a.x + b.x) / 2, kNudge * (b.x - a.x));
+    if (middle.placing.complete) {
+      return middle.x;
     }
-    const bool before = std::abs(b - a) > std::abs(c - b);
-    const double x = b + kGoldenShare * ((before ? a : c) - b);
-    const Placing at_x = placing(x);
-    if (at_x.complete) {
-      return x;
-    }
-    const bool better = at_b < at_x;
-    double& side = before == better ? c : a;
-    Placing& at_side = before == better ? at_c : at_a;
-    side = better ? b : x;
-    at_side = better ? at_b : at_x;
-    b = better ? x : b;
-    at_b = better ? at_x : at_b;
+    (has_hill(a, middle) ? b : a) = middle;
   }
   return std::nullopt;
 }
@@ -221,11 +250,17 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
   const Probes probes(run, drivers[0]);
   const double first = probes.first_from(from[0]);
   const double beyond = std::min(probes.first_from(drivers[0]), first + kMostProbes);
+  const auto outlook = [&](double k) {
+    return outlook_at(run, probes.at(k), kNudge * (probes.at(k + 1) - probes.at(k)));
+  };
+  Outlook before = outlook(first - 1);
   for (double k = first; k <= beyond && !is_stopped(run); ++k) {
-    const auto at = placed_between(run, probes.at(k - 1), probes.at(k), probes.at(k + 1));
+    const Outlook here = outlook(k);
+    const auto at = here.placing.complete ? std::optional(here.x) : placed_between(run, before, here);
     if (const auto arrives = at ? take_up(run, {*at}, drivers) : std::nullopt) {
       return *arrives || resume(run, drivers, run.at.lost.at);
     }
+    before = here;
   }
   const auto arrives = is_stopped(run) ? std::nullopt : take_up(run, drivers, drivers);
   return arrives && (*arrives || resume(run, drivers, run.at.lost.at));

@@ -8,6 +8,8 @@
 namespace higherpair {
 namespace {
 
+constexpr double kHalfTurn = 1e-3;  // how far a turn is from half a one that is that [rad]
+
 class ShortWay {
 public:
   ShortWay(const std::vector<Group>& groups, const State& lost, const State& begin)
@@ -87,7 +89,10 @@ private:
     }
   }
 
-  static double short_way(double angle, double reference) { return nearest_turn(angle, reference) - angle; }
+  // Over a pole it may be just half a turn, which is then one back, whatever rounding makes of it.
+  static double short_way(double angle, double reference) {
+    return nearest_turn(angle, reference - kHalfTurn) - angle;
+  }
 
   double& turn_of(int body) { return turns_[static_cast<std::size_t>(body)]; }
 

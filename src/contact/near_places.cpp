@@ -10,10 +10,11 @@
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kBlock = 8;       // pieces
-constexpr double kSlackOfChord = 0.25;  // of a piece: how far its curve may leave the chord
-constexpr double kSlackOfNormal = 0.5;  // the same of its normals
-constexpr double kSamePlace = 1e-7;     // of the sizes
+constexpr std::size_t kBlock = 8;            // pieces
+constexpr double kSlackOfChord = 0.25;       // of a piece: how far its curve may leave the chord
+constexpr double kSlackOfNormal = 0.5;       // the same of its normals
+constexpr double kSamePlace = 1e-7;          // of the sizes
+constexpr double kSameNormalOfPlace = 1e-3;  // [rad]
 constexpr int kPassesToFoot = 20;
 constexpr double kAtFoot = 1e-15;  // of the size
 
@@ -298,7 +299,8 @@ std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>
       return;
     }
     const bool known = std::any_of(places.begin(), places.end(), [&](const NearPlace& other) {
-      return (other.at.p1_W - found->at.p1_W).norm() + (other.at.p2_W - found->at.p2_W).norm() <= same;
+      return (other.at.p1_W - found->at.p1_W).norm() + (other.at.p2_W - found->at.p2_W).norm() <= same &&
+             (other.at.n_W - found->at.n_W).norm() <= kSameNormalOfPlace;
     });
     if (!known) {
       places.push_back(*found);

@@ -44,6 +44,42 @@ TEST(StrokeEnds, OfAFlatFaceOnAnEccentricDiscAreAQuarterTurnFromTheCentre) {
   }
 }
 
+// A block on a line 20 mm beside the pivot slides on one 10 mm above it, at x = (10 cos θ - 20)/sin θ: to
+// infinity at 180° and from there back to where cos θ = 1/2. What was fast beside the pole does not make it
+// slow here.
+TEST(StrokeEnds, BehindAPoleAreWhereTheMotionReverses) {
+  const Profile profile = testing::profile_of(R"([bodies]
+ground = { points = { O = [0, 0], H = [0, 10] } }
+guide = { points = { O = [0, 0], E = [0, 20] } }
+block = { points.P = [0, 0] }
+slide = { points.P = [0, 0] }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "guide.O"] }
+along = { type = "prismatic", between = ["guide.E", "block.P"], direction = [1, 0] }
+level = { type = "prismatic", between = ["ground.H", "slide.P"], direction = [1, 0] }
+pin = { type = "revolute", between = ["block.P", "slide.P"] }
+[driver]
+joint = "pivot"
+start = 70
+end = 390
+)");
+  for (const std::int64_t rows : {7, 61, 601}) {
+    RunSettings settings;
+    settings.samples = rows;
+    const testing::RunTable motion(profile, settings);
+    std::vector<double> ends;
+    std::vector<double> poles;
+    for (const RunEvent& event : motion.events()) {
+      (event.type == EventType::kStrokeEnd ? ends : poles).push_back(event.driver);
+    }
+    ASSERT_EQ(poles.size(), 2U) << rows;
+    EXPECT_NEAR(poles[0], kPi, 1e-12);
+    EXPECT_NEAR(poles[1], 2 * kPi, 1e-12);
+    ASSERT_EQ(ends.size(), 1U) << rows;
+    EXPECT_NEAR(ends[0], 5 * kPi / 3, 1e-9);
+  }
+}
+
 TEST(StrokeEnds, OfAnOutputAtRestAreNone) {
   // A disc about its own centre moves nothing.
   for (const char* name : {"flat_faced_translating", "eccentric_disc_oscillating_roller", "knife_edge"}) {

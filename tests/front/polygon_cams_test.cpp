@@ -103,5 +103,44 @@ TEST(PolygonCams, SayWhereATipGoesThroughANotchAndOverACorner) {
   EXPECT_NE(corners[0].cause.find("goes over a corner of cam"), std::string::npos);
 }
 
+// A roller of no size to speak of goes where the knife edge goes, and says so where it changes over in a
+// notch.
+TEST(PolygonCams, GoThroughNotchesUnderTheSmallestRollersAsUnderAKnifeEdge) {
+  const std::vector<Vector2d> points{{-40, -30}, {40, -30}, {40, 20}, {3, 10}, {-40, 20}};
+  const auto motion_under = [&](const std::string& tip) {
+    return motion_of(model_of(profile_of_polygon(points, tip), {"driver.start=-30", "driver.end=30"}), 61);
+  };
+  const Motion edge = motion_under(R"({ type = "point", at = [0, 0] })");
+  ASSERT_TRUE(edge.good());
+  for (const double radius : {1e-2, 1e-5, 1e-6, 1e-7}) {
+    SCOPED_TRACE(radius);
+    const Motion roller =
+        motion_under(fmt::format(R"({{ type = "circle", center = [0, 0], radius = {} }})", radius));
+    ASSERT_TRUE(roller.good());
+    EXPECT_FALSE(roller.events().empty());
+    for (std::size_t i = 0; i < roller.size(); ++i) {
+      EXPECT_NEAR(roller.column("guide.position")[i], edge.column("guide.position")[i], 3 * radius);
+    }
+  }
+}
+
+// The knife edge stands beside the cam for as long as neither of the two corners reaches it.
+TEST(PolygonCams, LoseAKnifeEdgeWhileTheyPassBesideIt) {
+  const std::vector<Vector2d> points{{49.359, -1.416}, {5.627, 15.985}, {-35.618, -16.093}, {4.214, -20.86}};
+  const double beside = 9.63;
+  // Of the corner's angles at which it is as far to the right as the edge.
+  const auto angle_of_corner = [&](const Vector2d& corner, double side) {
+    return (side * std::acos(beside / corner.norm()) - std::atan2(corner.y(), corner.x())) * 180 / kPi;
+  };
+  for (const int rows : {7, 73, 601}) {
+    const Motion motion =
+        motion_of(model_of(profile_of_polygon(points, R"({ type = "point", at = [9.63, 0] })")), rows);
+    const auto limits = events_of(motion, EventType::kLimitPosition);
+    ASSERT_EQ(limits.size(), 2U) << rows;
+    EXPECT_NEAR(limits[0].driver, angle_of_corner(points[2], 1), 1e-9);
+    EXPECT_NEAR(limits[1].driver, angle_of_corner(points[1], -1) + 360, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair::testing

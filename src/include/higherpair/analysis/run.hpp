@@ -48,7 +48,7 @@ struct OutputJoint {
   bool turns = true;
   Vector2d direction_W = Vector2d::UnitX();  ///< of a slide
   int sense = 0;                             ///< 0: has not moved yet
-  double fastest = 0;                        ///< largest speed so far, per unit of the path
+  double fastest = 0;                        ///< speed in the last step, per unit of the path
 };
 
 /// Overlap monitoring of one contact.
