@@ -1,6 +1,7 @@
 #include "envelope.hpp"
-#include "higherpair/geometry/interval.hpp"
+#include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/support.hpp"
+#include "numeric/interval.hpp"
 #include "relative_motion.hpp"
 
 #include <algorithm>

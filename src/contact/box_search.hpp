@@ -1,6 +1,7 @@
 #pragma once
 
-#include "higherpair/geometry/interval.hpp"
+#include "higherpair/geometry/vector.hpp"
+#include "numeric/interval.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
+#include "arc_bounds.hpp"
 #include "higherpair/contact/subdivision.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "higherpair/geometry/interval.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "arc_bounds.hpp"
 #include "box_search.hpp"
 #include "higherpair/contact/subdivision.hpp"
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "higherpair/contact/boundary_contact.hpp"
-#include "higherpair/geometry/interval.hpp"
+#include "higherpair/geometry/bounds.hpp"
+#include "numeric/interval.hpp"
 
 #include <algorithm>
 #include <array>

@@ -185,8 +185,11 @@ void add_proof(const BoundaryContacts& all, const Profile& profile, const Contac
   for (const Bounds& q : all.undecided) {
     const auto interval = position_interval({q.low, q.high}, (q.low + q.high) / 2, profile, place);
     report.undecided.push_back(interval);
-    report.proof += fmt::format("{}[{:.10g}, {:.10g}] {}", report.undecided.size() == 1 ? "in " : ", ",
-                                interval[0], interval[1], report.position_unit);
+    const std::string low = fmt::format("{:.10g}", interval[0]);
+    const std::string high = fmt::format("{:.10g}", interval[1]);
+    report.proof += fmt::format("{}{} {}", report.undecided.size() == 1 ? "" : ", ",
+                                low == high ? "at " + low : fmt::format("between {} and {}", low, high),
+                                report.position_unit);
   }
   report.proof += " contacts merge or the curves lie on each other, to within rounding";
 }

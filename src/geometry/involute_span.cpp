@@ -1,6 +1,7 @@
 #include "higherpair/geometry/involute_span.hpp"
 
-#include "higherpair/geometry/interval.hpp"
+#include "higherpair/geometry/bounds.hpp"
+#include "numeric/interval.hpp"
 
 #include <algorithm>
 #include <cassert>

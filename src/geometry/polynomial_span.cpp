@@ -1,6 +1,7 @@
 #include "polynomial_span.hpp"
 
-#include "higherpair/geometry/interval.hpp"
+#include "higherpair/geometry/bounds.hpp"
+#include "numeric/interval.hpp"
 
 #include <algorithm>
 #include <array>

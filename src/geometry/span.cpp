@@ -1,7 +1,8 @@
 #include "higherpair/geometry/span.hpp"
 
-#include "higherpair/geometry/interval.hpp"
+#include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/support.hpp"
+#include "numeric/interval.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -139,6 +139,46 @@ TEST(Branches, OfCurvesInPartsAreProven) {
               ::testing::HasSubstr("proven: there are no other contacts of opposed normals"));
 }
 
+using OpenBranches = higherpair::testing::ProgramTest;
+
+// A square of 40 mm whose side lies flat on the face.
+TEST_F(OpenBranches, SayWhereNothingIsProven) {
+  std::ofstream(folder_ / "square.toml") << R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = { type = "chain", closed = true, spans = [
+  { type = "segment", from = [-20, -20], to = [20, -20] }, { type = "segment", from = [20, -20], to = [20, 20] },
+  { type = "segment", from = [20, 20], to = [-20, 20] }, { type = "segment", from = [-20, 20], to = [-20, -20] }] }
+[bodies.tappet]
+pose = { x = 0, y = 20 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "tappet.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.flank", "tappet.face"]
+[driver]
+joint = "O"
+)";
+  const auto outcome = run_program("branches square.toml --json -");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(
+      outcome.err,
+      "square.toml: contacts.touch: not proven to be all: at 20 mm contacts merge or the curves lie on each "
+      "other, to within rounding\n");
+  const auto list = nlohmann::json::parse(outcome.out).at("lists").at(0);
+  EXPECT_FALSE(list.at("complete").get<bool>());
+  ASSERT_EQ(list.at("undecided").size(), 1U);
+  EXPECT_NEAR(list.at("undecided").at(0).at(0).get<double>(), 20, 1e-9);
+}
+
 // Willis' equation is linear: no other assembly can exist.
 TEST(Branches, OfAGearTrainAreComplete) {
   const std::string text = output_of(shipped_profile("planetary_gear.toml"));

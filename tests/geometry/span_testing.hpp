@@ -60,7 +60,7 @@ inline void expect_bounds(const Span& span, unsigned seed) {
       const double speed = span.is_corner() ? 0 : point.speed;
       const double turn = span.is_corner() ? 1 : point.kappa * point.speed;
       EXPECT_TRUE(bounds->speed.contains(speed)) << seed << " at " << place << ": " << speed;
-      const double rounding = 1e-15 * std::abs(turn);  // of the product
+      const double rounding = 1e-15 * std::abs(turn) + 1e-13 / range.width();  // of the curvature
       EXPECT_TRUE(bounds->turn.low - rounding <= turn && turn <= bounds->turn.high + rounding)
           << seed << " at " << place << ": " << turn;
     }

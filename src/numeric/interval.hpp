@@ -1,11 +1,11 @@
 #pragma once
 
-#include "higherpair/geometry/curve.hpp"
-
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include <Eigen/Core>
 
 // Not <boost/numeric/interval.hpp>, which wants a processor whose rounding mode it can set.
 #include <boost/numeric/interval/arith.hpp>
@@ -53,17 +53,10 @@ using Interval = boost::numeric::interval<
     double, boost::numeric::interval_lib::policies<OutwardRounding,
                                                    boost::numeric::interval_lib::checking_base<double>>>;
 
-[[nodiscard]] inline Interval to_interval(const Bounds& bounds) {
-  return {bounds.low, bounds.high};
-}
-
-[[nodiscard]] inline Bounds to_bounds(const Interval& x) {
-  return {x.lower(), x.upper()};
-}
-
-/// From the lower begin to the higher end.
-[[nodiscard]] inline Bounds hull(const Bounds& a, const Bounds& b) {
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+/// From the ends of a range.
+template <class Range>
+[[nodiscard]] Interval to_interval(const Range& range) {
+  return {range.low, range.high};
 }
 
 [[nodiscard]] inline bool holds_zero(const Interval& x) {
@@ -77,13 +70,13 @@ using Interval = boost::numeric::interval<
 
 /// π
 [[nodiscard]] inline Interval half_turn() {
-  return around(kPi, 0x1p-52);
+  return around(std::numbers::pi, 0x1p-52);
 }
 
 /// Encloses the cosine (`quarter` = 0) or the sine (1) over x, from the values at the ends (libraries compute
 /// them within one unit of the last place) and the extremes between: at (k + quarter/2) π, k whole.
 [[nodiscard]] inline Interval wave(const Interval& x, int quarter) {
-  if (!(x.upper() - x.lower() < 2 * kPi)) {
+  if (!(x.upper() - x.lower() < 2 * std::numbers::pi)) {
     return {-1, 1};
   }
   const auto value = [&](double angle) { return quarter == 0 ? std::cos(angle) : std::sin(angle); };
@@ -92,8 +85,8 @@ using Interval = boost::numeric::interval<
   double low = OutwardRounding::down(std::min(a, b));
   double high = OutwardRounding::up(std::max(a, b));
   const double slack = 1e-15 * (1 + std::max(std::abs(x.lower()), std::abs(x.upper())));
-  const long first = std::lround(std::ceil((x.lower() - slack) / kPi - 0.5 * quarter));
-  const long last = std::lround(std::floor((x.upper() + slack) / kPi - 0.5 * quarter));
+  const long first = std::lround(std::ceil((x.lower() - slack) / std::numbers::pi - 0.5 * quarter));
+  const long last = std::lround(std::floor((x.upper() + slack) / std::numbers::pi - 0.5 * quarter));
   for (long k = first; k <= last; ++k) {
     const bool peak = k % 2 == 0;
     low = peak ? low : -1;
@@ -124,48 +117,13 @@ struct IntervalVector {
   }
 };
 
-[[nodiscard]] inline IntervalVector exactly(const Vector2d& v) {
+[[nodiscard]] inline IntervalVector exactly(const Eigen::Vector2d& v) {
   return {Interval(v.x()), Interval(v.y())};
 }
 
 /// (cos, sin) of an angle.
 [[nodiscard]] inline IntervalVector unit_interval(const Interval& angle) {
   return {cos(angle), sin(angle)};
-}
-
-/// What lies between a curve's support h and slope h′ about a reference point, and its radius, over an
-/// interval of normals; and h, h′ at its middle.
-struct ArcBounds {
-  Interval middle_h;
-  Interval middle_dh;
-  Interval h;
-  Interval dh;
-  Interval rho;
-};
-
-/// \param about  the reference point in the body's frame \param phi  at most a half turn wide. With δ the
-/// angle from the middle m and ρ the bounds of the radius over the interval,
-///     h = h_m + h′_m sin δ + (ρ - h_m)(1 - cos δ),   h′ = h′_m cos δ + (ρ - h_m) sin δ,
-/// since h + h″ = ρ: h = h_m cos δ + h′_m sin δ + ∫ ρ(m+τ) sin(δ-τ) dτ, τ from 0 to δ. |δ| <= π/2.
-[[nodiscard]] inline ArcBounds arc_bounds(const SupportCurve& curve, std::size_t piece,
-                                          const IntervalVector& about, const Interval& phi) {
-  const double m = boost::numeric::median(phi);
-  const SupportValue value = curve.at(piece, m);
-  const IntervalVector n = unit_interval(m);
-  ArcBounds arc;
-  arc.middle_h = around(value.h, value.error) - about.dot(n);
-  arc.middle_dh = around(value.dh, value.error) - about.dot(n.turned());
-  const Bounds rho = curve.radius(piece, to_bounds(phi));
-  assert(value.error >= 0 && rho.low <= rho.high);
-  arc.rho = to_interval(rho);
-  const Interval from_middle = phi - m;
-  const double half = std::max(-from_middle.lower(), from_middle.upper());
-  const Interval sin_delta(-half, half);
-  const Interval versine(0.0, OutwardRounding::mul_up(half, half) / 2);
-  const Interval bend = arc.rho - arc.middle_h;
-  arc.h = arc.middle_h + arc.middle_dh * sin_delta + bend * versine;
-  arc.dh = arc.middle_dh * (1.0 - versine) + bend * sin_delta;
-  return arc;
 }
 
 }  // namespace higherpair
