@@ -41,7 +41,8 @@ double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre) {
   const Vector2d normal = perp(centre.w);
   const Vector2d away =
       cam.motion.cam.turns ? centre.from_cam : Vector2d(cam.motion.follower_sign * centre.u);
-  const double sense = (normal.dot(away) < 0) != cam.outer ? -1 : 1;
+  // Along the curve the normal keeps its side: that on which it is where the follower rests.
+  const double sense = (perp(Vector2d(-centre.v)).dot(away) < 0) != cam.outer ? -1 : 1;
   const double speed2 = centre.w.squaredNorm();
   return -sense * normal.dot(centre.a) / (speed2 * std::sqrt(speed2));
 }

@@ -141,7 +141,9 @@ private:
     }
     auto boundary = Boundary::make(*std::move(spans), closes(motion), kMeets);
     if (!boundary) {
-      report(reading_, late.law, gap_text(motion));
+      report(reading_, late.law,
+             velocity_jump(motion).value_or(
+                 "the flank does not close: the law ends at another value than it begins with"));
       return;
     }
     named.boundary = std::make_shared<const Boundary>(*std::move(boundary));
@@ -153,19 +155,21 @@ private:
     return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(x), unit_text(of, reading_.units));
   }
 
-  // Why the spans of a flank do not meet.
-  [[nodiscard]] std::string gap_text(const CamMotion& motion) const {
+  // Where the law's velocity jumps, which no follower but a knife edge can follow whatever its size; none if
+  // it does not.
+  [[nodiscard]] std::optional<std::string> velocity_jump(const CamMotion& motion) const {
     const auto& joins = motion.law.joins();
     const auto jump = std::find_if(joins.begin(), joins.end() - 1, [&](const LawJoin& join) {
       return (closes(motion) || &join != &joins.front()) && !join.jumps(0) && join.jumps(1);
     });
-    return jump == joins.end() - 1
-               ? "the flank does not close: the law ends at another value than it begins with"
-               : fmt::format(
-                     "at {} of the cam the law's velocity jumps: this follower would go on at another "
-                     "place of its curve, with a gap in the flank; a knife edge (type = \"point\") "
-                     "can follow it, or else let the segments meet with one velocity",
-                     cam_coordinate(motion, jump->x));
+    if (jump == joins.end() - 1) {
+      return std::nullopt;
+    }
+    return fmt::format(
+        "at {} of the cam the law's velocity jumps: this follower would go on at another "
+        "place of its curve, with a gap in the flank; a knife edge (type = \"point\") "
+        "can follow it, or else let the segments meet with one velocity",
+        cam_coordinate(motion, jump->x));
   }
 
   [[nodiscard]] std::string explain(const FlankFault& fault, const FlankOrigin& cam) const {
@@ -184,7 +188,8 @@ private:
       case FlankFault::Kind::kUndercut:
         break;
     }
-    return "from " + at + " of the cam on the flank would be undercut: " + remedies(cam);
+    const auto jump = is_point(cam.curve) ? std::nullopt : velocity_jump(motion);
+    return jump.value_or("from " + at + " of the cam on the flank would be undercut: " + remedies(cam));
   }
 
   // What would keep the flank from being undercut.

@@ -190,6 +190,35 @@ TEST(Flanks, ThatWouldBeUndercutSayWhatWouldDo) {
   EXPECT_EQ(mistakes_in(higher), "");
 }
 
+// So steep that on a small base circle the centre of the roller goes back round the cam's pivot for a while.
+TEST(Flanks, ThatWouldBeUndercutSayWhichBaseCircleWouldDoHoweverSteepTheLaw) {
+  Parts parts;
+  parts.law = R"(segments = [ { over = 20, law = "parabolic", rise = 20 }, { over = 40, law = "dwell" },
+             { over = 120, law = "cycloidal", rise = -20 }, { over = 180, law = "dwell" } ])";
+  parts.follower = R"({ type = "circle", center = [10, 0], radius = 10 })";
+  for (const double height : {0.01, 10.0, 30.0, 50.0}) {
+    SCOPED_TRACE(height);
+    parts.height = fmt::format("{}", height);
+    const std::string mistake = mistakes_in(parts);
+    EXPECT_NEAR(number_behind(mistake, "more than "), 57.0267, 1e-4);
+    const double enough = height + number_behind(mistake, "moved by ");
+    parts.height = fmt::format("{}", enough * 1.0001);
+    EXPECT_EQ(mistakes_in(parts), "");
+    parts.height = fmt::format("{}", enough * 0.9999);
+    EXPECT_THAT(mistakes_in(parts), HasSubstr("the flank would be undercut"));
+  }
+}
+
+// A roller small enough for the rise would still have a gap in the flank where the return begins.
+TEST(Flanks, ThatWouldBeUndercutNameAJumpOfVelocityFirst) {
+  Parts parts;
+  parts.law = R"(segments = [ { over = 20, law = "parabolic", rise = 20 }, { over = 40, law = "dwell" },
+             { over = 120, law = "uniform", rise = -20 }, { over = 180, law = "dwell" } ])";
+  const std::string mistake = mistakes_in(parts);
+  EXPECT_THAT(mistake, HasSubstr("at 60 deg of the cam the law's velocity jumps"));
+  EXPECT_EQ(mistake.find("roller of less"), std::string::npos);
+}
+
 TEST(Flanks, SayWhatIsWrong) {
   Parts parts;
   parts.flank = R"({ type = "cam", law = "lfit", contact = "touch" })";

@@ -83,6 +83,10 @@ TEST(Override, APathThatLeadsNowhereIsExplained) {
               ElementsAre("--set driver.joint.x=3: there is no `x` in \"cam_pivot\", which is a string"));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.3=3"}),
               ElementsAre(HasSubstr("`3` is no item of a list of 2 (the first one is 0)")));
+  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.2=3"}),
+              ElementsAre(::testing::AllOf(
+                  HasSubstr("--set bodies.ground.points.O1.2=3: bodies.ground.points.O1 = ["),
+                  HasSubstr("expected a list of 2 numbers, found 3"))));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.x=3"}),
               ElementsAre(HasSubstr("`x` is no item")));
   EXPECT_THAT(messages(kCamProfile, {"driver..end=3"}), ElementsAre(HasSubstr("`` is no name")));
