@@ -1,5 +1,6 @@
 #include "higherpair/contact/near_places.hpp"
 
+#include "boundary_foot.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 
@@ -15,8 +16,7 @@ constexpr double kSlackOfChord = 0.25;       // of a piece: how far its curve ma
 constexpr double kSlackOfNormal = 0.5;       // the same of its normals
 constexpr double kSamePlace = 1e-7;          // of the sizes
 constexpr double kSameNormalOfPlace = 1e-3;  // [rad]
-constexpr int kPassesToFoot = 20;
-constexpr double kAtFoot = 1e-15;  // of the size
+constexpr double kAtFoot = 1e-15;            // of the size
 
 // A round cone of unit vectors, by its middle and the longest chord to it.
 struct Cone {
@@ -183,28 +183,6 @@ std::optional<NearPlace> common_normal_near(const Boundary& boundary1, const Pos
   return NearPlace{found->at, found->place1, found->place2, 0};
 }
 
-// The place of a boundary whose normal goes through a point, from a place near it; none at an end.
-std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d& p_B, BoundaryPlace place) {
-  for (int pass = 0; pass < kPassesToFoot; ++pass) {
-    const SpanPoint point = boundary.at(place);
-    const Vector2d to = p_B - point.p_B;
-    const double along = to.dot(perp(point.n_B));
-    const double out = to.dot(point.n_B);
-    const bool corner = boundary.is_corner(place);
-    const double turn = corner ? std::atan2(along, std::max(out, 0.0)) : 0;
-    if (std::abs(corner ? turn * out : along) <= kAtFoot * boundary.size()) {
-      return place;
-    }
-    const double stretch = 1 + point.kappa * out;
-    const auto next = boundary.advance(place, stretch > 0.1 ? along / stretch : along, turn);
-    if (next.at_end) {
-      return std::nullopt;
-    }
-    place = next.place;
-  }
-  return place;
-}
-
 // Whether an end is an edge on which an outward normal lies: then it is touched at a common normal.
 bool is_on_edge(const Boundary& boundary, const BoundaryPlace& end, const Vector2d& n_B) {
   if (!boundary.is_corner(end)) {
@@ -225,7 +203,7 @@ struct EndOver {
 
 std::optional<NearPlace> end_near(const EndOver& over, const BoundaryPlace& end, const BoundaryPlace& near) {
   const Vector2d p_W = *over.X_WO * over.own->at(end).p_B;
-  const auto foot = foot_near(*over.other, over.X_WC->inverse_times(p_W), near);
+  const auto foot = foot_near(*over.other, over.X_WC->inverse_times(p_W), near, kAtFoot);
   if (!foot) {
     return std::nullopt;
   }

@@ -1,0 +1,34 @@
+#include "boundary_foot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace higherpair {
+
+std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d& p_B, BoundaryPlace place,
+                                       double near) {
+  constexpr int kMostPasses = 20;
+  constexpr double kLeastStretch = 0.1;  // near the center of curvature a whole step would go anywhere
+  bool stopped = false;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const SpanPoint point = boundary.at(place);
+    const Vector2d to = p_B - point.p_B;
+    const double along = to.dot(perp(point.n_B));
+    const double out = to.dot(point.n_B);
+    const bool corner = boundary.is_corner(place);
+    const double turn = corner ? std::atan2(along, std::max(out, 0.0)) : 0;
+    if (std::abs(corner ? turn * out : along) <= near * boundary.size()) {
+      return place;
+    }
+    const double stretch = 1 + point.kappa * out;
+    const auto next = boundary.advance(place, stretch > kLeastStretch ? along / stretch : along, turn);
+    stopped = next.at_end;
+    if (next.place.span == place.span && next.place.t == place.t) {
+      break;  // it goes no farther
+    }
+    place = next.place;
+  }
+  return stopped ? std::nullopt : std::optional(place);
+}
+
+}  // namespace higherpair
