@@ -57,7 +57,7 @@ std::optional<Stretch> FeatureCurve::over(int span, const Bounds& t) const {
     return bridge(joint_of_bridge(span), t);
   }
   const auto bounds = boundary_->spans()[static_cast<std::size_t>(span)]->bounds(t);
-  if (!bounds) {
+  if (!bounds || !std::isfinite(bounds->speed.width()) || !std::isfinite(bounds->turn.width())) {
     return std::nullopt;
   }
   const double middle = (t.low + t.high) / 2;
