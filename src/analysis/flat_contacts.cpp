@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "other_place.hpp"
 #include "step.hpp"
 
 #include <cmath>
@@ -79,9 +80,9 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   event.contact = static_cast<int>(passage.contact);
   event.cause = "two flat parts lie on each other and the motion goes on with the contact at the other end";
   if (const TouchingBody* touching = touching_body(run, passage.contact)) {
-    event.cause += fmt::format(
-        "; the follower's rate for a unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
-        follower_rate(run.at.state, *touching), follower_rate(over, *touching));
+    event.cause +=
+        fmt::format("; the follower's rate for a unit rate of the driver jumps {}",
+                    from_to_text(follower_rate(run.at.state, *touching), follower_rate(over, *touching)));
   }
   run.at.watches[passage.contact].jumped = true;
   std::swap(run.at.state, over);

@@ -24,6 +24,7 @@ namespace {
 constexpr double kCapture = 1e-3;  // of the size: how far beside an end a curve still meets the other one
 constexpr double kFarthestShift = 5e-3;  // of the size: of a body that is moved onto its contact
 constexpr double kStartsApart = 1e-4;    // of the size: a pose that touches only by that much is open
+constexpr double kOnSample = 1e-12;      // sines' product: a normal that is a sample's but for rounding
 constexpr double kFirstNudge = 1e-13;    // of a step: a contact that closes beside an end begins farther in
 constexpr int kMostNudges = 24;
 
@@ -43,7 +44,8 @@ std::vector<BoundaryPlace> facing_places(const Boundary& boundary, const Vector2
     const auto& a = samples[i - 1];
     const auto& b = samples[i];
     const Vector2d middle = a.point.n_B + b.point.n_B;
-    const bool between = cross(a.point.n_B, n_B) * cross(n_B, b.point.n_B) >= 0 && middle.dot(n_B) > 0;
+    const bool between =
+        cross(a.point.n_B, n_B) * cross(n_B, b.point.n_B) >= -kOnSample && middle.dot(n_B) > 0;
     if (a.place.span == b.place.span && between) {
       found.push_back(a.point.n_B.dot(n_B) > b.point.n_B.dot(n_B) ? a.place : b.place);
     }

@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +13,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNoJump = 1e-9;  // a mechanism whose dimensions are rounded
+constexpr double kNoJump = 1e-9;     // a mechanism whose dimensions are rounded
+constexpr double kRounding = 1e-12;  // of a rate: another one that is 0
 
 }  // namespace
 
@@ -20,13 +22,19 @@ double jump_size(const Run& run, const TouchingBody& touching, const RateJump& j
   return std::abs(jump.after - jump.before) / (touching.follower.freedom.turns ? 1 : run.plan().size);
 }
 
+std::string from_to_text(double before, double after) {
+  const double none = kRounding * std::max(std::abs(before), std::abs(after));
+  const auto seen = [&](double rate) { return std::abs(rate) <= none ? 0 : rate; };
+  return fmt::format("from {:.6g} to {:.6g} (SI units)", seen(before), seen(after));
+}
+
 std::string rate_jump_text(const Run& run, const TouchingBody& touching, const RateJump& jump) {
   if (jump_size(run, touching, jump) <= kNoJump) {
     return ", without a jump of velocity";
   }
-  return fmt::format("; for a unit rate of the driver the rate of {} jumps from {:.6g} to {:.6g} (SI units)",
+  return fmt::format("; for a unit rate of the driver the rate of {} jumps {}",
                      run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name,
-                     jump.before, jump.after);
+                     from_to_text(jump.before, jump.after));
 }
 
 std::optional<std::size_t> touching_group(const Run& run, int contact) {

@@ -16,6 +16,9 @@ struct RateJump {
   double after = 0;
 };
 
+/// "from ... to ... (SI units)"; what is rounding beside the other is 0.
+[[nodiscard]] std::string from_to_text(double before, double after);
+
 /// ", without a jump of velocity", or from what to what.
 [[nodiscard]] std::string rate_jump_text(const Run& run, const TouchingBody& touching, const RateJump& jump);
 

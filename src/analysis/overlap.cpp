@@ -140,8 +140,8 @@ void report(Run& run, std::size_t contact, const Path& path, double s,
     event.type = EventType::kSecondContact;
     event.cause = fmt::format(
         "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate "
-        "for a unit rate of the driver jumps from {:.6g} to {:.6g} (SI units)",
-        change->before, change->after);
+        "for a unit rate of the driver jumps {}",
+        from_to_text(change->before, change->after));
   }
   run.events.push_back(std::move(event));
 }

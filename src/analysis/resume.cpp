@@ -214,9 +214,8 @@ double highest_between(const Outlook& a, const Outlook& b) {
   return 2 * top - std::max(a.placing.room, b.placing.room);
 }
 
-// Where the branch can be placed between two positions at which it cannot, if more and more of it can be on
-// the way between: halves that, towards where the most can.
-std::optional<double> placed_between(Run& run, Outlook a, Outlook b) {
+// Climbs a hill between two positions at which the branch cannot be placed, up to where it can.
+std::optional<double> placed_on_hill(Run& run, Outlook a, Outlook b) {
   const double shortest = kShortestStretch * driver_scale(run, 0);
   while (has_hill(a, b) && std::abs(b.x - a.x) > shortest && highest_between(a, b) >= 0 && !is_stopped(run)) {
     const Outlook middle = outlook_at(run, (a.x + b.x) / 2, kNudge * (b.x - a.x));
@@ -226,6 +225,52 @@ std::optional<double> placed_between(Run& run, Outlook a, Outlook b) {
     (has_hill(a, middle) ? b : a) = middle;
   }
   return std::nullopt;
+}
+
+// Where the cubic with the values and slopes at both ends is highest within, behind a hollow or before one.
+std::optional<double> top_of_cubic(const Outlook& a, const Outlook& b) {
+  const double w = b.x - a.x;
+  const double rise = b.placing.room - a.placing.room, at_a = a.slope * w, at_b = b.slope * w;
+  const double c2 = 3 * rise - 2 * at_a - at_b, c3 = at_a + at_b - 2 * rise;
+  const double root = std::sqrt(c2 * c2 - 3 * at_a * c3);
+  const double share = c2 < 0 ? at_a / (root - c2) : -(c2 + root) / (3 * c3);
+  return share > 0 && share < 1 ? std::optional(a.x + share * w) : std::nullopt;
+}
+
+// Where the branch can be placed between two positions at which it cannot and the same condition fails.
+std::optional<double> placed_within(Run& run, const Outlook& a, const Outlook& b) {
+  if (has_hill(a, b)) {
+    return placed_on_hill(run, a, b);
+  }
+  const auto top = top_of_cubic(a, b);
+  if (!top) {
+    return std::nullopt;
+  }
+  const Outlook there = outlook_at(run, *top, kNudge * (b.x - a.x));
+  if (there.placing.complete) {
+    return there.x;
+  }
+  const auto before = placed_on_hill(run, a, there);
+  return before ? before : placed_on_hill(run, there, b);
+}
+
+// Where the branch can be placed between two positions at which it cannot: between conditions that fail, or
+// where one fails least.
+std::optional<double> placed_between(Run& run, const Outlook& a, const Outlook& b) {
+  if (a.placing.conditions == b.placing.conditions) {
+    return placed_within(run, a, b);
+  }
+  const double shortest = kShortestStretch * driver_scale(run, 0);
+  Outlook low = a, high = b;
+  while (std::abs(high.x - low.x) > shortest && !is_stopped(run)) {
+    const Outlook middle = outlook_at(run, (low.x + high.x) / 2, kNudge * (high.x - low.x));
+    if (middle.placing.complete) {
+      return middle.x;
+    }
+    (middle.placing.conditions == a.placing.conditions ? low : high) = middle;
+  }
+  const auto before = placed_within(run, a, low);
+  return before || high.placing.conditions != b.placing.conditions ? before : placed_within(run, high, b);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "other_place.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
@@ -308,11 +309,9 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   event.contact = static_cast<int>(passage.contact);
   const std::string& body = body_of_side(run, passage.contact, passage.side);
   const std::string jump =
-      joint ? fmt::format(
-                  "; for a unit rate of the driver the acceleration of joint {} jumps from {:.6g} to {:.6g} "
-                  "(SI units)",
-                  run.mechanism().joints[static_cast<std::size_t>(*joint)].name, before,
-                  acceleration_of(run, *joint))
+      joint ? fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
+                          run.mechanism().joints[static_cast<std::size_t>(*joint)].name,
+                          from_to_text(before, acceleration_of(run, *joint)))
             : "";
   if (over_end) {
     event.cause =

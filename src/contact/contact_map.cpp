@@ -298,7 +298,10 @@ std::string_view describe(MapStatus status) {
       return "both bodies turn about one pivot, or slide in one direction: only their relative position "
              "counts";
     case MapStatus::kTooManyParts:
-      return "the curves have too many parts for a map: give those that may touch as curves of their own";
+      return "the curves have too many parts for a map, more than 10,000 pairs: give each body a curve of "
+             "those "
+             "alone that may touch, of gears one flank (type = \"involute\", as in the profile "
+             "involute_pair)";
     case MapStatus::kStopped:
       return "the map was stopped";
     case MapStatus::kLimitEverywhere:

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,6 +78,23 @@ end = 390
     EXPECT_NEAR(poles[1], 2 * kPi, 1e-12);
     ASSERT_EQ(ends.size(), 1U) << rows;
     EXPECT_NEAR(ends[0], 5 * kPi / 3, 1e-9);
+  }
+}
+
+// The pin comes into a slot just over its end: from whichever side, and wherever steps end.
+TEST(Engagements, OfAGenevaWheelAreSeenWhateverTheRowsAndTheSenseOfTurning) {
+  for (const int rows : {2, 4, 7, 37, 61, 361}) {
+    for (const double start : {360.0, 300.0, 250.0, 241.0}) {
+      SCOPED_TRACE(fmt::format("{} {}", rows, start));
+      const testing::RunTable motion =
+          testing::analyze(shipped("geneva_six_slots", {fmt::format("driver.start={}", start), "driver.end=0",
+                                                        fmt::format("driver.samples={}", rows)}));
+      ASSERT_EQ(motion.events().size(), 2U);
+      EXPECT_EQ(motion.events()[0].type, EventType::kEngage);
+      EXPECT_NEAR(motion.events()[0].driver, 4 * kPi / 3, 1e-9);
+      EXPECT_EQ(motion.events()[1].type, EventType::kRelease);
+      EXPECT_NEAR(motion.events()[1].driver, 2 * kPi / 3, 1e-9);
+    }
   }
 }
 

@@ -233,49 +233,99 @@ TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
                "touch.normal");
 }
 
-// Two geared cranks hold two links that reach 91.115 mm together: with the second crank at 200° - 3 θ their
-// tips are nearer than that in three stretches, of which the second one is 0.5° long.
-TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
-  const auto distance = [](double theta) {
+// Two geared cranks hold two links that reach so far together: they can be assembled while the tips of the
+// cranks are no farther from each other.
+struct GearedCranks {
+  double phase = 0;  // of the second crank [rad], which turns back at three times the speed
+  double reach = 0;  // [mm]
+
+  [[nodiscard]] double room(double theta) const {
     const testing::Complex i(0, 1);
-    return std::abs(100.0 + 30.0 * std::exp(i * (200 * kPi / 180 - 3 * theta)) - 30.0 * std::exp(i * theta));
-  };
-  const double reach = 50 + 41.115;
-  std::vector<double> limits;
-  constexpr int kParts = 7200;
-  for (int k = 0; k < kParts; ++k) {
-    double a = 2 * kPi * k / kParts, b = 2 * kPi * (k + 1) / kParts;
-    if ((distance(a) > reach) == (distance(b) > reach)) {
-      continue;
-    }
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = (a + b) / 2;
-      ((distance(middle) > reach) == (distance(a) > reach) ? a : b) = middle;
-    }
-    limits.push_back(a);
+    return reach - std::abs(100.0 + 30.0 * std::exp(i * (phase - 3 * theta)) - 30.0 * std::exp(i * theta));
   }
+  // The limits over a turn from a position at which it can be.
+  [[nodiscard]] std::vector<double> limits(double start) const {
+    constexpr int kParts = 7200;
+    std::vector<double> found;
+    for (int k = 0; k < kParts; ++k) {
+      double a = start + 2 * kPi * k / kParts, b = start + 2 * kPi * (k + 1) / kParts;
+      for (int halving = 0; (room(a) > 0) != (room(b) > 0) && halving < 60; ++halving) {
+        const double middle = (a + b) / 2;
+        ((room(middle) > 0) == (room(a) > 0) ? a : b) = middle;
+      }
+      if ((room(a) > 0) != (room(b) > 0)) {
+        found.push_back(a);
+      }
+    }
+    return found;
+  }
+};
+
+// The limits that a run over the same turn finds, forwards or backwards, by their driver's position.
+std::vector<double> found_limits(const GearedCranks& cranks, double start, int rows, bool back) {
+  constexpr double kOneDegree = kPi / 180;
+  const double from = (back ? start + 2 * kPi : start) / kOneDegree;
+  const testing::RunTable motion = testing::analyze(testing::shipped(
+      "geared_five_bar",
+      {"joints.gears.ratio=3", fmt::format("bodies.right_crank.pose.angle={}", cranks.phase / kOneDegree),
+       fmt::format("bodies.left_link.points.T=[{}, 0]", cranks.reach / 2),
+       fmt::format("bodies.right_link.points.T=[{}, 0]", cranks.reach / 2),
+       fmt::format("driver.start={}", from), fmt::format("driver.end={}", from + (back ? -360 : 360)),
+       fmt::format("driver.samples={}", rows)}));
+  std::vector<double> found;
+  for (const RunEvent& event : motion.events()) {
+    if (event.type == EventType::kLimitPosition) {
+      found.push_back(event.driver);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// The second of three stretches is 0.5° long.
+TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
+  const GearedCranks cranks{200 * kPi / 180, 91.115};
+  const std::vector<double> limits = cranks.limits(0);
   ASSERT_EQ(limits.size(), 6U);
-  for (const char* rows : {"7", "61", "601"}) {
+  for (const int rows : {7, 61, 601}) {
     for (const bool back : {false, true}) {
       SCOPED_TRACE(fmt::format("{} {}", rows, back));
-      const testing::RunTable motion = testing::analyze(testing::shipped(
-          "geared_five_bar",
-          {"joints.gears.ratio=3", "bodies.right_crank.pose.angle=200", "bodies.left_link.points.T=[50, 0]",
-           "bodies.right_link.points.T=[41.115, 0]", back ? "driver.end=-360" : "driver.end=360",
-           std::string("driver.samples=") + rows}));
-      std::vector<double> found;
-      for (const RunEvent& event : motion.events()) {
-        if (event.type == EventType::kLimitPosition) {
-          found.push_back(event.driver + (back ? 2 * kPi : 0));
-        }
-      }
-      std::sort(found.begin(), found.end());
+      const std::vector<double> found = found_limits(cranks, 0, rows, back);
       ASSERT_EQ(found.size(), limits.size());
       for (std::size_t k = 0; k < limits.size(); ++k) {
         EXPECT_NEAR(found[k], limits[k], 1e-12);
       }
     }
   }
+}
+
+// Wherever the stretches are, and however short: with a reach that is hardly enough for one of them.
+TEST(LimitPositions, BoundTheShortestStretches) {
+  int shortest = 0;
+  for (int phase = 0; phase < 360; phase += 7) {
+    GearedCranks cranks{phase * kPi / 180, 0};
+    std::vector<double> tops;
+    double start = 0;
+    for (int k = 0; k < 3600; ++k) {
+      const double theta = 2 * kPi * k / 3600, step = 2 * kPi / 3600;
+      if (cranks.room(theta) > cranks.room(theta - step) && cranks.room(theta) >= cranks.room(theta + step)) {
+        tops.push_back(cranks.room(theta));
+      }
+      start = cranks.room(theta) > cranks.room(start) ? theta : start;
+    }
+    for (const double top : tops) {
+      cranks.reach = -top + 0.002;
+      SCOPED_TRACE(fmt::format("{} {}", phase, cranks.reach));
+      const std::vector<double> limits = cranks.limits(start);
+      const std::vector<double> found = found_limits(cranks, start, 7, false);
+      ASSERT_EQ(found.size(), limits.size());
+      for (std::size_t k = 0; k < limits.size(); ++k) {
+        EXPECT_NEAR(found[k], limits[k], 1e-9);
+        shortest += k % 2 == 1 && k + 1 < limits.size() && limits[k + 1] - limits[k] < 0.01 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(shortest, 30);
 }
 
 }  // namespace
