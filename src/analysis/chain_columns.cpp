@@ -55,10 +55,14 @@ std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<co
   return placed;
 }
 
-std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies) {
+std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies,
+                                  std::vector<ChainTurning>& turnings) {
   std::vector<ChainAngle> angles(bodies);
   const auto at = [&](int body) -> ChainAngle& { return angles[static_cast<std::size_t>(body)]; };
-  const auto turns = [&](int body) { at(body) = {ChainAngle::Source::kRotation, body, 0, 0}; };
+  const auto turns = [&](int body) {
+    at(body) = {0, static_cast<int>(turnings.size()), 0};
+    turnings.push_back({body});
+  };
   const auto rides = [&](const std::optional<Rider>& rider) {
     if (rider) {
       at(rider->body) = at(rider->carrier);
@@ -68,9 +72,8 @@ std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_
   for (const ChainGroup& group : groups) {
     if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
       const CarriedBody& carried = driven->carried;
-      at(carried.body) = carried.freedom.turns
-                             ? ChainAngle{ChainAngle::Source::kDriver, carried.body, carried.sign, 0}
-                             : ChainAngle{ChainAngle::Source::kFixed, carried.body, 0, carried.freedom.theta};
+      at(carried.body) =
+          carried.freedom.turns ? ChainAngle{carried.sign, -1, 0} : ChainAngle{0, -1, carried.freedom.theta};
     } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
       turns(rrr->link_a);
       turns(rrr->link_b);
@@ -81,10 +84,11 @@ std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_
       turns(rpr->link);
       rides(rpr->slider);
     } else if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
-      turns(ovals->touch.body);
-      if (!ovals->touch.freedom.turns) {
-        at(ovals->touch.body) = {ChainAngle::Source::kFixed, ovals->touch.body, 0,
-                                 ovals->touch.freedom.theta};
+      const OneFreedom& freedom = ovals->touch.freedom;
+      if (freedom.turns) {
+        turns(ovals->touch.body);
+      } else {
+        at(ovals->touch.body) = {0, -1, freedom.theta};
       }
     }
   }

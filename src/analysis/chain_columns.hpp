@@ -9,12 +9,20 @@
 
 namespace higherpair {
 
-/// Where a body's angle comes from.
+/// Where a body's angle comes from: that of a turning, or factor (driver's position), and the offset.
 struct ChainAngle {
-  enum class Source { kFixed, kDriver, kRotation } source = Source::kFixed;
-  int body = 0;       ///< of kRotation: whose rotation says it
-  double factor = 0;  ///< of the driver's position
+  double factor = 0;
+  int turning = -1;   ///< index of ChainTurning; none: -1
   double offset = 0;  ///< [rad]
+};
+
+/// A body whose angle, which its rotation gives but for whole turns, is followed from row to row, by less
+/// than half a turn each. In the first row it is the one nearest to its pose's.
+struct ChainTurning {
+  int body = 0;
+  bool sprung = false;     ///< whether a spring asks for it
+  double posed_angle = 0;  ///< [rad]
+  double first_angle = 0;  ///< the result, in the first row [rad]
 };
 
 /// A column with what it takes to fill it in.
@@ -22,20 +30,13 @@ struct ChainTask {
   ChainColumn column;
   Vector2d p_B = Vector2d::Zero();
   ChainAngle angle;
-  double posed_angle = 0;  ///< of kRotation: of that body in its pose [rad]
-  ChainTouch touch;        ///< of kPressure
+  ChainTouch touch;  ///< of kPressure
   std::vector<double> values;
 };
 
 /// Whether the column is of a joint's reaction or of the driver's effort.
 [[nodiscard]] constexpr bool is_force(ChainColumn::Quantity quantity) {
   return quantity >= ChainColumn::Quantity::kForceX;
-}
-
-/// Whether it is an angle that a rotation gives but for whole turns.
-[[nodiscard]] constexpr bool is_unwound(const ChainTask& task) {
-  return task.column.quantity == ChainColumn::Quantity::kAngle &&
-         task.angle.source == ChainAngle::Source::kRotation;
 }
 
 /// The rates that the columns want.
@@ -45,8 +46,10 @@ struct ChainTask {
 [[nodiscard]] std::vector<char> placed_bodies(std::span<const ChainGroup> groups,
                                               std::span<const ChainColumn> columns, std::size_t bodies);
 
-/// Where the angles of all bodies come from; those of riders from their carriers.
-[[nodiscard]] std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies);
+/// Where the angles of all bodies come from; those of riders from their carriers. Bodies that turn are put
+/// into `turnings`.
+[[nodiscard]] std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies,
+                                                std::vector<ChainTurning>& turnings);
 
 /// The contact with this index; null where it places none of the groups.
 [[nodiscard]] const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact);

@@ -14,7 +14,8 @@ BodyPoint body_point(const Mechanism& mechanism, const PointRef& ref) {
   return {ref.body, point_of(mechanism, ref)};
 }
 
-bool add_spring(const Mechanism& mechanism, const Spring& spring, ChainLoads& loads) {
+bool add_spring(const Mechanism& mechanism, const Spring& spring, std::span<const ChainAngle> angles,
+                ChainLoads& loads) {
   const ChainLoads::Tension tension{spring.stiffness, spring.free, spring.damping};
   if (!spring.joint) {
     loads.point_springs.push_back(
@@ -32,25 +33,17 @@ bool add_spring(const Mechanism& mechanism, const Spring& spring, ChainLoads& lo
   if (joint.type != JointType::kRevolute) {
     return false;
   }
-  // An angle is known but for whole turns: that of the driver is given, a body's on ground is the one nearest
-  // to its pose when the run starts.
   const ChainLoads::TurnSpring turn{joint.first.body, joint.second.body, tension};
   if (is_driven(mechanism, *spring.joint)) {
     loads.turn_springs.push_back(turn);
-    return true;
+  } else {
+    const auto angle = [&](int body) { return angles[static_cast<std::size_t>(body)]; };
+    loads.pin_springs.push_back({turn, angle(turn.first), angle(turn.second)});
   }
-  if (turn.first != kGround && turn.second != kGround) {
-    return false;
-  }
-  const auto posed = [&](int body) {
-    return body == kGround ? 0 : mechanism.bodies[static_cast<std::size_t>(body)].guess_theta;
-  };
-  const double angle = posed(turn.second) - posed(turn.first);
-  loads.pin_springs.push_back({turn, angle, Rotation<double>::from_angle(angle)});
   return true;
 }
 
-bool take_loads(const Mechanism& mechanism, ChainLoads& loads) {
+bool take_loads(const Mechanism& mechanism, std::span<const ChainAngle> angles, ChainLoads& loads) {
   loads.gravity_W = mechanism.gravity_W;
   loads.masses.clear();
   loads.forces.clear();
@@ -67,7 +60,7 @@ bool take_loads(const Mechanism& mechanism, ChainLoads& loads) {
     loads.forces.push_back({{load.body, load.p_B}, load.force, load.torque, load.frame == LoadFrame::kBody});
   }
   for (const Spring& spring : mechanism.springs) {
-    if (!add_spring(mechanism, spring, loads)) {
+    if (!add_spring(mechanism, spring, angles, loads)) {
       return false;
     }
   }
@@ -144,9 +137,9 @@ private:
 }  // namespace
 
 bool take_statics(const Mechanism& mechanism, const Plan& plan, std::span<const ChainGroup> groups,
-                  ChainStatics& statics) {
+                  std::span<const ChainAngle> angles, ChainStatics& statics) {
   if (!plan.idle_bodies.empty() || mechanism.joints.size() > kMostChainJoints ||
-      !take_loads(mechanism, statics.loads)) {
+      !take_loads(mechanism, angles, statics.loads)) {
     return false;
   }
   statics.joints = mechanism.joints.size();

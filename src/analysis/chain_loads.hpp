@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chain_group.hpp"
+#include "chain_columns.hpp"
 
 #include <array>
 #include <optional>
@@ -46,8 +46,7 @@ struct ChainLoads {
   /// On the coordinate of another pin.
   struct PinSpring {
     TurnSpring on;
-    double posed_angle = 0;  ///< that coordinate in the poses [rad]
-    Rotation<double> posed;  ///< the rotation by it
+    ChainAngle first, second;  ///< of these bodies
   };
 
   Vector2d gravity_W = Vector2d::Zero();
@@ -83,16 +82,15 @@ struct ChainStatics {
   std::vector<ChainSupports> supports;  ///< of the groups
   std::size_t joints = 0;               ///< of the mechanism
   std::size_t contacts = 0;
-  /// Results of fill_chain_rows(): the squared length of the shortest spring between points in all rows, and
-  /// the largest angle of a sprung pin from that in the poses.
+  /// The result of fill_chain_rows(): the squared length of the shortest spring between points in all rows.
   double shortest2 = 0;
-  double widest = 0;
 };
 
-/// Fills it in; false where a group or a spring is not for a chain: torsion springs on pins between two
-/// moving bodies but for the driven one, bodies whose turning nothing sets.
+/// Fills it in; false where a group or a spring is not for a chain: bodies whose turning nothing sets.
 /// \param groups  as chain_group() makes them of the plan
+/// \param angles  of all bodies
 [[nodiscard]] bool take_statics(const Mechanism& mechanism, const Plan& plan,
-                                std::span<const ChainGroup> groups, ChainStatics& statics);
+                                std::span<const ChainGroup> groups, std::span<const ChainAngle> angles,
+                                ChainStatics& statics);
 
 }  // namespace higherpair

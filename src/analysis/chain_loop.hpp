@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chain_angles.hpp"
 #include "chain_rows.hpp"
 #include "chain_statics.hpp"
 #include "numeric/arctangent.hpp"
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -31,15 +33,6 @@ private:
   static_assert(std::is_trivially_destructible_v<Item>);
   alignas(Item) std::array<std::byte, kMost * sizeof(Item)> bytes_;
 };
-
-template <class T>
-[[nodiscard]] inline T angle_of_rows(const ChainAngle& angle, const T& position, const ChainBody<T>* bodies) {
-  if (angle.source == ChainAngle::Source::kRotation) {
-    const Rotation<T>& R = bodies[angle.body].R_WB;
-    return arctangent(R.sin, R.cos);
-  }
-  return T(angle.factor) * position + T(angle.offset);
-}
 
 // The acute angle between the normal and the path of the contact point on its body.
 template <class T>
@@ -79,7 +72,8 @@ template <class T>
 }
 
 template <ChainRates kRates, class T>
-[[nodiscard]] inline T value_of_rows(const ChainTask& task, const T& position, const DriverRates<T>& rates,
+[[nodiscard]] inline T value_of_rows(const ChainTask& task, std::span<const ChainTurning> turnings,
+                                     const T& position, const DriverRates<T>& rates,
                                      const ChainBody<T>* bodies) {
   const Quantity quantity = task.column.quantity;
   if (quantity == Quantity::kPressure) {
@@ -87,7 +81,7 @@ template <ChainRates kRates, class T>
   }
   const ChainBody<T>& body = bodies[task.column.body];
   if (quantity == Quantity::kAngle) {
-    return angle_of_rows(task.angle, position, bodies);
+    return angle_of_rows(task.angle, turnings, position, bodies);
   }
   if (quantity == Quantity::kOmega) {
     return rates.first(body.omega);
@@ -111,44 +105,6 @@ template <ChainRates kRates, class T>
   return T(0);
 }
 
-// Whether none of the next kChainRows rows is half a turn or more from the one behind it, which must be
-// there.
-template <class T>
-[[nodiscard]] inline bool stays_within_turn(const double* rows) {
-  const auto rises_little = [&](std::size_t k) {
-    return abs(T::load(rows + k + 1) - T::load(rows + k)) <= T(kPi);
-  };
-  auto mask = rises_little(0);
-  for (std::size_t k = T::kLanes; k < kChainRows; k += T::kLanes) {
-    mask = mask & rises_little(k);
-  }
-  return holds_everywhere(mask);
-}
-
-// Makes angles in (-π, π] those of a body that turns by less than half a turn from row to row.
-template <class T>
-inline void unwind(ChainTask& task) {
-  const double offset = task.angle.offset;
-  double* rows = task.values.data();
-  double turns = nearest_turn(rows[0], task.posed_angle) - rows[0];
-  const std::size_t count = task.values.size();
-  for (std::size_t k = 0; k < count; k += kChainRows) {
-    if (k + kChainRows < count && stays_within_turn<T>(rows + k)) {
-      for (std::size_t i = k; i < k + kChainRows; i += T::kLanes) {
-        ((T::load(rows + i) + T(turns)) + T(offset)).store(rows + i);
-      }
-      continue;
-    }
-    for (std::size_t i = k; i < k + kChainRows; ++i) {
-      const double rise = i + 1 < count ? rows[i + 1] - rows[i] : 0;
-      rows[i] = (rows[i] + turns) + offset;
-      if (std::abs(rise) > kPi) {
-        turns -= std::copysign(2 * kPi, rise);
-      }
-    }
-  }
-}
-
 template <ChainRates kRates, class T>
 inline void fill(const ChainRowsJob& job) {
   constexpr std::size_t kPacks = kChainRows / T::kLanes;
@@ -164,7 +120,10 @@ inline void fill(const ChainRowsJob& job) {
   Room<ChainWrench<T>, kMostChainBodies> wrenches(job.statics != nullptr ? bodies : 0);
   const std::size_t contacts = job.statics != nullptr ? job.statics->contacts : 0;
   Room<T, kPacks * kMostChainBodies> presses(kPacks * contacts);
-  ChainReach<T> reach;
+  const std::size_t turnings = job.turnings.size();
+  Room<T, kPacks * kMostChainBodies> angles(kPacks * turnings);
+  Room<Winding, kMostChainBodies> windings(turnings);
+  T shortest(-std::numeric_limits<double>::infinity());
   std::array<ChainEffort<T>, kPacks> effort{};
   const ChainSchedule& schedule = job.schedule;
   for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
@@ -186,27 +145,31 @@ inline void fill(const ChainRowsJob& job) {
       }
     }
     if constexpr (kRates == ChainRates::kAccelerations) {
+      if (job.statics != nullptr) {
+        turn_springs<T, kPacks>(job.turnings, room.data(), bodies, k == 0, windings.data(), angles.data());
+      }
       for (std::size_t i = 0; i < kPacks && job.statics != nullptr; ++i) {
-        balance_chain<T>(job.groups, *job.statics, bodies,
-                         {room.data() + i * bodies, driver[i], rates[i], wrenches.data(),
-                          reactions.data() + i * joints, presses.data() + i * contacts, &reach},
-                         effort[i]);
+        balance_chain<T>(
+            job.groups, *job.statics, bodies,
+            {room.data() + i * bodies, driver[i], rates[i], wrenches.data(), reactions.data() + i * joints,
+             presses.data() + i * contacts, angles.data() + i * turnings, &shortest},
+            effort[i]);
       }
     }
     for (ChainTask& task : job.tasks) {
       for (std::size_t i = 0; i < kPacks; ++i) {
-        const T values =
-            is_force(task.column.quantity)
-                ? force_of_rows(task.column, reactions.data() + i * joints, presses.data() + i * contacts,
-                                effort[i])
-                : value_of_rows<kRates>(task, driver[i].position, rates[i], room.data() + i * bodies);
+        const T values = is_force(task.column.quantity)
+                             ? force_of_rows(task.column, reactions.data() + i * joints,
+                                             presses.data() + i * contacts, effort[i])
+                             : value_of_rows<kRates>(task, job.turnings, driver[i].position, rates[i],
+                                                     room.data() + i * bodies);
         values.store(&task.values[k + i * T::kLanes]);
       }
     }
   }
   for (ChainTask& task : job.tasks) {
-    if (is_unwound(task)) {
-      unwind<T>(task);
+    if (task.column.quantity == Quantity::kAngle && task.angle.turning >= 0) {
+      unwind<T>(task, job.turnings[static_cast<std::size_t>(task.angle.turning)]);
     }
   }
   for (std::size_t g = 0; g < groups; ++g) {
@@ -215,8 +178,7 @@ inline void fill(const ChainRowsJob& job) {
                       largest_lane(watches[g].far2)};
   }
   if (job.statics != nullptr) {
-    job.statics->shortest2 = -largest_lane(reach.shortest);
-    job.statics->widest = largest_lane(reach.widest);
+    job.statics->shortest2 = -largest_lane(shortest);
   }
 }
 

@@ -38,14 +38,14 @@ struct ChainRowsJob {
       placed;   ///< of the bodies, with ground and the links between discs: see placed_bodies()
   double size;  ///< of the mechanism [m]; for contacts of ovals
   std::span<ChainTask> tasks;
+  std::span<ChainTurning> turnings;
   std::span<ChainWatch<double>> watches;  ///< of the groups: the result for all rows
   std::span<OvalRow> ovals;         ///< of the groups: where a contact is in the first row, then the last
   ChainStatics* statics = nullptr;  ///< where tasks are of forces; `rates` are accelerations then
 };
 
 /// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.
-/// Angles are those of a body that turns by less than half a turn from row to row, the first the one nearest
-/// to its pose's. By the widest packs that the machine has.
+/// By the widest packs that the machine has.
 void fill_chain_rows(const ChainRowsJob& job);
 
 /// In packs of 4 and 8, where the machine has AVX2, and AVX-512F, DQ and VL.

@@ -4,9 +4,6 @@
 #include "chain_loads.hpp"
 #include "chain_vectors.hpp"
 #include "higherpair/mechanism/build.hpp"
-#include "numeric/arctangent.hpp"
-
-#include <limits>
 
 // What acts on the bodies of a chain, with the inertia of its motion, on one position (T = double) or on
 // several at once (T = Pack).
@@ -46,12 +43,13 @@ struct ChainReaction {
   T moment;
 };
 
-/// How far springs go in all rows.
+/// The angle of a body.
+/// \param turned  of the turnings, sprung
 template <class T>
-struct ChainReach {
-  T shortest{-std::numeric_limits<double>::infinity()};  ///< largest of the negative squared lengths
-  T widest{0};                                           ///< largest angle of a pin from that in the poses
-};
+[[nodiscard]] inline T angle_at(const ChainAngle& angle, const ChainDriver<T>& driver, const T* turned) {
+  const T along = angle.turning < 0 ? T(angle.factor) * driver.position : turned[angle.turning];
+  return along + T(angle.offset);
+}
 
 /// The state of a chain's bodies in one pack of rows, and what its joints and driver do.
 template <class T>
@@ -62,7 +60,8 @@ struct ChainBalance {
   ChainWrench<T>* wrenches;     ///< of the bodies; used up
   ChainReaction<T>* reactions;  ///< of the joints: the result
   T* presses;                   ///< of the contacts: how hard each presses; the result
-  ChainReach<T>* reach;         ///< of springs so far
+  const T* angles;              ///< of the turnings that are sprung
+  T* shortest;                  ///< of springs so far: largest of the negative squared lengths
 };
 
 template <class T>
@@ -108,7 +107,7 @@ inline void add_spring(const ChainLoads::PointSpring& spring, const ChainBalance
   const ChainPoint<T> q = chain_point<ChainRates::kVelocities>(two, spring.second.p_B);
   const Vector2<T> way = less(q.p_W, p.p_W);
   const T square = dot(way, way);
-  in.reach->shortest = max(in.reach->shortest, -square);
+  *in.shortest = max(*in.shortest, -square);
   const T length = sqrt(square);
   const Vector2<T> u = times(safe_inverse(length), way);
   const Vector2<T> force =
@@ -144,20 +143,12 @@ inline void add_spring(const ChainLoads::TurnSpring& spring, const ChainBalance<
   turn(spring, tension_of(spring.tension, in.driver.position, in.rates.velocity), in);
 }
 
-// The angle is as far from that in the poses as the one turns from the other, if that is less than half a
-// turn.
 template <class T>
 inline void add_spring(const ChainLoads::PinSpring& spring, const ChainBalance<T>& in) {
-  using std::abs;
-  using std::max;
-  const ChainBody<T>& one = in.bodies[spring.on.first];
-  const ChainBody<T>& two = in.bodies[spring.on.second];
-  const Rotation<T> turned = two.R_WB * one.R_WB.inverse() * all_lanes<T>(spring.posed.inverse());
-  const T angle = arctangent(turned.sin, turned.cos);
-  in.reach->widest = max(in.reach->widest, abs(angle));
-  turn(spring.on,
-       tension_of(spring.on.tension, T(spring.posed_angle) + angle, in.rates.first(two.omega - one.omega)),
-       in);
+  const T angle =
+      angle_at(spring.second, in.driver, in.angles) - angle_at(spring.first, in.driver, in.angles);
+  const T rate = in.bodies[spring.on.second].omega - in.bodies[spring.on.first].omega;
+  turn(spring.on, tension_of(spring.on.tension, angle, in.rates.first(rate)), in);
 }
 
 template <class T>

@@ -31,6 +31,9 @@ constexpr std::ptrdiff_t kMostDyads = 6;  // 2^6 assemblies are tried
 // Of the size: how far a disc may be from where a Run has put it. The other mode is much farther away.
 constexpr double kSameChainPlace = 1e-6;
 
+// A body that starts as far from its pose's angle may be half a turn from it, on either side.
+constexpr double kSureTurn = kPi - 1e-6;
+
 // Of the size: a spring shorter than this has a direction made of rounding, or none.
 constexpr double kShortestSpring = 1e-6;
 
@@ -154,7 +157,9 @@ struct DyadChain::Impl {
   ChainRates rates = ChainRates::kNone;  // that the columns want
   std::vector<ChainTask> tasks;  // those asked for; behind them the forces of contacts that must not pull
   std::size_t asked = 0;
-  std::vector<ChainGroup> groups;         // of the plan
+  std::vector<ChainGroup> groups;  // of the plan
+  std::vector<ChainAngle> angles;  // of the bodies
+  std::vector<ChainTurning> turnings;
   std::optional<ChainStatics> statics;    // where forces are wanted
   bool needs_size = false;                // for dyads whose sine is a length, contacts, springs
   std::vector<OvalRow> ovals;             // of the groups: contacts in the first row
@@ -178,6 +183,7 @@ struct DyadChain::Impl {
   [[nodiscard]] bool take_modes(const Run& run);
   [[nodiscard]] bool take_mode_of_disc(const Run& run, std::size_t g);
   void place_as(const Run& run, const Group& group);
+  [[nodiscard]] bool knows_angles() const;
   [[nodiscard]] bool knows_forces() const;
 };
 
@@ -198,7 +204,7 @@ bool DyadChain::Impl::redimension(const Mechanism& mechanism) {
   }
   redimension_groups(plan, mechanism);
   return take_groups(mechanism, plan, groups) &&
-         (!statics || take_statics(mechanism, plan, groups, *statics)) &&
+         (!statics || take_statics(mechanism, plan, groups, angles, *statics)) &&
          largest_coordinate(mechanism, groups) <= kFarthestPoint * shortest_link(groups, plan.size);
 }
 
@@ -317,18 +323,19 @@ void DyadChain::Impl::place_as(const Run& run, const Group& group) {
   }
 }
 
-// Whether springs have directions and angles, and contacts press on the whole way.
+// Whether there are no two angles in the first row that are as near to a body's pose as each other.
+bool DyadChain::Impl::knows_angles() const {
+  return std::all_of(turnings.begin(), turnings.end(), [](const ChainTurning& turning) {
+    return std::abs(turning.first_angle - turning.posed_angle) <= kSureTurn;
+  });
+}
+
+// Whether springs have directions, and contacts press on the whole way.
 bool DyadChain::Impl::knows_forces() const {
-  const auto is_known = [&](const ChainLoads::PinSpring& spring) {
-    const auto omega = [&](int body) { return bounds[static_cast<std::size_t>(body)].omega; };
-    return statics->widest + step * (omega(spring.on.first) + omega(spring.on.second)) < kPi;
-  };
   const auto presses = [&](const ChainTask& task) {
     return presses_throughout(std::span(task.values).first(rows));
   };
-  const auto& pins = statics->loads.pin_springs;
   return statics->shortest2 >= std::pow(kShortestSpring * plan.size, 2) &&
-         std::all_of(pins.begin(), pins.end(), is_known) &&
          std::all_of(tasks.begin() + static_cast<std::ptrdiff_t>(asked), tasks.end(), presses);
 }
 
@@ -350,6 +357,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
     }
   }
   const std::size_t bodies = mechanism.bodies.size() + mechanism.contacts.size();
+  impl->angles = angles_of(impl->groups, bodies, impl->turnings);
   impl->plan = plan;
   impl->schedule = schedule_of(rows);
   impl->step = longest_step(rows);
@@ -357,7 +365,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->rates = rates_for(columns);
   if (std::any_of(columns.begin(), columns.end(),
                   [](const ChainColumn& column) { return is_force(column.quantity); }) &&
-      !take_statics(mechanism, plan, impl->groups, impl->statics.emplace())) {
+      !take_statics(mechanism, plan, impl->groups, impl->angles, impl->statics.emplace())) {
     return std::nullopt;
   }
   impl->asked = columns.size();
@@ -384,12 +392,18 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
   impl->watches.resize(plan.groups.size());
   impl->bounds.resize(bodies);
   impl->placed = placed_bodies(impl->groups, columns, bodies);
-  const std::vector<ChainAngle> angles = angles_of(impl->groups, bodies);
   for (ChainTask& task : impl->tasks) {
-    if (task.column.quantity == Quantity::kPressure || is_force(task.column.quantity)) {
-      continue;
+    if (task.column.quantity == Quantity::kAngle) {
+      task.angle = impl->angles[static_cast<std::size_t>(task.column.body)];
     }
-    task.angle = angles[static_cast<std::size_t>(task.column.body)];
+  }
+  for (std::size_t i = 0; impl->statics && i < impl->statics->loads.pin_springs.size(); ++i) {
+    const ChainLoads::PinSpring& spring = impl->statics->loads.pin_springs[i];
+    for (const int turning : {spring.first.turning, spring.second.turning}) {
+      if (turning >= 0) {
+        impl->turnings[static_cast<std::size_t>(turning)].sprung = true;
+      }
+    }
   }
   return DyadChain(std::move(impl));
 }
@@ -409,15 +423,19 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     } else if (task.column.point) {
       const Body& body = mechanism.bodies[static_cast<std::size_t>(task.column.body)];
       task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
-    } else if (is_unwound(task)) {
-      task.posed_angle = own.posed_angles[static_cast<std::size_t>(task.angle.body)];
     }
+  }
+  for (ChainTurning& turning : own.turnings) {
+    const auto body = static_cast<std::size_t>(turning.body);
+    turning.posed_angle =
+        body < own.posed_angles.size() ? own.posed_angles[body] : 0;  // 0: of links of contacts
+    turning.first_angle = turning.posed_angle;
   }
   const ChainRates rates = has_ovals(own.groups) ? ChainRates::kAccelerations : own.rates;
   fill_chain_rows({own.groups, own.best_modes, own.schedule, rates, own.placed, own.plan.size, own.tasks,
-                   own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
+                   own.turnings, own.watches, own.ovals, own.statics ? &*own.statics : nullptr});
   if (!stays_on_branches(own.groups, own.watches, own.step, own.plan.size, own.bounds) ||
-      (own.statics && !own.knows_forces())) {
+      !own.knows_angles() || (own.statics && !own.knows_forces())) {
     return false;
   }
   return true;

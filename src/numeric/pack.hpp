@@ -189,6 +189,16 @@ template <int W>
 }
 
 template <int W>
+[[gnu::always_inline]] inline double first_lane(const Pack<W>& a) {
+  return a.lanes[0];
+}
+
+template <int W>
+[[gnu::always_inline]] inline double last_lane(const Pack<W>& a) {
+  return a.lanes[W - 1];
+}
+
+template <int W>
 [[gnu::always_inline]] inline double sum_of_lanes(const Pack<W>& a) {
   double sum = a.lanes[0];
   for (int i = 1; i < W; ++i) {
@@ -241,6 +251,14 @@ template <int W>
 template <int W>
 [[gnu::always_inline]] inline PackPair<W> max(const PackPair<W>& a, const PackPair<W>& b) {
   return {max(a.low, b.low), max(a.high, b.high)};
+}
+template <int W>
+[[gnu::always_inline]] inline double first_lane(const PackPair<W>& a) {
+  return first_lane(a.low);
+}
+template <int W>
+[[gnu::always_inline]] inline double last_lane(const PackPair<W>& a) {
+  return last_lane(a.high);
 }
 template <int W>
 [[gnu::always_inline]] inline double sum_of_lanes(const PackPair<W>& a) {

@@ -56,7 +56,12 @@ ChainSupport support(int joint, double sign) {
   return {joint, sign, {}, false};
 }
 
-// Weights, a load and a spring; the pins of the crank, the dyad and the follower.
+// Of all bodies, each has one.
+ChainAngle turning(int body) {
+  return {0, body, 0};
+}
+
+// Weights, a load and springs; the pins of the crank, the dyad and the follower.
 ChainStatics statics() {
   ChainStatics statics;
   statics.loads.gravity_W = Vector2d(0.3, -9.8);
@@ -65,6 +70,7 @@ ChainStatics statics() {
                           {kFollower, {0.6, {-3, 0.5}, 0.1}}};
   statics.loads.forces = {{{kRocker, {2.2, 0.4}}, {3.1, -7}, 0.6, true}};
   statics.loads.point_springs = {{{0, {-1, 3}}, {kCoupler, {3, 1}}, {20, 0.4, 0.7}}};
+  statics.loads.pin_springs = {{{kCoupler, kRocker, {9, 0.2, 0.1}}, turning(kCoupler), turning(kRocker)}};
   statics.supports = {{{support(0, 1), {}}, {}},
                       {{support(1, 1), support(2, -1)}, support(3, -1)},
                       {{support(4, 1), {}}, {}}};
@@ -87,7 +93,7 @@ std::vector<double> numbers_by(const Fill& fill) {
     task.values.resize(kRowCount);
   };
   for (const int body : {kRocker, kFollower}) {
-    const ChainAngle angle{ChainAngle::Source::kRotation, body, 0, 0};
+    const ChainAngle angle = turning(body);
     for (const Quantity quantity : {Quantity::kX, Quantity::kAngle, Quantity::kOmega, Quantity::kAlpha}) {
       add({body, std::nullopt, quantity}, angle);
     }
@@ -100,11 +106,15 @@ std::vector<double> numbers_by(const Fill& fill) {
   ChainStatics balanced = statics();
   const std::vector<double> modes{1, 1, 1};
   const std::vector<char> placed(kBodies, 1);
+  std::vector<ChainTurning> turnings(kBodies);
+  for (int body = 0; body < kBodies; ++body) {
+    turnings[static_cast<std::size_t>(body)] = {body, body == kCoupler || body == kRocker, 3.0 * body, 0};
+  }
   std::vector<ChainWatch<double>> watches(all.size());
   std::vector<OvalRow> ovals(all.size());
   ovals[2].turn = Rotation<double>::from_angle(-0.6);
   ovals[2].n_W = Vector2d(0.8, 0.6);
-  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, placed, 8, tasks, watches, ovals,
+  fill(ChainRowsJob{all, modes, rows, ChainRates::kAccelerations, placed, 8, tasks, turnings, watches, ovals,
                     &balanced});
   std::vector<double> numbers;
   for (const ChainTask& task : tasks) {
@@ -112,6 +122,9 @@ std::vector<double> numbers_by(const Fill& fill) {
   }
   for (const ChainWatch<double>& watch : watches) {
     numbers.push_back(watch.margin);
+  }
+  for (const ChainTurning& one : turnings) {
+    numbers.push_back(one.first_angle);
   }
   numbers.push_back(balanced.shortest2);
   return numbers;

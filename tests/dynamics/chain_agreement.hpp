@@ -234,10 +234,7 @@ inline void add_random_loads(Mechanism& mechanism, Random& random) {
     }
   }
   for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
-    const JointType type = mechanism.joints[static_cast<std::size_t>(j)].type;
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(j)];
-    const bool grounded = joint.first.body == kGround || joint.second.body == kGround;
-    if (chance() && (grounded || type == JointType::kPrismatic || type == JointType::kSlot)) {
+    if (chance()) {
       mechanism.springs.push_back({fmt::format("j{}", j),
                                    j,
                                    {},

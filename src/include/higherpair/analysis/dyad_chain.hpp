@@ -62,9 +62,8 @@ class DyadChain {
 public:
   /// None where the mechanism is no such linkage: more or other groups, several drivers, ends of slides,
   /// other contacts, surplus conditions; or where a kPressure is not that of a body on ground that its
-  /// contact places, or forces are wanted and there are torsion springs on pins between two moving bodies, or
-  /// bodies whose turning nothing sets. \param rows  the driver in every row, as move_to()
-  /// would be told
+  /// contact places, or forces are wanted and there are bodies whose turning nothing sets.
+  /// \param rows  the driver in every row, as move_to() would be told
   [[nodiscard]] static std::optional<DyadChain> of(const Mechanism& mechanism, const Plan& plan,
                                                    std::span<const DriverMotion> rows,
                                                    std::vector<ChainColumn> columns);
