@@ -18,7 +18,7 @@ constexpr double kMaxStep = 0.3;  // of an angle [rad], or of the size
 constexpr double kCoupledRank = 1e-10;
 constexpr double kAllButSingular = 1e-6;  // determinant, scaled
 constexpr double kSingularStep = 1e-6;    // of the size
-constexpr double kClosed = 1e-14;         // of the size
+constexpr double kClosure = 1e-14;        // of the size
 
 // The derivatives of conditions by (x, y, size·θ) of the group's bodies.
 Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows, double size) {
@@ -201,7 +201,7 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     const double length = step.cwiseAbs().maxCoeff() / size;
     // Where the conditions have lost their rank the steps fall to the root of rounding only.
     const bool singular = std::abs(solver.determinant()) <= kAllButSingular && length <= kSingularStep &&
-                          values.cwiseAbs().maxCoeff() <= kClosed * size;
+                          values.cwiseAbs().maxCoeff() <= kClosure * size;
     if (singular || newton_has_settled(length, last, 1e-9)) {
       set_rank(solver, to.groups[g]);
       return values.cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk : GroupStatus::kOutOfReach;
