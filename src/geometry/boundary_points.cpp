@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kProbes = 8;  // between two points, of their distance from the straight line
+constexpr int kProbesOfChord = 8;  // between two points, of their distance from the straight line
 constexpr int kMostHalvings = 30;
 
 // Half of the places and weights on (-1, 1), which are symmetric.
@@ -54,8 +54,8 @@ void divide(const Span& span, double from, double to, double tolerance, int halv
   const Vector2d a = span.at(from).p_B;
   const Vector2d b = span.at(to).p_B;
   double worst = 0;
-  for (int k = 1; k < kProbes; ++k) {
-    worst = std::max(worst, distance_from_line(span.at(from + (to - from) * k / kProbes).p_B, a, b));
+  for (int k = 1; k < kProbesOfChord; ++k) {
+    worst = std::max(worst, distance_from_line(span.at(from + (to - from) * k / kProbesOfChord).p_B, a, b));
   }
   if (worst <= tolerance || halvings == kMostHalvings) {
     places.push_back(to);
