@@ -178,14 +178,14 @@ private:
 // ahead; 0: as much, or nothing is known of it.
 struct Outlook {
   double x = 0;
-  Placing placing;
+  Placeable placing;
   int rises = 0;
-  double slope = 0;  // of Placing::room, where it is of the same condition
+  double slope = 0;  // of Placeable::room, where it is of the same condition
 };
 
 Outlook outlook_at(Run& run, double x, double nudge) {
-  const Placing ahead = place_anew(run, {x + nudge});
-  const Placing here = place_anew(run, {x});
+  const Placeable ahead = place_anew(run, {x + nudge});
+  const Placeable here = place_anew(run, {x});
   const bool alike = here.conditions == ahead.conditions && std::isfinite(here.room - ahead.room);
   return {x, here,
           here < ahead   ? 1

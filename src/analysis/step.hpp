@@ -75,20 +75,20 @@ struct StepResult {
 [[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
 /// How much of a mechanism can be placed at a position of its drivers.
-struct Placing {
+struct Placeable {
   bool complete = false;
   std::size_t conditions =
       0;            ///< that can be met one after the other: of each group its reach and its joints' ends
   double room = 0;  ///< of the first that cannot: < 0; -inf: by how much it fails is not known
 
   /// Whether less of it can be placed, or as much with more lacking.
-  [[nodiscard]] bool operator<(const Placing& other) const {
+  [[nodiscard]] bool operator<(const Placeable& other) const {
     return std::tie(complete, conditions, room) < std::tie(other.complete, other.conditions, other.room);
   }
 };
 
 /// Places all groups at the drivers' positions in run.work.trial in the modes of run.at.state, however far
 /// that is; rates are per unit of a single driver.
-[[nodiscard]] Placing place_anew(Run& run, const std::vector<double>& drivers);
+[[nodiscard]] Placeable place_anew(Run& run, const std::vector<double>& drivers);
 
 }  // namespace higherpair
