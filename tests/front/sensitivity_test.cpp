@@ -57,12 +57,12 @@ SensitivityReport report_of(const Model& model, const SensitivitySettings& setti
 }
 
 const Slope& slope(const SensitivityReport& report, std::size_t result, const std::string& number) {
-  static const Slope kNothing;
+  static const Slope kNoSlope;
   for (std::size_t i = 0; i < report.numbers.size(); ++i) {
     if (report.numbers[i].name == number) return report.results.at(result).slopes.at(i);
   }
   ADD_FAILURE() << "no number " << number;
-  return kNothing;
+  return kNoSlope;
 }
 
 double exact(const SensitivityReport& report, std::size_t result, const std::string& number) {
