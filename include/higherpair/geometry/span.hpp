@@ -20,7 +20,7 @@ struct SpanPoint {
 /// What encloses a span over an interval of its parameter, rounding included.
 struct SpanBounds {
   Bounds speed;  ///< ds/dt [m per unit of the parameter]; of a corner 0
-  Bounds turn;   ///< dφ/dt = κ ds/dt of the normal's angle φ [rad per unit of the parameter]; of a corner 1
+  Bounds turn;  ///< dφ/dt = κ ds/dt of the normal's angle φ [rad per unit of the parameter]; of a corner 1
 };
 
 /// A smooth part of a boundary by a parameter that grows along t, with the material on its left.
@@ -33,8 +33,8 @@ public:
   /// The point at a parameter within range(); a little beyond it the values go on smoothly.
   [[nodiscard]] virtual SpanPoint at(double t) const = 0;
   [[nodiscard]] virtual Bounds range() const = 0;
-  /// Bounds over an interval within range(): they close up on the values as fast as it shrinks. None of a kind
-  /// of curve that does not give them: of its contacts no list can be proven complete.
+  /// Bounds over an interval within range(): they close up on the values as fast as it shrinks. None of a
+  /// kind of curve that does not give them: of its contacts no list can be proven complete.
   [[nodiscard]] virtual std::optional<SpanBounds> bounds(const Bounds& /*t*/) const { return std::nullopt; }
   /// A convex corner: one point with all normals between those of its neighbours; t is the angle of the
   /// normal [rad].
