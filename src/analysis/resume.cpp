@@ -184,13 +184,14 @@ struct Outlook {
 };
 
 Outlook outlook_at(Run& run, double x, double nudge) {
-  const Placeable ahead = place_anew(run, {x + nudge});
   const Placeable here = place_anew(run, {x});
-  const bool alike = here.conditions == ahead.conditions && std::isfinite(here.room - ahead.room);
-  return {x, here,
-          here < ahead   ? 1
-          : ahead < here ? -1
-                         : 0,
+  if (here.complete || !std::isfinite(here.room)) {
+    return {x, here, 0, std::numeric_limits<double>::quiet_NaN()};
+  }
+  const Placeable ahead = place_anew(run, {x + nudge});
+  const bool alike = here.conditions == ahead.conditions && std::isfinite(ahead.room);
+  const int rises = here < ahead ? 1 : ahead < here ? -1 : 0;
+  return {x, here, rises,
           alike ? (ahead.room - here.room) / nudge : std::numeric_limits<double>::quiet_NaN()};
 }
 
@@ -298,10 +299,17 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
   const auto outlook = [&](double k) {
     return outlook_at(run, probes.at(k), kNudge * (probes.at(k + 1) - probes.at(k)));
   };
-  Outlook before = outlook(first - 1);
+  std::optional<Outlook> before;
   for (double k = first; k <= beyond && !is_stopped(run); ++k) {
     const Outlook here = outlook(k);
-    const auto at = here.placing.complete ? std::optional(here.x) : placed_between(run, before, here);
+    std::optional<double> at;
+    if (here.placing.complete) {
+      at = here.x;
+    } else if (std::isfinite(here.placing.room)) {
+      // What a contact lacks has no number, and beside its limit it takes long to see that it cannot be
+      // placed.
+      at = placed_between(run, before ? *before : outlook(k - 1), here);
+    }
     if (const auto arrives = at ? take_up(run, {*at}, drivers) : std::nullopt) {
       return *arrives || resume(run, drivers, run.at.lost.at);
     }
