@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -126,8 +127,8 @@ std::optional<std::vector<Stretch>> FeatureCurve::pieces() const {
     pieces.push_back(*std::move(piece));
   }
   for (int joint = 0; joint < static_cast<int>(boundary_->spans().size()); ++joint) {
-    if (has_gap(joint)) {
-      pieces.push_back(bridge(joint, {0, 1}));
+    if (auto gap = gap_at(joint)) {
+      pieces.push_back(*std::move(gap));
     }
   }
   return pieces;
@@ -156,10 +157,15 @@ Stretch FeatureCurve::bridge(int joint, const Bounds& t) const {
   return stretch;
 }
 
-bool FeatureCurve::has_gap(int joint) const {
+// The bridge over a joint whose spans do not quite meet.
+std::optional<Stretch> FeatureCurve::gap_at(int joint) const {
   const SpanJoint kind = boundary_->joint_after(joint);
-  return kind != SpanJoint::kEnd && kind != SpanJoint::kNotch &&
-         median_of(bridge(joint, {0, 1}).slope).norm() > kSmoothJoint * length_;
+  if (kind == SpanJoint::kEnd || kind == SpanJoint::kNotch) {
+    return std::nullopt;
+  }
+  Stretch whole = bridge(joint, {0, 1});
+  return median_of(whole.slope).norm() > kSmoothJoint * length_ ? std::optional(std::move(whole))
+                                                                : std::nullopt;
 }
 
 // How much further the parameter is there, but no more than half of the span.
@@ -185,9 +191,8 @@ std::vector<Stretch> FeatureCurve::parts_near(const BoundaryPlace& place, double
     const BoundaryPlace& next = end->behind;
     const double way = step_along(next, reach);
     parts.push_back(*over(next.span, forward ? Bounds{next.t, next.t + way} : Bounds{next.t - way, next.t}));
-    const int joint = forward ? place.span : next.span;
-    if (has_gap(joint)) {
-      parts.push_back(bridge(joint, {0, 1}));
+    if (auto gap = gap_at(forward ? place.span : next.span)) {
+      parts.push_back(*std::move(gap));
     }
   }
   return parts;

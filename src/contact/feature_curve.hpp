@@ -76,7 +76,7 @@ private:
                        const IntervalVector& n, Stretch& stretch) const;
   [[nodiscard]] double error_at(const Vector2d& m) const;
   [[nodiscard]] Stretch at(const BoundaryPlace& place) const { return *over(place.span, {place.t, place.t}); }
-  [[nodiscard]] bool has_gap(int joint) const;
+  [[nodiscard]] std::optional<Stretch> gap_at(int joint) const;
   [[nodiscard]] Stretch bridge(int joint, const Bounds& t) const;
   [[nodiscard]] double step_along(const BoundaryPlace& from, double reach) const;
 

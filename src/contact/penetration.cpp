@@ -44,7 +44,11 @@ BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, cons
 
 Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d& p_B) {
   const auto foot = foot_near(boundary, p_B, first_guess(boundary, samples.nearest(p_B), p_B), kNearFoot);
-  return foot ? Depth{(boundary.at(*foot).p_B - p_B).dot(boundary.at(*foot).n_B), *foot} : Depth{};
+  if (!foot) {
+    return {};
+  }
+  const SpanPoint point = boundary.at(*foot);
+  return {(point.p_B - p_B).dot(point.n_B), *foot};
 }
 
 // A body of which points are asked how deep they are in it.

@@ -110,19 +110,6 @@ public:
         denominators_.push_back(powers(row, 2));
       }
     }
-    for (std::size_t i = 0; i < intervals_.count(); ++i) {
-      const auto first = static_cast<std::ptrdiff_t>(first_of(i));
-      const double length = intervals_.begin(i + 1) - intervals_.begin(i);
-      std::vector<Vector2d> sizes(numerators_.begin() + first, numerators_.begin() + first + terms);
-      std::transform(sizes.begin(), sizes.end(), sizes.begin(),
-                     [](const Vector2d& c) { return c.cwiseAbs(); });
-      most_.push_back(taylor(sizes.data(), degree_, length));
-      if constexpr (kRational) {
-        std::vector<double> weights(denominators_.begin() + first, denominators_.begin() + first + terms);
-        std::transform(weights.begin(), weights.end(), weights.begin(), [](double w) { return std::abs(w); });
-        most_weights_.push_back(taylor(weights.data(), degree_, length));
-      }
-    }
     parts_ = count_parts();
   }
 
@@ -168,12 +155,22 @@ private:
     return {p[0], p[1], 2 * p[2], 6 * p[3]};
   }
 
+  // Taylor coefficients at an interval's end of the sizes of its own ones.
+  template <class T, class Size>
+  [[nodiscard]] std::array<T, 4> most_of(const std::vector<T>& coefficients, std::size_t interval,
+                                         const Size& size) const {
+    std::vector<T> sizes(static_cast<std::size_t>(degree_ + 1));
+    const auto first = coefficients.begin() + static_cast<std::ptrdiff_t>(first_of(interval));
+    std::transform(first, first + degree_ + 1, sizes.begin(), size);
+    return taylor(sizes.data(), degree_, intervals_.begin(interval + 1) - intervals_.begin(interval));
+  }
+
   // p′ and p″ over part of an interval.
   [[nodiscard]] std::array<IntervalVector, 2> rates(std::size_t interval, const Bounds& u) const {
     const double middle = (u.low + u.high) / 2;
     const double r = std::max(middle - u.low, u.high - middle);
     auto at = taylor(&numerators_[first_of(interval)], degree_, middle);
-    auto most = most_[interval];
+    auto most = most_of(numerators_, interval, [](const Vector2d& c) -> Vector2d { return c.cwiseAbs(); });
     if constexpr (!kRational) {
       const auto x = enclosed(component(at, 0), component(most, 0), r);
       const auto y = enclosed(component(at, 1), component(most, 1), r);
@@ -181,12 +178,13 @@ private:
     } else {
       // b = a - w p(u), so that b / w is small.
       const auto w_at = taylor(&denominators_[first_of(interval)], degree_, middle);
+      const auto most_weight = most_of(denominators_, interval, [](double w) { return std::abs(w); });
       const Vector2d p = at[0] / w_at[0];
       for (std::size_t k = 0; k < at.size(); ++k) {
         at[k] -= w_at[k] * p;
-        most[k] += most_weights_[interval][k] * p.cwiseAbs();
+        most[k] += most_weight[k] * p.cwiseAbs();
       }
-      const auto w = enclosed(w_at, most_weights_[interval], r);
+      const auto w = enclosed(w_at, most_weight, r);
       std::array<IntervalVector, 2> result;
       for (int i = 0; i < 2; ++i) {
         const auto b = enclosed(component(at, i), component(most, i), r);
@@ -242,8 +240,6 @@ private:
   int parts_ = 0;
   std::vector<Vector2d> numerators_;  // interval by interval, the highest power first
   std::vector<double> denominators_;
-  std::vector<std::array<Vector2d, 4>> most_;  // Taylor coefficients of the sizes, at the intervals' ends
-  std::vector<std::array<double, 4>> most_weights_;
 };
 
 }  // namespace

@@ -19,57 +19,64 @@ using testing::RandomBoundaries;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// The same span, sampled more densely.
-class DenseSpan final : public Span {
+// A span like another one; without bounds.
+class SpanLike : public Span {
 public:
-  DenseSpan(SpanPtr span, int times) : span_(std::move(span)), times_(times) {}
+  explicit SpanLike(SpanPtr span) : span_(std::move(span)) {}
   [[nodiscard]] SpanPoint at(double t) const override { return span_->at(t); }
   [[nodiscard]] Bounds range() const override { return span_->range(); }
   [[nodiscard]] bool is_corner() const override { return span_->is_corner(); }
+  [[nodiscard]] int parts() const override { return span_->parts(); }
+
+protected:
+  SpanPtr span_;
+};
+
+// The same span, sampled more densely.
+class DenseSpan final : public SpanLike {
+public:
+  DenseSpan(SpanPtr span, int times) : SpanLike(std::move(span)), times_(times) {}
   [[nodiscard]] int parts() const override { return times_ * span_->parts(); }
 
 private:
-  SpanPtr span_;
   int times_;
 };
 
-Boundary dense(const Boundary& boundary, int times) {
-  std::vector<SpanPtr> spans;
-  for (const SpanPtr& span : boundary.spans()) {
-    spans.push_back(std::make_shared<DenseSpan>(span, times));
-  }
-  return *Boundary::make(std::move(spans), boundary.is_closed(), boundary.size());
-}
-
 // The same points in another unit of length.
-class ScaledSpan final : public Span {
+class ScaledSpan final : public SpanLike {
 public:
-  ScaledSpan(SpanPtr span, double factor) : span_(std::move(span)), factor_(factor) {}
+  ScaledSpan(SpanPtr span, double factor) : SpanLike(std::move(span)), factor_(factor) {}
   [[nodiscard]] SpanPoint at(double t) const override {
     const SpanPoint of = span_->at(t);
     const double speed = span_->is_corner() ? of.speed : of.speed * factor_;
     return {of.p_B * factor_, of.n_B, of.kappa / factor_, of.slope / (factor_ * factor_), speed};
   }
-  [[nodiscard]] Bounds range() const override { return span_->range(); }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
     auto of = span_->bounds(t);
     of->speed = {of->speed.low * factor_, of->speed.high * factor_};
     return of;
   }
-  [[nodiscard]] bool is_corner() const override { return span_->is_corner(); }
-  [[nodiscard]] int parts() const override { return span_->parts(); }
 
 private:
-  SpanPtr span_;
   double factor_;
 };
 
-Boundary scaled(const Boundary& boundary, double factor) {
+// With each span as a `Like` made of it and a number.
+template <class Like, class Number>
+Boundary boundary_like(const Boundary& boundary, Number number, double size) {
   std::vector<SpanPtr> spans;
   for (const SpanPtr& span : boundary.spans()) {
-    spans.push_back(std::make_shared<ScaledSpan>(span, factor));
+    spans.push_back(std::make_shared<Like>(span, number));
   }
-  return *Boundary::make(std::move(spans), boundary.is_closed(), boundary.size() * factor);
+  return *Boundary::make(std::move(spans), boundary.is_closed(), size);
+}
+
+Boundary dense(const Boundary& boundary, int times) {
+  return boundary_like<DenseSpan>(boundary, times, boundary.size());
+}
+
+Boundary scaled(const Boundary& boundary, double factor) {
+  return boundary_like<ScaledSpan>(boundary, factor, boundary.size() * factor);
 }
 
 OneFreedom scaled(OneFreedom freedom, double factor) {
