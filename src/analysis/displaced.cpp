@@ -36,7 +36,7 @@ constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
 
 // Disagreement of differences of two orders of boundaries that is rounding, or so little that the better ones
 // have no other error. Disagreement that is too much. And a change of them with a parameter that is none.
-constexpr double kSmooth = 1e-10;
+constexpr double kSameToRounding = 1e-10;
 constexpr double kRough = 1e-8;
 constexpr double kStandsStill = 1e-11;
 
@@ -242,7 +242,7 @@ std::optional<MechanismDerivative> mechanism_derivative(
     if (derivative && (!best || derivative->error < best->error)) {
       best = std::move(derivative);
     }
-    if (best && best->error <= kSmooth) {
+    if (best && best->error <= kSameToRounding) {
       break;
     }
   }
