@@ -151,7 +151,7 @@ inline void fill(const ChainRowsJob& job) {
       for (std::size_t i = 0; i < kPacks && job.statics != nullptr; ++i) {
         balance_chain<T>(
             job.groups, *job.statics, bodies,
-            {room.data() + i * bodies, driver[i], rates[i], wrenches.data(), reactions.data() + i * joints,
+            {driver[i], rates[i], room.data() + i * bodies, wrenches.data(), reactions.data() + i * joints,
              presses.data() + i * contacts, angles.data() + i * turnings, &shortest},
             effort[i]);
       }

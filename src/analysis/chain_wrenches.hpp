@@ -54,9 +54,9 @@ template <class T>
 /// The state of a chain's bodies in one pack of rows, and what its joints and driver do.
 template <class T>
 struct ChainBalance {
-  const ChainBody<T>* bodies;  ///< with accelerations
   ChainDriver<T> driver;
   DriverRates<T> rates;
+  const ChainBody<T>* bodies;   ///< with accelerations
   ChainWrench<T>* wrenches;     ///< of the bodies; used up
   ChainReaction<T>* reactions;  ///< of the joints: the result
   T* presses;                   ///< of the contacts: how hard each presses; the result

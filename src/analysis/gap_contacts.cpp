@@ -146,7 +146,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   return Closing::kClosed;
 }
 
-void report(Run& run, EventType type, const Path& path, double s, int contact, std::string cause) {
+void report(Run& run, EventType type, const Path& path, double s, int contact, std::string_view cause) {
   RunEvent event = event_at(type, path, s, cause);
   event.contact = contact;
   run.events.push_back(std::move(event));
