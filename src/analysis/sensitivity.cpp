@@ -212,7 +212,8 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
 }
 
 std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vector<DriverMotion>& motions,
-                                                  const std::vector<DriverMotion>& derivatives) const {
+                                                  const std::vector<DriverMotion>& derivatives,
+                                                  RatesAsked rates) const {
   if (run.row.status == RowStatus::kNotAssemblable || !run.row.all_rates) {
     return std::nullopt;
   }
@@ -225,10 +226,16 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
   for (std::size_t i = 0; i < at.arcs.size(); ++i) {
     at.arcs[i].c[0].c[1] = arcs_[i];
   }
-  const Mechanism derivative = derivative_at(run);
+  const auto& contacts = run.mechanism().contacts;
+  const bool fixed = std::none_of(contacts.begin(), contacts.end(),
+                                  [](const Contact& contact) { return contact.by_boundary; });
+  const std::optional<Mechanism> local = fixed ? std::nullopt : std::optional(derivative_at(run));
+  const Mechanism& derivative = local ? *local : derivative_.numbers;
   set_held_angles(derivative, at);
+  SeriesOptions options;
+  options.last = rates == RatesAsked::kNone ? 0 : 2;
   const auto motion = solve_series(run.plan(), dimensions_of(run.mechanism()),
-                                   dimensions_of(run.mechanism(), derivative), std::move(at));
+                                   dimensions_of(run.mechanism(), derivative), std::move(at), options);
   if (!all_known(motion)) {
     return std::nullopt;
   }

@@ -31,8 +31,8 @@ public:
   GroupSeries(const ConditionSystem& system, const Dimensions<D>& dimensions, Coordinates<Series>& at)
       : system_(system), dimensions_(dimensions), at_(at) {}
 
-  // False where the conditions leave freedom.
-  bool solve() {
+  // Up to an order of time. False where the conditions leave freedom.
+  bool solve(std::size_t last) {
     Eigen::VectorXd values;
     Eigen::MatrixXd J;
     system_.evaluate(start(), values, J);
@@ -43,7 +43,7 @@ public:
     if (solver_.rank() < J.cols()) {
       return false;
     }
-    for (std::size_t k = 0; k <= Series::kLast; ++k) {
+    for (std::size_t k = 0; k <= std::min<std::size_t>(last, Series::kLast); ++k) {
       for (std::size_t i = k == 0 ? 1 : 0; i < kParts<D>; ++i) {
         if (!solve_part(k, i)) {
           return false;
@@ -64,10 +64,10 @@ private:
       return numbers;
     };
     for (const BodyAt<Series>& body : at_.bodies) {
-      const double theta = value_of(body.theta);
-      start.bodies.push_back({{Rotation<double>::from_angle(theta),
-                               {value_of(body.X_WB.p_WB.x()), value_of(body.X_WB.p_WB.y())}},
-                              theta});
+      const auto& [R_WB, p_WB] = body.X_WB;
+      start.bodies.push_back(
+          {{{value_of(R_WB.cos), value_of(R_WB.sin)}, {value_of(p_WB.x()), value_of(p_WB.y())}},
+           value_of(body.theta)});
     }
     start.phi = values(at_.phi);
     start.arcs = values(at_.arcs);
@@ -176,14 +176,15 @@ SeriesMotion<D, N> solve_series(const Plan& plan, const Dimensions<double>& valu
     }
     const ConditionSet set = condition_set(plan, group);
     ConditionSystem system(values, set, plan.size);
-    Dimensions<D> of_group = dimensions;
+    std::optional<Dimensions<D>> slipping;
     if (!options.surplus_slip && system.row_count() > system.column_count()) {
-      Dimensions<double> slipping = values;
-      drop_slip(set, slipping);
-      drop_slip(set, of_group);
-      system = ConditionSystem(std::move(slipping), set, plan.size);
+      Dimensions<double> slipping_values = values;
+      drop_slip(set, slipping_values);
+      slipping = dimensions;
+      drop_slip(set, *slipping);
+      system = ConditionSystem(std::move(slipping_values), set, plan.size);
     }
-    if (!GroupSeries<D, N>(system, of_group, motion.at).solve()) {
+    if (!GroupSeries<D, N>(system, slipping ? *slipping : dimensions, motion.at).solve(options.last)) {
       break;
     }
     for (const int body : group.bodies) {

@@ -26,6 +26,7 @@ struct SeriesMotion {
 struct SeriesOptions {
   bool surplus_slip = true;  ///< false: the slip conditions of groups that have conditions in surplus
   const std::vector<bool>* has_rates = nullptr;  ///< stop at the first group with a body that has none
+  std::size_t last = kHighestDerivative;         ///< orders above it are left as they are
 };
 
 /// The coordinates of run.row. Rolling contacts hold the arc difference, and idle bodies the angle, that they

@@ -67,7 +67,7 @@ bool always_tangent(const TangencyProblem& problem, const Polynomial& polynomial
     return false;
   }
   const Pencil<Extended> pencil = pencil_of(problem.first, problem.second, problem.motion);
-  const Extended bc = size_of(pencil.b) * size_of(pencil.c);
+  const long double bc = size_of(pencil.b) * size_of(pencil.c);
   return vanishes(polynomial, bc * bc);
 }
 

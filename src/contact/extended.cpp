@@ -1,10 +1,14 @@
 #include "extended.hpp"
 
+#include <cmath>
+
 namespace higherpair {
 
 Extended::Extended(int x) : x_(x) {}
 
 Extended::Extended(double x) : x_(x) {}
+
+Extended::Extended(long double x) : x_(x) {}
 
 Extended::Extended(const std::string& decimal) : x_(decimal) {}
 
@@ -67,10 +71,6 @@ Extended sqrt(const Extended& x) {
   return Extended(Extended::Number(sqrt(x.number())));
 }
 
-Extended exp(const Extended& x) {
-  return Extended(Extended::Number(exp(x.number())));
-}
-
 Extended cos(const Extended& x) {
   return Extended(Extended::Number(cos(x.number())));
 }
@@ -83,12 +83,16 @@ Extended atan(const Extended& x) {
   return Extended(Extended::Number(atan(x.number())));
 }
 
-Extended frexp(const Extended& x, int* exponent) {
-  return Extended(Extended::Number(frexp(x.number(), exponent)));
-}
-
 double to_double(const Extended& x) {
   return x.number().convert_to<double>();
+}
+
+long double to_long_double(const Extended& x) {
+  return x.number().convert_to<long double>();
+}
+
+long double magnitude(const Complex<Extended>& a) {
+  return std::sqrt(to_long_double(norm(a)));
 }
 
 }  // namespace higherpair

@@ -24,6 +24,7 @@ public:
   Extended() = default;  ///< 0
   Extended(int x);
   Extended(double x);
+  explicit Extended(long double x);
   explicit Extended(const std::string& decimal);
   explicit Extended(const Number& x) : x_(x) {}
 
@@ -45,18 +46,18 @@ public:
 
   friend Extended abs(const Extended& x);
   friend Extended sqrt(const Extended& x);
-  friend Extended exp(const Extended& x);
   friend Extended cos(const Extended& x);
   friend Extended sin(const Extended& x);
   friend Extended atan(const Extended& x);
 
-  /// x = f 2^exponent with f from 1/2 to 1, as std::frexp.
-  friend Extended frexp(const Extended& x, int* exponent);
-
   friend double to_double(const Extended& x);
+  friend long double to_long_double(const Extended& x);
 
 private:
   Number x_;
 };
+
+/// |a| to the digits of the machine's own numbers, of whose exponents those of long double reach far enough.
+[[nodiscard]] long double magnitude(const Complex<Extended>& a);
 
 }  // namespace higherpair

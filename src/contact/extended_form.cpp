@@ -1,5 +1,7 @@
 #include "extended_form.hpp"
 
+#include <cmath>
+
 namespace higherpair {
 namespace {
 
@@ -40,8 +42,8 @@ Complex<Extended> hessian_times(const Form<Extended>& form, const Complex<Extend
 
 double curvature(const Form<Extended>& form, const Complex<Extended>& G) {
   const Complex<Extended> t{-G.im, G.re};
-  const Extended n = norm(G);
-  return to_double(Extended(dot(t, hessian_times(form, t)) / (n * sqrt(n))));
+  const long double n = to_long_double(norm(G));
+  return static_cast<double>(to_long_double(dot(t, hessian_times(form, t))) / (n * std::sqrt(n)));
 }
 
 std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v) {

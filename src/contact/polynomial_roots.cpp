@@ -4,34 +4,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
 
 constexpr int kMaxSweeps = 100;
-const Extended kNegligible("1e-80");
-const Extended kConvergedSquared("1e-120");  // square of the relative correction that ends the iteration
+constexpr long double kNegligible = 1e-80L;
+// Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told apart.
+const Extended kConvergedSquared("1e-120");
+constexpr long double kRoughlyConvergedSquared = 1e-30L;
 
-Extended magnitude(const Complex<Extended>& a) {
-  return sqrt(norm(a));
+// Numbers of the machine of the widest range: a power of 16 of a root is among them.
+using Rough = long double;
+using RoughComplex = Complex<Rough>;
+using RoughComplexes = std::vector<RoughComplex>;
+
+RoughComplex rough(const RoughComplex& a) {
+  return a;
 }
 
-double log_magnitude(const Complex<Extended>& a) {
-  const Extended n = norm(a);
-  if (n == 0) {
-    return -std::numeric_limits<double>::infinity();
-  }
-  int exponent = 0;
-  const double fraction = to_double(Extended(frexp(n, &exponent)));
-  return (std::log(fraction) + exponent * std::log(2.0)) / 2;
+RoughComplex rough(const Complex<Extended>& a) {
+  return {to_long_double(a.re), to_long_double(a.im)};
 }
 
 // Starting values: on each edge of the upper hull of (k, log|c_k|) as many points on a circle as it is long.
-std::vector<Complex<Extended>> starting_values(const Polynomial& c) {
+RoughComplexes starting_values(const Polynomial& c) {
   std::vector<double> height;
   for (const auto& coefficient : c) {
-    height.push_back(log_magnitude(coefficient));
+    height.push_back(static_cast<double>(std::log(magnitude(coefficient))));
   }
   std::vector<std::size_t> hull;
   for (std::size_t k = 0; k < c.size(); ++k) {
@@ -46,24 +46,25 @@ std::vector<Complex<Extended>> starting_values(const Polynomial& c) {
       hull.push_back(k);
     }
   }
-  std::vector<Complex<Extended>> values;
+  RoughComplexes values;
   for (std::size_t edge = 1; edge < hull.size(); ++edge) {
     const std::size_t count = hull[edge] - hull[edge - 1];
     const double slope = (height[hull[edge - 1]] - height[hull[edge]]) / static_cast<double>(count);
-    const Extended radius = exp(Extended(slope));
+    const Rough radius = std::exp(Rough(slope));
     for (std::size_t i = 0; i < count; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(count);
       const double angle = 2 * kPi * (share + static_cast<double>(edge) / 7) + 0.7;
-      values.push_back({Extended(radius * std::cos(angle)), Extended(radius * std::sin(angle))});
+      values.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
   }
   return values;
 }
 
 // p(x) and p'(x).
-std::pair<Complex<Extended>, Complex<Extended>> evaluate(const Polynomial& c, const Complex<Extended>& x) {
-  Complex<Extended> value = c.back();
-  Complex<Extended> slope;
+template <class T>
+std::pair<Complex<T>, Complex<T>> evaluate(const std::vector<Complex<T>>& c, const Complex<T>& x) {
+  Complex<T> value = c.back();
+  Complex<T> slope;
   for (std::size_t k = c.size() - 1; k-- > 0;) {
     slope = slope * x + value;
     value = value * x + c[k];
@@ -71,45 +72,56 @@ std::pair<Complex<Extended>, Complex<Extended>> evaluate(const Polynomial& c, co
   return {value, slope};
 }
 
-// Aberth's correction of root i: Newton's, with the other roots divided out.
-Complex<Extended> correction(const Polynomial& c, const std::vector<Complex<Extended>>& x, std::size_t i) {
+// Aberth's correction of root i: Newton's, with the other roots divided out. Near a simple root these matter
+// in proportion to the correction itself, so that a rough sum of theirs costs no digits.
+template <class T>
+Complex<T> correction(const std::vector<Complex<T>>& c, const std::vector<Complex<T>>& x, std::size_t i) {
   const auto [value, slope] = evaluate(c, x[i]);
-  if (norm(value) == 0) {
-    return {};
-  }
-  Complex<Extended> divisor = slope * inverse(value);
+  if (norm(value) == 0) return {};
+  RoughComplex others;
   for (std::size_t j = 0; j < x.size(); ++j) {
-    const Complex<Extended> d = x[i] - x[j];
-    if (j != i && norm(d) != 0) {
-      divisor = divisor - inverse(d);
-    }
+    const RoughComplex d = rough(x[i] - x[j]);
+    if (j != i && norm(d) != 0) others += inverse(d);
   }
-  return norm(divisor) == 0 ? Complex<Extended>{} : inverse(divisor);
+  const Complex<T> divisor = slope * inverse(value) - Complex<T>{T(others.re), T(others.im)};
+  return norm(divisor) == 0 ? Complex<T>{} : inverse(divisor);
 }
 
-void iterate(const Polynomial& c, std::vector<Complex<Extended>>& x) {
+template <class T>
+void iterate(const std::vector<Complex<T>>& c, std::vector<Complex<T>>& x, const T& converged_squared) {
   std::vector<bool> done(x.size(), false);
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     bool all_done = true;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (done[i]) {
-        continue;
-      }
-      const Complex<Extended> step = correction(c, x, i);
+      if (done[i]) continue;
+      const Complex<T> step = correction(c, x, i);
       x[i] = x[i] - step;
-      done[i] = norm(step) <= kConvergedSquared * norm(x[i]);
+      done[i] = norm(step) <= converged_squared * norm(x[i]);
       all_done = all_done && done[i];
     }
-    if (all_done) {
-      return;
-    }
+    if (all_done) return;
   }
+}
+
+// The starting values, led so near to the roots as numbers of the machine can tell them.
+std::vector<Complex<Extended>> rough_roots(const Polynomial& c) {
+  const RoughComplexes start = starting_values(c);
+  RoughComplexes rough_c;
+  for (const auto& coefficient : c) rough_c.push_back(rough(coefficient));
+  RoughComplexes x = start;
+  iterate(rough_c, x, kRoughlyConvergedSquared);
+  std::vector<Complex<Extended>> values;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto& [re, im] = std::isfinite(x[i].re) && std::isfinite(x[i].im) ? x[i] : start[i];
+    values.push_back({Extended(re), Extended(im)});
+  }
+  return values;
 }
 
 }  // namespace
 
 std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients) {
-  Extended largest = 0;
+  long double largest = 0;
   for (const auto& coefficient : coefficients) {
     largest = std::max(largest, magnitude(coefficient));
   }
@@ -120,13 +132,13 @@ std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients) {
     return {};
   }
   const Polynomial trimmed(first, last);
-  std::vector<Complex<Extended>> x = starting_values(trimmed);
-  iterate(trimmed, x);
+  std::vector<Complex<Extended>> x = rough_roots(trimmed);
+  iterate(trimmed, x, kConvergedSquared);
   x.insert(x.end(), static_cast<std::size_t>(first - coefficients.begin()), Complex<Extended>{});
   return x;
 }
 
-bool vanishes(const Polynomial& coefficients, const Extended& scale, int except) {
+bool vanishes(const Polynomial& coefficients, long double scale, int except) {
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     if (static_cast<int>(k) != except && magnitude(coefficients[k]) > kNegligible * scale) {
       return false;
@@ -135,8 +147,8 @@ bool vanishes(const Polynomial& coefficients, const Extended& scale, int except)
   return true;
 }
 
-Extended size_of(const Polynomial& coefficients) {
-  Extended sum = 0;
+long double size_of(const Polynomial& coefficients) {
+  long double sum = 0;
   for (const auto& coefficient : coefficients) {
     sum += magnitude(coefficient);
   }

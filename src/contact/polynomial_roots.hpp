@@ -17,9 +17,9 @@ using Polynomial = std::vector<Complex<Extended>>;
 [[nodiscard]] std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients);
 
 /// Whether all coefficients but that of x^`except` (-1: none) are negligible against `scale`.
-[[nodiscard]] bool vanishes(const Polynomial& coefficients, const Extended& scale, int except = -1);
+[[nodiscard]] bool vanishes(const Polynomial& coefficients, long double scale, int except = -1);
 
 /// Σ |coefficient|, a measure of size.
-[[nodiscard]] Extended size_of(const Polynomial& coefficients);
+[[nodiscard]] long double size_of(const Polynomial& coefficients);
 
 }  // namespace higherpair

@@ -31,6 +31,7 @@ Extended determinant(const Columns& J) {
 // if it leads away. \pre two conics
 void refine(const TangencyProblem& problem, Tangency& tangency) {
   const Form<Extended>& first = problem.first;
+  double distance = shape_at(problem, tangency).distance;
   for (int i = 0; i < 8; ++i) {
     const Form<Extended> second = moved(problem, tangency.at);
     const Complex<Extended>& w = tangency.w;
@@ -66,10 +67,12 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     Tangency next = tangency;
     next.w = w - Complex<Extended>{step[0], step[1]};
     next.at = advanced(problem, tangency.at, -step[2]);
-    if (shape_at(problem, next).distance > shape_at(problem, tangency).distance) {
+    const double next_distance = shape_at(problem, next).distance;
+    if (next_distance > distance) {
       return;
     }
     tangency = next;
+    distance = next_distance;
   }
 }
 
@@ -96,12 +99,11 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
     return {complex_of(problem.first_W.vertex_W)};
   }
   const Matrix3c<Extended> adj = adjugate(member.M);
-  Extended rank2 = 0;
-  Extended rank1 = 0;
+  long double rank2 = 0, rank1 = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      rank2 += sqrt(norm(adj[i][j]));
-      rank1 += norm(member.M[i][j]);
+      rank2 += magnitude(adj[i][j]);
+      rank1 += to_long_double(norm(member.M[i][j]));
     }
   }
   if (const auto kernel = finite_point(adj[2])) {
@@ -116,8 +118,27 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
 
 bool touches(const TangencyProblem& problem, const Tangency& tangency) {
   const TangencyShape shape = shape_at(problem, tangency);
-  const double reach = 1 + to_double(Extended(sqrt(norm(tangency.w))));
+  const auto reach = static_cast<double>(1 + magnitude(tangency.w));
   return reach <= kFarthest && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
+}
+
+// d dᵀ for d = (z̄, z, 1), by which a turn multiplies the entries of a form.
+Matrix3c<Extended> turn_of_pairs(const Coordinate& z) {
+  const Complex<Extended> one{Extended(1), Extended(0)}, square = z * z, length{norm(z), Extended(0)};
+  return {{{conj(square), length, conj(z)}, {length, square, z}, {conj(z), z, one}}};
+}
+
+// Of symmetric matrices, entry by entry.
+Matrix3c<Extended> times_each(const Matrix3c<Extended>& a, const Matrix3c<Extended>& b) {
+  Matrix3c<Extended> product;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) product[i][j] = product[j][i] = a[i][j] * b[i][j];
+  }
+  return product;
+}
+
+Matrix3c<Extended> value_of(const MatrixPolynomial<Extended>& m, const Extended& q) {
+  return m[0] + q * (m[1] + q * m[2]);
 }
 
 // The square of a size below 1e-50 is lost in the digits of the numbers here, and the curve is a point to
@@ -168,21 +189,14 @@ TangencyProblem make_problem(const ContactPair& given, double u) {
 
 Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at) {
   Form<Extended> form = problem.second;
+  const Extended& q = at.re;
   if (problem.motion.turns) {
-    const std::array<Complex<Extended>, 3> D = {conj(at), at, Complex<Extended>{Extended(1), Extended(0)}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        form.S[i][j] = D[i] * D[j] * form.S[i][j];
-        form.A[i][j] = conj(D[i] * D[j]) * form.A[i][j];
-      }
-      form.v[i] = (form.kind == FormKind::kLine ? D[i] : conj(D[i])) * form.v[i];
-    }
+    form.S = times_each(turn_of_pairs(at), form.S);
+    form.v[0] = (form.kind == FormKind::kLine ? conj(at) : at) * form.v[0];
+    form.v[1] = conj(form.v[0]);
     return form;
   }
-  const Extended& q = at.re;
-  const auto evaluate = [&](const MatrixPolynomial<Extended>& m) { return m[0] + q * (m[1] + q * m[2]); };
-  form.S = evaluate(moved_primal(form.S, problem.motion));
-  form.A = evaluate(moved_dual(form.A, problem.motion));
+  form.S = value_of(moved_primal(form.S, problem.motion), q);
   const Complex<Extended> d = q * problem.motion.direction;
   if (form.kind == FormKind::kLine) {
     form.v[2] = form.v[2] - form.v[0] * d - form.v[1] * conj(d);
@@ -193,31 +207,37 @@ Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at) {
   return form;
 }
 
+Form<Extended> moved_with_dual(const TangencyProblem& problem, const Coordinate& at) {
+  Form<Extended> form = moved(problem, at);
+  form.A = problem.motion.turns ? times_each(turn_of_pairs(conj(at)), problem.second.A)
+                                : value_of(moved_dual(problem.second.A, problem.motion), at.re);
+  return form;
+}
+
 TangencyShape shape_at(const TangencyProblem& problem, const Tangency& tangency) {
   const Form<Extended> second = moved(problem, tangency.at);
   TangencyShape shape;
   const auto look = [&](const Form<Extended>& form, Complex<Extended>& G, double& kappa) {
     if (form.kind == FormKind::kPoint) {
-      const double off = to_double(Extended(sqrt(norm(tangency.w - form.v[0]))));
-      shape.distance = std::max(shape.distance, off);
+      shape.distance = std::max(shape.distance, static_cast<double>(magnitude(tangency.w - form.v[0])));
       return;
     }
     G = gradient_at(form, tangency.w);
     kappa = curvature(form, G);
-    const Extended off = abs(value_at(form, tangency.w)) / sqrt(norm(G));
-    shape.distance = std::max(shape.distance, to_double(off));
+    const long double off = to_long_double(abs(value_at(form, tangency.w))) / magnitude(G);
+    shape.distance = std::max(shape.distance, static_cast<double>(off));
   };
   look(problem.first, shape.G1, shape.kappa1);
   look(second, shape.G2, shape.kappa2);
-  const Extended scale = norm(shape.G1) * norm(shape.G2);
+  const long double scale = magnitude(shape.G1) * magnitude(shape.G2);
   if (scale > 0) {
-    shape.misalignment = to_double(Extended(abs(cross(shape.G1, shape.G2)) / sqrt(scale)));
+    shape.misalignment = static_cast<double>(to_long_double(abs(cross(shape.G1, shape.G2))) / scale);
   }
   return shape;
 }
 
 DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at) {
-  const Form<Extended> second = moved(problem, at);
+  const Form<Extended> second = moved_with_dual(problem, at);
   const Form<Extended>& first = problem.first;
   const Extended a = determinant(first);
   const Extended b = product(first.A, second.S).re;
@@ -246,7 +266,7 @@ DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at)
 }
 
 std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordinate& at) {
-  const Form<Extended> second = moved(problem, at);
+  const Form<Extended> second = moved_with_dual(problem, at);
   const bool conics = problem.first.kind == FormKind::kConic && second.kind == FormKind::kConic;
   std::vector<Tangency> found;
   for (const Complex<Extended>& w : candidate_points(problem, second, at)) {
@@ -266,7 +286,7 @@ std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordi
 }
 
 bool has_finite_point(const TangencyProblem& problem, const Coordinate& at) {
-  const Form<Extended> second = moved(problem, at);
+  const Form<Extended> second = moved_with_dual(problem, at);
   if (problem.first.kind == FormKind::kConic && second.kind == FormKind::kConic) {
     const Matrix3c<Extended> adj = adjugate(double_member(problem, at).M);
     return finite_point(adj[2]).has_value();

@@ -25,8 +25,9 @@ struct TangencyProblem {
 /// Follower's coordinate: e^{iq} (turning) or q in units of the problem as the real part (sliding).
 using Coordinate = Complex<Extended>;
 
-/// Body 2 at a coordinate.
+/// Body 2 at a coordinate; where its dual A is not asked for, that is left as it was.
 [[nodiscard]] Form<Extended> moved(const TangencyProblem& problem, const Coordinate& at);
+[[nodiscard]] Form<Extended> moved_with_dual(const TangencyProblem& problem, const Coordinate& at);
 
 /// A position and point at which the two curves are tangent.
 struct Tangency {

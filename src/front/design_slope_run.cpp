@@ -38,11 +38,11 @@ SlopeRun SlopeRun::beside(double driver) const {
   return other;
 }
 
-std::vector<RowSensitivity> SlopeRun::sensitivities() const {
+std::vector<RowSensitivity> SlopeRun::sensitivities(RatesAsked rates) const {
   std::vector<RowSensitivity> all;
   const std::vector<DriverMotion> fixed(motions_.size());
   for (const Sensitivity& by : by_) {
-    auto of_row = by.of_row(run_, motions_, fixed);
+    auto of_row = by.of_row(run_, motions_, fixed, rates);
     if (!of_row) return {};
     all.push_back(*std::move(of_row));
   }

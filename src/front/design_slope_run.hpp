@@ -24,7 +24,7 @@ public:
   [[nodiscard]] SlopeRun beside(double driver) const;
 
   /// One for each variable; empty where there is one by which the row cannot be differentiated.
-  [[nodiscard]] std::vector<RowSensitivity> sensitivities() const;
+  [[nodiscard]] std::vector<RowSensitivity> sensitivities(RatesAsked rates) const;
   /// The derivative of a number that a run has in its row.
   [[nodiscard]] double slope_of(std::size_t variable, const RowSensitivity& of_row,
                                 const std::function<double(const Run& displaced)>& number) const;

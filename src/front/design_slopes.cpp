@@ -26,14 +26,23 @@ bool is_covered(const DesignSetup& setup) {
 
 // What is wanted of one row: added up where it has been gone to.
 using Task = std::function<bool(const SlopeRun&, const std::vector<RowSensitivity>&)>;
-using Tasks = std::map<std::size_t, std::vector<Task>>;
+struct RowTasks {
+  RatesAsked rates = RatesAsked::kNone;
+  std::vector<Task> all;
+
+  void add(RatesAsked asked, Task task) {
+    rates = std::max(rates, asked);
+    all.push_back(std::move(task));
+  }
+};
+using Tasks = std::map<std::size_t, RowTasks>;
 
 bool carry_out(const Tasks& tasks, SlopeRun& run) {
   for (const auto& [row, of_row] : tasks) {
     run.go_to(row);
-    const std::vector<RowSensitivity> slopes = run.sensitivities();
-    if (slopes.empty() ||
-        !std::all_of(of_row.begin(), of_row.end(), [&](const Task& task) { return task(run, slopes); })) {
+    const std::vector<RowSensitivity> slopes = run.sensitivities(of_row.rates);
+    if (slopes.empty() || !std::all_of(of_row.all.begin(), of_row.all.end(),
+                                       [&](const Task& task) { return task(run, slopes); })) {
       return false;
     }
   }
@@ -55,11 +64,11 @@ void add_path_tasks(std::span<const std::vector<SlopePlace>> places, DesignSlope
       const SlopePlace place = places[path][i];
       Eigen::MatrixXd& J = slopes.paths[path];
       const auto at = static_cast<Eigen::Index>(2 * i);
-      tasks[place.row].push_back([place, &J, at](const SlopeRun& run, const auto& of_row) {
+      tasks[place.row].add(RatesAsked::kNone, [place, &J, at](const SlopeRun& run, const auto& of_row) {
         const std::optional<SlopeRun> beside =
             place.driver ? std::optional(run.beside(*place.driver)) : std::nullopt;
         const std::vector<RowSensitivity> aside =
-            beside ? beside->sensitivities() : std::vector<RowSensitivity>();
+            beside ? beside->sensitivities(RatesAsked::kNone) : std::vector<RowSensitivity>();
         if (beside && aside.empty()) return false;
         for (std::size_t v = 0; v < of_row.size(); ++v) {
           J.block<2, 1>(at, static_cast<Eigen::Index>(v)) =
@@ -75,15 +84,16 @@ void add_path_tasks(std::span<const std::vector<SlopePlace>> places, DesignSlope
 // Gaps of dyads and transmission angles are functions of the plan's dimensions and of the bodies.
 void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   const auto add = [&](const WeightedRow& at, auto value, Eigen::MatrixXd& J, std::size_t index) {
-    tasks[at.row].push_back([value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
-      for (std::size_t v = 0; v < of_row.size(); ++v) {
-        J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) +=
-            weight * run.slope_of(v, of_row[v], [&](const Run& displaced) {
-              return value(redimensioned(displaced.plan(), displaced.mechanism()), displaced.row.bodies);
-            });
-      }
-      return true;
-    });
+    tasks[at.row].add(
+        RatesAsked::kAll, [value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
+          for (std::size_t v = 0; v < of_row.size(); ++v) {
+            J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) +=
+                weight * run.slope_of(v, of_row[v], [&](const Run& displaced) {
+                  return value(redimensioned(displaced.plan(), displaced.mechanism()), displaced.row.bodies);
+                });
+          }
+          return true;
+        });
   };
   for (std::size_t k = 0; k < rows.gap_rows.size(); ++k) {
     const auto gap = [k](const Plan& plan, const std::vector<BodyMotion>& bodies) {
@@ -115,7 +125,7 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
     if (!setup.quantities[q].extent) continue;
     const DesignTask::Extent& extent = *setup.quantities[q].extent;
     for (const ExtentTerm& term : terms_that_count(extent, rows.extents[k++])) {
-      tasks[term.row].push_back([&, q, unit, term](const SlopeRun& run, const auto& of_row) {
+      tasks[term.row].add(RatesAsked::kAll, [&, q, unit, term](const SlopeRun& run, const auto& of_row) {
         const auto far = [&](const Run& displaced) {
           return far_along(extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
         };
@@ -180,7 +190,7 @@ AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::opti
         along[at.row].push_back({q, at});
         continue;
       }
-      tasks[at.row].push_back([&slopes, q, at, &column](const SlopeRun& run, const auto& of_row) {
+      tasks[at.row].add(RatesAsked::kAll, [&slopes, q, at, &column](const SlopeRun& run, const auto& of_row) {
         for (std::size_t v = 0; v < of_row.size(); ++v) {
           slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
               at.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
@@ -196,7 +206,7 @@ AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::opti
 void add_along_tasks(const DesignSetup& setup, const AlongRows& along, std::optional<Model::Data>& like,
                      const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   for (const auto& [row, wanted] : along) {
-    tasks[row].push_back([&, wanted = wanted](const SlopeRun& run, const auto& of_row) {
+    tasks[row].add(RatesAsked::kAll, [&, wanted = wanted](const SlopeRun& run, const auto& of_row) {
       for (std::size_t v = 0; v < of_row.size(); ++v) {
         const std::vector<double> table = run.table_slopes(*like, v, of_row[v]);
         for (const auto& [q, at] : wanted) {

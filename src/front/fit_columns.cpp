@@ -97,6 +97,13 @@ FitColumns::FitColumns(const Mechanism& mechanism, const FitData& data) {
   }
 }
 
+RatesAsked FitColumns::rates() const {
+  const bool positions =
+      others_.empty() &&
+      std::all_of(motions_.begin(), motions_.end(), [](const Motion& motion) { return motion.order == 0; });
+  return positions ? RatesAsked::kNone : RatesAsked::kAll;
+}
+
 void FitColumns::derivatives(const Run& run, const Mechanism& derivative, const RowSensitivity& of_row,
                              Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> out) const {
   for (const Motion& motion : motions_) {

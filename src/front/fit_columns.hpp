@@ -22,6 +22,9 @@ public:
   /// All others, in their order.
   [[nodiscard]] const std::vector<std::size_t>& others() const { return others_; }
 
+  /// Of the row whose derivatives all columns follow from.
+  [[nodiscard]] RatesAsked rates() const;
+
   /// Derivatives of those columns in a row, in their units.
   /// \param derivative  of the mechanism's numbers \param out  one for each of FitData::columns; others are
   /// left alone

@@ -157,7 +157,8 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
                                    [&](std::size_t slot) { return !std::isnan(values[slot]); });
     for (std::size_t p = 0; made && there && p < parameters->size(); ++p) {
       const auto& [by, offset] = (*parameters)[p];
-      const auto of_row = by.of_row(candidate->run, motions, shift_of(data_, candidate->rows[k], offset));
+      const auto of_row =
+          by.of_row(candidate->run, motions, shift_of(data_, candidate->rows[k], offset), closed.rates());
       made = of_row.has_value();
       if (!made) return;
       auto row = tables[p].row(static_cast<Eigen::Index>(k));

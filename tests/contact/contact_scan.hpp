@@ -116,30 +116,55 @@ private:
     return vertices;
   }
 
+  // Holds an edge of a polygon, or several; edges that come nearer than a tenth of both may cross as curves.
+  struct Box {
+    Vector2d low, high, longest;  // of the edges
+    std::size_t begin, end;       // vertices
+
+    [[nodiscard]] bool meets(const Box& other, double shift) const {
+      for (int k = 0; k < 2; ++k) {
+        const double by = k == 0 ? shift : 0;
+        const double margin = 0.1 * (longest[k] + other.longest[k]) + 1e-12;
+        if (high[k] + margin < other.low[k] + by || other.high[k] + by + margin < low[k]) return false;
+      }
+      return true;
+    }
+  };
+
+  // Of so many edges at a time.
+  static std::vector<Box> boxes(const std::vector<Vertex>& polygon, std::size_t count) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
+      const Vector2d a = polygon[i].at, b = polygon[i + 1].at, edge = (a - b).cwiseAbs();
+      if (i % count == 0) boxes.push_back({a, a, edge, i, i});
+      Box& box = boxes.back();
+      box = {box.low.cwiseMin(a).cwiseMin(b), box.high.cwiseMax(a).cwiseMax(b), box.longest.cwiseMax(edge),
+             box.begin, i + 1};
+    }
+    return boxes;
+  }
+
   void scan(bool opposed, std::vector<ScannedContact>& found) const {
     const auto one = polygon([&](double s) { return first(s); }, false);
     const auto two = polygon([&](double s) { return second(s); }, opposed);
-    for (std::size_t i = 0; i + 1 < one.size(); ++i) {
-      for (std::size_t j = 0; j + 1 < two.size(); ++j) {
-        for (int turn = pair_.motion2.turns ? 0 : -2; turn <= (pair_.motion2.turns ? 0 : 2); ++turn) {
-          const Vector2d shift(2 * kPi * turn, 0);
-          if (boxes_meet(one[i].at, one[i + 1].at, two[j].at + shift, two[j + 1].at + shift)) {
-            refine((one[i].s + one[i + 1].s) / 2, (two[j].s + two[j + 1].s) / 2, opposed, found);
-          }
+    const std::vector<Box> edges1 = boxes(one, 1), edges2 = boxes(two, 1), parts2 = boxes(two, 30);
+    const int turns = pair_.motion2.turns ? 0 : 2;
+    const auto for_each_meeting = [&](const Box& a, const Box& b, auto what) {
+      for (int turn = -turns; turn <= turns; ++turn) {
+        if (a.meets(b, 2 * kPi * turn)) what();
+      }
+    };
+    for (const Box& a : edges1) {
+      for (const Box& part : parts2) {
+        bool near = false;
+        for_each_meeting(a, part, [&] { near = true; });
+        for (std::size_t j = part.begin; near && j < part.end; ++j) {
+          for_each_meeting(a, edges2[j], [&] {
+            refine((one[a.begin].s + one[a.end].s) / 2, (two[j].s + two[j + 1].s) / 2, opposed, found);
+          });
         }
       }
     }
-  }
-
-  static bool boxes_meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
-    for (int k = 0; k < 2; ++k) {
-      const double margin = 0.1 * (std::abs(a[k] - b[k]) + std::abs(c[k] - d[k])) + 1e-12;
-      if (std::max(a[k], b[k]) + margin < std::min(c[k], d[k]) ||
-          std::max(c[k], d[k]) + margin < std::min(a[k], b[k])) {
-        return false;
-      }
-    }
-    return true;
   }
 
   [[nodiscard]] Vector2d difference(double s1, double s2, bool opposed) const {

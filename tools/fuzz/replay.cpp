@@ -55,12 +55,26 @@ void feed(const std::string& input) {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
 
-// A fault ends the program at once: what is being tried is written before.
-void keep(const Options& options, const std::string& input) {
-  if (!options.last.empty()) {
-    std::ofstream(options.last, std::ios::binary | std::ios::trunc) << input;
+// Holds the input that is being tried: a fault ends the program at once. The file stays open and is not
+// emptied in between, as ext4 writes one that was to the disk when it is closed, which takes longer than most
+// inputs.
+class Last {
+public:
+  explicit Last(const std::string& path) : path_(path) {
+    if (!path.empty()) file_.open(path, std::ios::binary | std::ios::trunc);
   }
-}
+
+  void keep(const std::string& input) {
+    if (!file_.is_open()) return;
+    file_.seekp(0);
+    file_ << input << std::flush;
+    fs::resize_file(path_, input.size());
+  }
+
+private:
+  fs::path path_;
+  std::ofstream file_;
+};
 
 int replay(const Options& options) {
   std::vector<std::string> inputs;
@@ -73,9 +87,10 @@ int replay(const Options& options) {
     std::fprintf(stderr, "replay: no files\n");
     return 2;
   }
+  Last last(options.last);
   for (std::uint64_t i = 0; i < options.mutations; ++i) {
     const std::string input = higherpair::fuzz::mutated(inputs, options.seed + i);
-    keep(options, input);
+    last.keep(input);
     feed(input);
   }
   std::fprintf(stderr, "%zu files, %llu inputs made from them\n", inputs.size(),

@@ -16,6 +16,9 @@ struct RowSensitivity {
   std::vector<double> arcs;  ///< of the arc difference held by each contact that rolls
 };
 
+/// What is asked for of a row besides positions; what is not stays 0, which takes a fifth of the time.
+enum class RatesAsked { kNone, kAll };
+
 /// Derivatives of a running analysis by one parameter p, on the branch on which it runs. With F the
 /// conditions of the joints, contacts and drivers (conditions.hpp), as functions of the coordinates x and of
 /// p,
@@ -36,7 +39,8 @@ public:
   /// \param motions      drivers of the row
   /// \param derivatives  of their positions, velocities and accelerations by p
   [[nodiscard]] std::optional<RowSensitivity> of_row(const Run& run, const std::vector<DriverMotion>& motions,
-                                                     const std::vector<DriverMotion>& derivatives) const;
+                                                     const std::vector<DriverMotion>& derivatives,
+                                                     RatesAsked rates = RatesAsked::kAll) const;
 
   /// Every number of the mechanism by p, in place of the number; but for the curves of contacts by_boundary.
   [[nodiscard]] const Mechanism& derivative() const { return derivative_.numbers; }
