@@ -40,12 +40,13 @@ double error_of(const Stretch& stretch) {
 
 class BoundaryEnumeration {
 public:
-  BoundaryEnumeration(const BoundaryPair& pair, double u)
+  BoundaryEnumeration(const BoundaryPair& pair, double u, const TangencySearch& search)
       : pair_(pair),
         u_(u),
+        every_(search.every),
         scale_(std::max(pair.boundary1->size(), pair.boundary2->size())),
-        one_(*pair.boundary1, pose_at(pair.motion1, u), pair.motion2, 1, scale_),
-        two_(*pair.boundary2, pose_at(pair.motion2, 0), pair.motion2, -1, scale_) {}
+        one_(*pair.boundary1, pose_at(pair.motion1, u), pair.motion2, 1, scale_, search.error),
+        two_(*pair.boundary2, pose_at(pair.motion2, 0), pair.motion2, -1, scale_, search.error) {}
 
   [[nodiscard]] BoundaryContacts run() {
     BoundaryContacts result;
@@ -62,7 +63,7 @@ public:
     }
     for_pairs_near(*pieces1, *pieces2);
     for (Found& found : found_) {
-      if (is_proper(found.contact)) {
+      if (every_ ? !found.around1.empty() : is_proper(found.contact)) {
         result.contacts.push_back(std::move(found.contact));
       }
     }
@@ -255,6 +256,7 @@ private:
 
   const BoundaryPair& pair_;
   double u_;
+  bool every_;  // tangency
   double scale_;
   FeatureCurve one_, two_;
   std::vector<Found> found_;
@@ -264,8 +266,9 @@ private:
 
 }  // namespace
 
-BoundaryContacts enumerate_boundary_contacts(const BoundaryPair& pair, double u) {
-  return BoundaryEnumeration(pair, u).run();
+BoundaryContacts enumerate_boundary_contacts(const BoundaryPair& pair, double u,
+                                             const TangencySearch& search) {
+  return BoundaryEnumeration(pair, u, search).run();
 }
 
 }  // namespace higherpair

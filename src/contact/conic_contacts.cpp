@@ -1,8 +1,8 @@
 #include "higherpair/contact/conic_contacts.hpp"
 
 #include "higherpair/contact/separation.hpp"
-#include "higherpair/contact/subdivision.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "support_contacts.hpp"
 #include "tangency.hpp"
 #include "tolerances.hpp"
 
@@ -211,30 +211,6 @@ struct Finder {
   }
 };
 
-// Of other curves than conics, lines and points.
-CurveContacts list_by_subdivision(const ContactPair& pair, double u) {
-  constexpr double kReach = 1e3;  // of the size: how far out on open conics
-  const double size = size_of_pair(pair);
-  const SubdivisionContacts found = find_contacts_by_subdivision(pair, u, kReach * size);
-  CurveContacts result;
-  result.status =
-      found.status == SubdivisionStatus::kComplete ? ContactsStatus::kComplete : ContactsStatus::kUndecided;
-  for (const CertifiedContact& at : found.contacts) {
-    CurveContact& contact = result.contacts.emplace_back();
-    static_cast<TangentPosition&>(contact) = at;
-    contact.opposed = at.opposed;
-    contact.branch = at.branch;
-    const auto gap = [&] {
-      return separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2, pose_at(pair.motion2, at.q),
-                        kFineGap * size)
-          .gap;
-    };
-    contact.free =
-        at.opposed && always_free(pair.curve1, pair.curve2).value_or(gap() >= -kFreeOverlap * size);
-  }
-  return result;
-}
-
 }  // namespace
 
 CurveContacts find_curve_contacts(const ContactPair& pair, double u) {
@@ -245,7 +221,7 @@ CurveContacts find_curve_contacts(const ContactPair& pair, double u) {
     return result;
   }
   if (!is_algebraic(pair)) {
-    return list_by_subdivision(pair, u);
+    return list_support_contacts(pair, u);
   }
   const TangencyProblem problem = make_problem(pair, u);
   if (is_independent(pair, u, problem.length)) {

@@ -46,11 +46,11 @@ double least_sine(const std::vector<Stretch>& parts1, const std::vector<Stretch>
 }
 
 FeatureCurve::FeatureCurve(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower,
-                           double sense, double length)
-    : boundary_(&boundary), X_WB_(X_WB), follower_(follower), sense_(sense), length_(length) {}
+                           double sense, double length, double error)
+    : boundary_(&boundary), X_WB_(X_WB), follower_(follower), sense_(sense), length_(length), error_(error) {}
 
 double FeatureCurve::error_at(const Vector2d& m) const {
-  return kErrorOfPoints * (boundary_->size() + m.norm());
+  return error_ + kErrorOfPoints * (boundary_->size() + m.norm());
 }
 
 std::optional<Stretch> FeatureCurve::over(int span, const Bounds& t) const {

@@ -51,8 +51,9 @@ struct Stretch {
 class FeatureCurve {
 public:
   /// \param sense  +1 for body 1, -1 for body 2 \param length  that of one radian of a normal's angle [m]
+  /// \param error  of points, beyond rounding [m]
   FeatureCurve(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower, double sense,
-               double length);
+               double length, double error);
 
   /// None where the span gives no bounds. \param span  of a stretch; of a bridge t goes from 0 to 1
   [[nodiscard]] std::optional<Stretch> over(int span, const Bounds& t) const;
@@ -85,6 +86,7 @@ private:
   OneFreedom follower_;
   double sense_;
   double length_;
+  double error_;
 };
 
 }  // namespace higherpair

@@ -75,12 +75,6 @@ inline constexpr double kSameEnd = 0.3;
 inline constexpr double kSlowestMotion = 1e-12;
 inline constexpr double kSlowestOnBoundaries = 1e-11;  // the same, by the rates of spans
 
-// Subdivision.
-inline constexpr double kLeastWidth = 4e-15;  // [rad]: below this normals have no digits to be told apart by
-// w² of a point of an open conic: nearer to the end of its cone, rounding of the normal's angle moves the
-// point by 1e-16/w² of its distance.
-inline constexpr double kLeastW2 = 1e-10;
-
 // Rolling: singular values of the Jacobian below this share are 0, as of discs about their centres.
 inline constexpr double kRollingRank = 1e-9;
 

@@ -14,6 +14,12 @@ struct BoundaryContacts {
   bool has_bounds = true;  ///< false: a span gives no bounds, and nothing is proven
 };
 
+struct TangencySearch {
+  /// Those with κ1 + κ2 < 0 too, at which the bodies cut each other; only what is proven to be one contact.
+  bool every = false;
+  double error = 0;  ///< how far points may be from the truth, beyond rounding [m]
+};
+
 /// All contacts of opposed normals and κ1 + κ2 > 0, the driver being held at u. Common points of the plane
 /// curves of find_boundary_contacts() are enclosed: over an interval of its parameter the normal's angle and
 /// the point of a span follow from those at its middle and the bounds of dφ/dt and ds/dt, and with n, t and
@@ -23,6 +29,7 @@ struct BoundaryContacts {
 /// Newton's method around which the determinant of the two tangents has one sign, on both sides of a joint of
 /// spans too: there it is the only one. Points and normals are taken to be right to 8 units in the last
 /// place of the size. Cost: about 1 µs an interval, some hundred for two smooth curves.
-[[nodiscard]] BoundaryContacts enumerate_boundary_contacts(const BoundaryPair& pair, double u);
+[[nodiscard]] BoundaryContacts enumerate_boundary_contacts(const BoundaryPair& pair, double u,
+                                                           const TangencySearch& search = {});
 
 }  // namespace higherpair

@@ -45,7 +45,8 @@ struct CurveContacts {
 /// hyperbola falls away. So the answer is right for the given doubles to their last digits, also for contacts
 /// 1e-12 apart or levers a million times longer than the bodies; contacts that the rounding of the input can
 /// create or destroy are one entry with `at_limit` or `conforming` set.
-/// Curves by their support are searched by subdivision instead (subdivision.hpp).
+/// Curves by their support are searched by subdivision instead (boundary_enumeration.hpp), chains of spans as
+/// they then are: κ1 + κ2 of any sign, opposed normals and equal ones.
 /// Cost: some 10 ms (two conics), not for the inside of a loop.
 [[nodiscard]] CurveContacts find_curve_contacts(const ContactPair& pair, double u);
 

@@ -1,0 +1,208 @@
+#include "support_contacts.hpp"
+
+#include "higherpair/contact/boundary_enumeration.hpp"
+#include "higherpair/contact/separation.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace higherpair {
+namespace {
+
+// Of the distances of points from joints: how far out on open conics and faces. Much farther out places have
+// fewer digits than Newton's method asks for.
+constexpr double kReach = 100;
+constexpr double kSamePoint = 1e-12;  // of that: ends that meet
+
+// By the angle of the outward normal, or, on a concave piece, where that falls along t, by minus the angle.
+class SupportSpan final : public Span {
+public:
+  SupportSpan(const SupportCurve& curve, std::size_t piece, const Bounds& phi, double sense)
+      : curve_(curve), piece_(piece), phi_(phi), sense_(sense) {}
+
+  [[nodiscard]] SpanPoint at(double t) const override {
+    const double phi = sense_ * t;
+    const SupportValue value = curve_.at(piece_, phi);
+    const Vector2d n = unit_vector(phi);
+    const double kappa = 1 / value.rho;
+    return {value.h * n + value.dh * perp(n), n, kappa, -value.drho * kappa * kappa * kappa,
+            sense_ * value.rho};
+  }
+  [[nodiscard]] Bounds range() const override { return with_sense(phi_); }
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
+    return SpanBounds{with_sense(curve_.radius(piece_, with_sense(t))), {sense_, sense_}};
+  }
+
+private:
+  [[nodiscard]] Bounds with_sense(const Bounds& x) const { return sense_ > 0 ? x : Bounds{-x.high, -x.low}; }
+
+  const SupportCurve& curve_;
+  std::size_t piece_;
+  Bounds phi_;
+  double sense_;
+};
+
+Bounds normals_of(const SupportPiece& piece) {
+  return piece.kind == PieceKind::kClosed ? Bounds{-kPi, kPi} : piece.phi;
+}
+
+SpanPtr span_of(const SupportCurve& curve, std::size_t index, double reach) {
+  const SupportPiece& piece = curve.pieces()[index];
+  if (piece.kind == PieceKind::kFace) {
+    const double phi = (piece.phi.low + piece.phi.high) / 2;
+    const Vector2d n = unit_vector(phi);
+    const Vector2d foot = curve.at(index, phi).h * n;
+    return face_span(foot + std::max(piece.along.low, -reach) * perp(n),
+                     foot + std::min(piece.along.high, reach) * perp(n));
+  }
+  const Bounds phi = normals_of(piece);
+  const Bounds rho = curve.radius(index, phi);
+  if (rho.low == 0 && rho.high == 0) {
+    const SupportValue value = curve.at(index, phi.low);
+    const Vector2d n = unit_vector(phi.low);
+    return corner_span(value.h * n + value.dh * perp(n), phi.low, phi.high);
+  }
+  return std::make_shared<SupportSpan>(curve, index, phi, rho.high < 0 ? -1 : 1);
+}
+
+Vector2d first_point(const Span& span) {
+  return span.at(span.range().low).p_B;
+}
+
+Vector2d last_point(const Span& span) {
+  return span.at(span.range().high).p_B;
+}
+
+// The chains that a curve consists of; none of one with cusps.
+std::vector<Boundary> chains_of(const Curve& curve, double reach) {
+  if (curve.support == nullptr) {
+    return {boundary_of(curve, reach)};
+  }
+  std::vector<std::vector<SpanPtr>> parts;
+  const double near = kSamePoint * reach;
+  for (std::size_t i = 0; i < curve.support->pieces().size(); ++i) {
+    SpanPtr span = span_of(*curve.support, i, reach);
+    if (parts.empty() || (last_point(*parts.back().back()) - first_point(*span)).norm() > near) {
+      parts.emplace_back();
+    }
+    parts.back().push_back(std::move(span));
+  }
+  std::vector<Boundary> chains;
+  for (std::vector<SpanPtr>& spans : parts) {
+    const bool closed = (last_point(*spans.back()) - first_point(*spans.front())).norm() <= near;
+    auto chain = Boundary::make(std::move(spans), closed, near);
+    if (!chain) {
+      return {};
+    }
+    chains.push_back(*std::move(chain));
+  }
+  return chains;
+}
+
+// How far its points are from its joint; of an open one how large it is near its vertex [m].
+double extent_of(const Curve& curve, const OneFreedom& freedom) {
+  return reach_from(curve, freedom.p_BO).value_or(size_of(curve));
+}
+
+// How far points may be from where they are said to be [m].
+double error_of_points(const Curve& curve) {
+  double error = 0;
+  for (std::size_t i = 0; curve.support != nullptr && i < curve.support->pieces().size(); ++i) {
+    const Bounds phi = normals_of(curve.support->pieces()[i]);
+    error = std::max({error, curve.support->at(i, phi.low).error, curve.support->at(i, phi.high).error});
+  }
+  return error;
+}
+
+// The same curve with the material on its other side, without its corners.
+std::vector<Boundary> turned_inside_out(const std::vector<Boundary>& chains) {
+  std::vector<Boundary> all;
+  for (const Boundary& chain : chains) {
+    std::vector<SpanPtr> spans;
+    for (auto span = chain.spans().rbegin(); span != chain.spans().rend(); ++span) {
+      if (!(*span)->is_corner()) {
+        spans.push_back(reversed_span(*span));
+      }
+    }
+    if (auto turned = Boundary::make(std::move(spans), chain.is_closed(), INFINITY)) {
+      all.push_back(*std::move(turned));
+    }
+  }
+  return all;
+}
+
+class SupportContacts {
+public:
+  SupportContacts(const ContactPair& pair, double u) : pair_(pair), u_(u), size_(size_of_pair(pair)) {}
+
+  [[nodiscard]] CurveContacts list() {
+    const double reach =
+        kReach * (size_ + extent_of(pair_.curve1, pair_.motion1) + extent_of(pair_.curve2, pair_.motion2));
+    const std::vector<Boundary> one = chains_of(pair_.curve1, reach);
+    const std::vector<Boundary> two = chains_of(pair_.curve2, reach);
+    result_.status = one.empty() || two.empty() ? ContactsStatus::kUndecided : ContactsStatus::kComplete;
+    add(one, two, true);
+    if (!is_point(pair_.curve1)) {
+      add(one, turned_inside_out(two), false);
+    }
+    std::sort(result_.contacts.begin(), result_.contacts.end(),
+              [](const CurveContact& a, const CurveContact& b) { return a.q < b.q; });
+    return std::move(result_);
+  }
+
+private:
+  void add(const std::vector<Boundary>& chains1, const std::vector<Boundary>& chains2, bool opposed) {
+    const TangencySearch search{true, std::max(error_of_points(pair_.curve1), error_of_points(pair_.curve2))};
+    for (const Boundary& one : chains1) {
+      for (const Boundary& two : chains2) {
+        const BoundaryContacts found =
+            enumerate_boundary_contacts({&one, pair_.motion1, &two, pair_.motion2}, u_, search);
+        if (!found.undecided.empty()) {
+          result_.status = ContactsStatus::kUndecided;
+        }
+        for (const BoundaryContact& contact : found.contacts) {
+          if (opposed || !one.is_corner(contact.place1)) {
+            result_.contacts.push_back(contact_at(contact, opposed));
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] CurveContact contact_at(const BoundaryContact& found, bool opposed) const {
+    CurveContact contact;
+    contact.u = u_;
+    contact.q = found.q;
+    contact.n_W = found.at.n_W;
+    contact.p_W = found.at.p1_W;
+    contact.opposed = opposed;
+    contact.branch = !opposed ? 0 : found.gap_q > 0 ? 1 : -1;
+    const auto gap = [&] {
+      return separation(pair_.curve1, pose_at(pair_.motion1, u_), pair_.curve2,
+                        pose_at(pair_.motion2, found.q), kFineGap * size_)
+          .gap;
+    };
+    contact.free =
+        opposed && always_free(pair_.curve1, pair_.curve2).value_or(gap() >= -kFreeOverlap * size_);
+    return contact;
+  }
+
+  const ContactPair& pair_;
+  double u_;
+  double size_;
+  CurveContacts result_;
+};
+
+}  // namespace
+
+CurveContacts list_support_contacts(const ContactPair& pair, double u) {
+  return SupportContacts(pair, u).list();
+}
+
+}  // namespace higherpair
