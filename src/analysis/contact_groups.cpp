@@ -348,8 +348,12 @@ double touching_sine(const Planned& model, const TouchingBody& touching, const S
   if (!state.contacts[static_cast<std::size_t>(touching.contact)].touches) {
     return 1;
   }
+  return gap_per_q(model, touching, state, state.contacts[static_cast<std::size_t>(touching.contact)].at);
+}
+
+double gap_per_q(const Planned& model, const TouchingBody& touching, const State& state,
+                 const CommonNormal& at) {
   const StandingPair placed = standing_pair(model, touching, state);
-  const CommonNormal& at = state.contacts[static_cast<std::size_t>(touching.contact)].at;
   const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;
   return n.dot(velocity_per_q(placed.pair.motion2, at.p_W()));
 }

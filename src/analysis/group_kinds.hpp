@@ -77,6 +77,11 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
 [[nodiscard]] double tracked_sine(const TrackedPair& tracked, const State& state);
 [[nodiscard]] double touching_sine(const Planned& model, const TouchingBody& touching, const State& state);
 
+/// How the gap at a place of the contact changes with the follower's coordinate: of two places with different
+/// signs one pushes the follower forward and the other one back.
+[[nodiscard]] double gap_per_q(const Planned& model, const TouchingBody& touching, const State& state,
+                               const CommonNormal& at);
+
 void place_geared(const Planned& model, const GearedBody& geared, State& to);
 void move_geared(const Planned& model, const GearedBody& geared, State& state);
 

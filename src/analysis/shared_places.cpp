@@ -46,16 +46,30 @@ Bodies bodies_in(const Run& run, std::size_t i, const State& state) {
 }
 
 // Whether two smooth parts touch there, besides the contact itself.
-bool is_shared(const Bodies& bodies, const NearPlace& place, double depth) {
+bool is_touch(const Bodies& bodies, const NearPlace& place, double depth) {
   return is_smooth_touch(place) && std::abs(place.at.gap()) <= depth &&
          !(bodies.own && is_place_of(*bodies.own, place, bodies.size()));
 }
 
-std::vector<NearPlace> shared_places(const Bodies& bodies, double depth) {
+// Those that push the follower as the contact does: teeth without play touch with their backs as well, which
+// take no part in the motion.
+void keep_those_that_push(const Run& run, std::size_t i, const State& state, std::vector<NearPlace>& places) {
+  const auto g = touching_group(run, static_cast<int>(i));
+  if (!g || !state.contacts[i].touches) {
+    return;
+  }
+  const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
+  const double own = touching_sine(model_of(run), touching, state);
+  std::erase_if(places, [&](const NearPlace& place) {
+    return own * gap_per_q(model_of(run), touching, state, place.at) < 0;
+  });
+}
+
+std::vector<NearPlace> shared_places(const Run& run, std::size_t i, const State& state, double depth) {
+  const Bodies bodies = bodies_in(run, i, state);
   auto places = near_places(bodies.boundary1, bodies.X_W1, bodies.boundary2, bodies.X_W2, 2 * depth);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                              [&](const NearPlace& place) { return !is_shared(bodies, place, depth); }),
-               places.end());
+  std::erase_if(places, [&](const NearPlace& place) { return !is_touch(bodies, place, depth); });
+  keep_those_that_push(run, i, state, places);
   return places;
 }
 
@@ -125,8 +139,10 @@ void report(Run& run, EventType type, const Path& path, double s, std::size_t co
 
 }  // namespace
 
-void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, double s, double h) {
+void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s, double h) {
   const std::size_t contact = touch.contact;
+  keep_those_that_push(run, contact, run.at.state, touch.before);
+  keep_those_that_push(run, contact, run.work.trial, touch.after);
   const double depth = kOverlapDepth * run.plan().size;
   const Bodies before = bodies_in(run, contact, run.at.state);
   const State after_state = run.work.trial;
@@ -162,7 +178,7 @@ void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, do
 }
 
 void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h) {
-  touch.after = shared_places(bodies_in(run, touch.contact, run.work.trial), kOverlapDepth * run.plan().size);
+  touch.after = shared_places(run, touch.contact, run.work.trial, kOverlapDepth * run.plan().size);
   note_shared_places(run, path, touch, s, h);
 }
 
@@ -171,8 +187,7 @@ std::size_t touching_places(const Run& run, std::size_t contact) {
     return 0;
   }
   return run.mechanism().contacts[contact].by_boundary
-             ? 1 + shared_places(bodies_in(run, contact, run.at.state), kOverlapDepth * run.plan().size)
-                       .size()
+             ? 1 + shared_places(run, contact, run.at.state, kOverlapDepth * run.plan().size).size()
              : 1;
 }
 
@@ -182,7 +197,7 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
     return false;
   }
   const auto i = static_cast<std::size_t>(touching->contact);
-  const auto places = shared_places(bodies_in(run, i, run.at.state), kOverlapOfBoundaries * run.plan().size);
+  const auto places = shared_places(run, i, run.at.state, kOverlapOfBoundaries * run.plan().size);
   for (const NearPlace& place : places) {
     if (const auto change = go_on_at(run, path, g, s, place)) {
       report(run, EventType::kRelease, path, s, i,

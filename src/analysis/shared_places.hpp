@@ -20,7 +20,7 @@ struct SharedTouch {
 /// Adds an event wherever the bodies of a contact begin to touch at a further place between run.at.state,
 /// which is at s, and run.work.trial, h beyond it (kEngage), or cease to (kRelease). run.work.trial is left
 /// as it is.
-void note_shared_places(Run& run, const Path& path, const SharedTouch& touch, double s, double h);
+void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s, double h);
 
 /// The same of a shorter step, up to `h`, whose end is in run.work.trial.
 void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h);

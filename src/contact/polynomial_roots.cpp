@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kMaxSweeps = 100;
 constexpr long double kNegligible = 1e-80L;
-// Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told apart.
+// Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told
+// apart.
 const Extended kConvergedSquared("1e-120");
 constexpr long double kRoughlyConvergedSquared = 1e-30L;
 

@@ -1,3 +1,4 @@
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/contour.hpp"
 
 #include <algorithm>
@@ -40,8 +41,10 @@ std::vector<Chord> chords_of(const Boundary& boundary) {
   return chords;
 }
 
-// The parts of both chords before their common point, if that lies on both.
+// The parts of both chords before their common point, if that lies on both: their ends belong to them, which
+// rounding does not take away.
 std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
+  constexpr double kRounding = 1e-9;
   const Vector2d u = a.to - a.from;
   const Vector2d v = b.to - b.from;
   const double sine = cross(u, v);
@@ -50,44 +53,78 @@ std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
   }
   const Vector2d between = b.from - a.from;
   const Vector2d parts(cross(between, v) / sine, cross(between, u) / sine);
-  const bool on_both = (parts.array() >= 0).all() && (parts.array() <= 1).all();
+  const bool on_both = (parts.array() >= -kRounding).all() && (parts.array() <= 1 + kRounding).all();
   return on_both ? std::optional(parts) : std::nullopt;
 }
 
-bool is_near_joint(const Span& span, double t) {
-  const Bounds range = span.range();
-  const double near = 1e-6 * range.width();
-  return t - range.low < near || range.high - t < near;
+// The span beyond the end of a span, corners left out; none at the end of an open boundary.
+std::optional<int> span_beyond(const Boundary& boundary, int span, bool high) {
+  do {
+    if (boundary.joint_after(high ? span : boundary.next_span(span, high)) == SpanJoint::kEnd) {
+      return std::nullopt;
+    }
+    span = boundary.next_span(span, high);
+  } while (boundary.spans()[static_cast<std::size_t>(span)]->is_corner());
+  return span;
+}
+
+// A place moved along its span, no farther than to where the next one begins.
+BoundaryPlace moved_along(const Boundary& boundary, const BoundaryPlace& from, double dt) {
+  const Bounds range = range_of(boundary, from.span);
+  const double t = from.t + dt;
+  if (range.contains(t)) {
+    return {from.span, t};
+  }
+  const bool high = t > range.high;
+  const auto beyond = span_beyond(boundary, from.span, high);
+  return beyond ? end_of(boundary, *beyond, !high) : end_of(boundary, from.span, high);
+}
+
+bool is_near_end(const Boundary& boundary, const BoundaryPlace& place, bool high) {
+  return std::abs(place.t - end_of(boundary, place.span, high).t) <
+         1e-6 * range_of(boundary, place.span).width();
+}
+
+bool is_one_place(const Boundary& boundary, const BoundaryPlace& a, const BoundaryPlace& b) {
+  const auto is_joint = [&](bool high) {
+    return is_near_end(boundary, a, high) && is_near_end(boundary, b, !high) &&
+           span_beyond(boundary, a.span, high) == b.span;
+  };
+  return (a.span == b.span && std::abs(a.t - b.t) <= 1e-6 * range_of(boundary, a.span).width()) ||
+         is_joint(false) || is_joint(true);
 }
 
 // The crossing of the curves themselves, by Newton's method, if it is no more than a chord away.
 std::optional<SelfCrossing> refined(const Boundary& boundary, const Chord& a, const Chord& b,
                                     const Vector2d& parts) {
-  const Span& first = *boundary.spans()[static_cast<std::size_t>(a.span)];
-  const Span& second = *boundary.spans()[static_cast<std::size_t>(b.span)];
-  double t = a.t.low + parts(0) * a.t.width();
-  double u = b.t.low + parts(1) * b.t.width();
+  const auto begin = [](const Chord& chord, double part) {
+    return BoundaryPlace{chord.span, chord.t.low + std::clamp(part, 0.0, 1.0) * chord.t.width()};
+  };
+  const auto is_near = [](const Chord& chord, const Vector2d& p_B) {
+    return (p_B - (chord.from + chord.to) / 2).norm() <= 1.5 * (chord.to - chord.from).norm();
+  };
+  BoundaryPlace first = begin(a, parts(0));
+  BoundaryPlace second = begin(b, parts(1));
   constexpr int kMost = 20;
   for (int i = 0; i < kMost; ++i) {
-    const SpanPoint p = first.at(t);
-    const SpanPoint q = second.at(u);
+    const SpanPoint p = boundary.at(first);
+    const SpanPoint q = boundary.at(second);
+    if (!is_near(a, p.p_B) || !is_near(b, q.p_B)) {
+      return std::nullopt;
+    }
     const Vector2d gap = q.p_B - p.p_B;
     const double sine = cross(p.n_B, q.n_B);
     const double dt = cross(gap, perp(q.n_B)) / sine / p.speed;
     const double du = cross(gap, perp(p.n_B)) / sine / q.speed;
-    t += dt;
-    u += du;
-    const bool near = std::abs(t - (a.t.low + a.t.high) / 2) <= 1.5 * a.t.width() &&
-                      std::abs(u - (b.t.low + b.t.high) / 2) <= 1.5 * b.t.width();
-    if (!near || !first.range().contains(t) || !second.range().contains(u)) {
+    if (!std::isfinite(dt) || !std::isfinite(du)) {
       return std::nullopt;
     }
     if (std::abs(dt) <= 1e-9 * a.t.width() && std::abs(du) <= 1e-9 * b.t.width()) {
-      const bool at_joint = is_near_joint(first, t) && is_near_joint(second, u);
-      const bool same = a.span == b.span && std::abs(t - u) <= 1e-6 * first.range().width();
-      return at_joint || same ? std::nullopt
-                              : std::optional(SelfCrossing{{a.span, t}, {b.span, u}, first.at(t).p_B});
+      return is_one_place(boundary, first, second) ? std::nullopt
+                                                   : std::optional(SelfCrossing{first, second, p.p_B});
     }
+    first = moved_along(boundary, first, dt);
+    second = moved_along(boundary, second, du);
   }
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 // Teeth of gears as contacts: which pairs touch, and where the next ones begin and part.
 #include "higherpair/front/branches.hpp"
+#include "higherpair/front/check.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
 #include "sliding_cam.hpp"
 
@@ -141,7 +142,6 @@ TEST(GearContacts, TheNextPairBeginsBeforeTheOneBeforeItParts) {
   EXPECT_NEAR((pair.parts() - pair.begins()) / pair.pitch(), 1.635185964, 1e-9);
   const Motion flanks = motion_of(model_of(profile_of(pair, left_flanks, 0, 90)));
   expect_pairs(flanks, pair, 1e-10);
-  // Without play the other flanks would touch as well.
   const Pair loose{{2, 20, 20 * testing::kDegree, 0, 0.04}, {2, 40, 20 * testing::kDegree, 0, 0.03}, 60};
   const Motion gears = motion_of(model_of(profile_of(loose, whole_gear, 0, 60)));
   expect_pairs(gears, loose, 1e-10);
@@ -152,6 +152,29 @@ TEST(GearContacts, TheNextPairBeginsBeforeTheOneBeforeItParts) {
   EXPECT_THAT(events_of(flanks, EventType::kEngage).at(0).cause, HasSubstr("now at 2"));
   EXPECT_THAT(events_of(flanks, EventType::kRelease).at(1).cause,
               HasSubstr("goes on at another place where the two bodies touch, 1 left, without a jump"));
+}
+
+double contact_ratio_of(const std::string& profile) {
+  const auto report = check(model_of(profile));
+  for (const CheckFigure& figure : report.value().figures) {
+    if (figure.quantity == "contact_ratio") {
+      return figure.value.value();
+    }
+  }
+  return 0;
+}
+
+// Without play the backs of the teeth touch as well, but the pairs are those of the flanks that push.
+TEST(GearContacts, WithoutPlayHaveThePairsAndTheContactRatioOfOneSide) {
+  const double ratio = 1.6351859635714583;
+  for (const double backlash : {0.0, 0.04}) {
+    SCOPED_TRACE(backlash);
+    const Pair pair{
+        {2, 20, 20 * testing::kDegree, 0, backlash}, {2, 40, 20 * testing::kDegree, 0, backlash}, 60};
+    const std::string profile = profile_of(pair, whole_gear, 0, 60);
+    expect_pairs(motion_of(model_of(profile)), pair, 1e-10);
+    EXPECT_NEAR(contact_ratio_of(profile), ratio, 1e-12);
+  }
 }
 
 // Other teeth, shifted, thinned, farther apart than close: unequal numbers all through.

@@ -180,6 +180,26 @@ TEST(SelfCrossing, OfAFigureOfEightIsItsMiddle) {
   EXPECT_LE((boundary.at(crossing->first).p_B - boundary.at(crossing->second).p_B).norm(), 1e-9);
 }
 
+// The crossing may be where the spline begins, on one of its samples, or on a vertex of both ways.
+TEST(SelfCrossing, IsFoundWhereTheWayBeginsOrHasACorner) {
+  for (const int first : {0, 7, 10, 20}) {
+    std::vector<Vector2d> points;
+    for (int i = 0; i < 40; ++i) {
+      const double u = 2 * kPi * (first + i) / 40;
+      points.emplace_back(0.04 * std::sin(u), 0.02 * std::sin(2 * u));
+    }
+    SplineOptions options;
+    options.closed = true;
+    const auto crossing = find_self_crossing(boundary_of({*spline_span(points, options)}));
+    ASSERT_TRUE(crossing.has_value()) << first;
+    EXPECT_LE(crossing->p_B.norm(), 1e-9) << first;
+  }
+  const auto pinched =
+      find_self_crossing(boundary_of(polygon({{0, 0}, {2, -1}, {2, 1}, {0, 0}, {-2, 1}, {-2, -1}})));
+  ASSERT_TRUE(pinched.has_value());
+  EXPECT_LE(pinched->p_B.norm(), 1e-15);
+}
+
 TEST(SelfCrossing, IsFoundBetweenLinesAndArcsAndNowhereElse) {
   EXPECT_FALSE(find_self_crossing(boundary_of(kRectangle)));
   EXPECT_FALSE(find_self_crossing(boundary_of({ArcPiece{{1, 2}, 0.5, 0.3, 2 * kPi}})));
