@@ -105,6 +105,24 @@ template <ChainRates kRates, class T>
   return T(0);
 }
 
+// Angles are continuous over all rows; a watch is that of all lanes.
+template <class T>
+inline void finish(const ChainRowsJob& job, const ChainWatch<T>* watches, const T& shortest) {
+  for (ChainTask& task : job.tasks) {
+    if (task.column.quantity == Quantity::kAngle && task.angle.turning >= 0) {
+      unwind<T>(task, job.turnings[static_cast<std::size_t>(task.angle.turning)]);
+    }
+  }
+  for (std::size_t g = 0; g < job.groups.size(); ++g) {
+    const double sum = sum_of_lanes(watches[g].sum);
+    job.watches[g] = {std::isnan(sum) ? sum : largest_lane(watches[g].margin), sum,
+                      largest_lane(watches[g].far2)};
+  }
+  if (job.statics != nullptr) {
+    job.statics->shortest2 = -largest_lane(shortest);
+  }
+}
+
 template <ChainRates kRates, class T>
 inline void fill(const ChainRowsJob& job) {
   constexpr std::size_t kPacks = kChainRows / T::kLanes;
@@ -167,19 +185,7 @@ inline void fill(const ChainRowsJob& job) {
       }
     }
   }
-  for (ChainTask& task : job.tasks) {
-    if (task.column.quantity == Quantity::kAngle && task.angle.turning >= 0) {
-      unwind<T>(task, job.turnings[static_cast<std::size_t>(task.angle.turning)]);
-    }
-  }
-  for (std::size_t g = 0; g < groups; ++g) {
-    const double sum = sum_of_lanes(watches[g].sum);
-    job.watches[g] = {std::isnan(sum) ? sum : largest_lane(watches[g].margin), sum,
-                      largest_lane(watches[g].far2)};
-  }
-  if (job.statics != nullptr) {
-    job.statics->shortest2 = -largest_lane(shortest);
-  }
+  finish(job, watches.data(), shortest);
 }
 
 template <class T>

@@ -34,17 +34,16 @@ std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& 
 }  // namespace
 
 bool lies_flat_behind(const Run& run, const JointPassage& passage) {
-  const Contact& contact = run.mechanism().contacts[passage.contact];
-  const Boundary& own = boundary_of(run.mechanism(), ref_of(contact, passage.side));
-  const Boundary& other = boundary_of(run.mechanism(), ref_of(contact, 1 - passage.side));
+  const Boundary& own = boundary_at(run, passage.contact, passage.side);
+  const Boundary& other = boundary_at(run, passage.contact, 1 - passage.side);
   return is_flat(own, passage.after) &&
          is_flat(other, run.at.state.contacts[passage.contact].place[1 - passage.side]);
 }
 
 std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, const JointPassage& passage) {
   const Contact& contact = run.mechanism().contacts[passage.contact];
-  const Boundary& own = boundary_of(run.mechanism(), ref_of(contact, passage.side));
-  const Boundary& other = boundary_of(run.mechanism(), ref_of(contact, 1 - passage.side));
+  const Boundary& own = boundary_at(run, passage.contact, passage.side);
+  const Boundary& other = boundary_at(run, passage.contact, 1 - passage.side);
   const bool forward = passage.after.t == range_of(own, passage.after.span).low;
   const auto end_of_own = end_ahead(own, passage.after, forward);
   if (!end_of_own || is_flat(own, end_of_own->behind)) {

@@ -6,6 +6,11 @@
 
 namespace higherpair {
 
+/// a - b of two follower coordinates, up to whole turns.
+[[nodiscard]] inline double gap_of_q(const ContactMap& map, double a, double b) {
+  return map.pair.motion2.turns ? nearest_turn(a - b, 0) : a - b;
+}
+
 /// A solved contact as a point of a map. \pre `at` lies on a branch whose normals are opposed or not as told
 [[nodiscard]] MapPoint point_of(const ContactPair& pair, const MapRange& range, bool opposed,
                                 const ContactPosition& at);

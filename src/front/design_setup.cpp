@@ -93,6 +93,16 @@ bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a.array() == b.array()).all();
 }
 
+// Whether a contact opens is told by its force.
+RunSettings run_wanted_by(const DesignTask& task) {
+  RunSettings wanted;
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    const std::vector<EventType>& types = constraint.without;
+    if (std::find(types.begin(), types.end(), EventType::kContactOpen) != types.end()) wanted.forces = true;
+  }
+  return wanted;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
@@ -111,12 +121,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
     return tl::unexpected(*std::move(refusal));
   }
   std::vector<Measure> measures = measures_of(*task);
-  RunSettings wanted;
-  for (const DesignTask::Constraint& constraint : task->constraints) {
-    const std::vector<EventType>& types = constraint.without;
-    if (std::find(types.begin(), types.end(), EventType::kContactOpen) != types.end()) wanted.forces = true;
-  }
-  auto settings = settings_for(model, measures, wanted);
+  auto settings = settings_for(model, measures, run_wanted_by(*task));
   if (!settings) {
     return tl::unexpected(std::move(settings.error()));
   }

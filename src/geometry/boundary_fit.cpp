@@ -134,6 +134,34 @@ PrattCircle taubin_circle(const std::vector<Vector2d>& points) {
   return {A / norm, -A / norm, std::atan2(least(2), least(1))};
 }
 
+PrattCircle circle_of(const Eigen::VectorXd& x) {
+  return {x(0), x(1), x(2)};
+}
+
+// By the places' distances from it.
+LeastSquaresFit nearest_circle(const std::vector<Vector2d>& places, const PrattCircle& start) {
+  LeastSquaresProblem problem;
+  problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) {
+    const PrattCircle circle = circle_of(x);
+    r.resize(static_cast<Eigen::Index>(places.size()));
+    for (Eigen::Index i = 0; i < r.size(); ++i) {
+      r(i) = circle.distance(places[static_cast<std::size_t>(i)]);
+    }
+    return r.allFinite();
+  };
+  problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) {
+    const PrattCircle circle = circle_of(x);
+    J.resize(static_cast<Eigen::Index>(places.size()), 3);
+    for (Eigen::Index i = 0; i < J.rows(); ++i) {
+      J.row(i) = circle.distance_derivatives(places[static_cast<std::size_t>(i)]);
+    }
+    return true;
+  };
+  LeastSquaresOptions options;
+  options.rounding = boundary_fit::kFitRounding;
+  return least_squares(problem, Eigen::Vector3d(start.A, 0, start.t), options);
+}
+
 }  // namespace
 
 std::string_view describe(BoundaryFitError error) {
@@ -199,27 +227,7 @@ BoundaryFitResult fit_circle(std::span<const Vector2d> points) {
   const Vector2d origin = start.foot();
   std::vector<Vector2d> places;
   for (const Vector2d& p : from->points) places.emplace_back(p - origin);
-  const auto circle_of = [](const Eigen::VectorXd& x) { return PrattCircle{x(0), x(1), x(2)}; };
-  LeastSquaresProblem problem;
-  problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) {
-    const PrattCircle circle = circle_of(x);
-    r.resize(static_cast<Eigen::Index>(places.size()));
-    for (Eigen::Index i = 0; i < r.size(); ++i) {
-      r(i) = circle.distance(places[static_cast<std::size_t>(i)]);
-    }
-    return r.allFinite();
-  };
-  problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) {
-    const PrattCircle circle = circle_of(x);
-    J.resize(static_cast<Eigen::Index>(places.size()), 3);
-    for (Eigen::Index i = 0; i < J.rows(); ++i) {
-      J.row(i) = circle.distance_derivatives(places[static_cast<std::size_t>(i)]);
-    }
-    return true;
-  };
-  LeastSquaresOptions options;
-  options.rounding = boundary_fit::kFitRounding;
-  const LeastSquaresFit found = least_squares(problem, Eigen::Vector3d(start.A, 0, start.t), options);
+  const LeastSquaresFit found = nearest_circle(places, start);
   const PrattCircle circle = circle_of(found.x);
   if (found.end != LeastSquaresEnd::kConverged || circle.A == 0) {
     return tl::unexpected(circle.A == 0 ? BoundaryFitError::kOneLine : BoundaryFitError::kNotConverged);

@@ -28,6 +28,16 @@ bool all_finite(const std::array<double, 6>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
+// What is wrong with the numbers of a conic.
+std::optional<CurveError> fault_of(const Vector2d& at_B, const std::array<double, 2>& lengths,
+                                   double rotation = 0) {
+  const auto [a, b] = lengths;
+  if (!at_B.allFinite() || !std::isfinite(a) || !std::isfinite(b) || !std::isfinite(rotation)) {
+    return CurveError::kNotFinite;
+  }
+  return a <= 0 || b <= 0 ? std::optional(CurveError::kNotPositive) : std::nullopt;
+}
+
 }  // namespace
 
 std::string_view describe(CurveError error) {
@@ -57,11 +67,8 @@ std::string_view describe(CurveError error) {
 }
 
 CurveResult make_circle(const Vector2d& center_B, double radius, Side side) {
-  if (!center_B.allFinite() || !std::isfinite(radius)) {
-    return tl::unexpected(CurveError::kNotFinite);
-  }
-  if (radius <= 0) {
-    return tl::unexpected(CurveError::kNotPositive);
+  if (const auto fault = fault_of(center_B, {radius, radius})) {
+    return tl::unexpected(*fault);
   }
   return vertex_form_of_ellipse(center_B, radius, radius, Vector2d::UnitX(), side);
 }
@@ -69,11 +76,8 @@ CurveResult make_circle(const Vector2d& center_B, double radius, Side side) {
 CurveResult make_ellipse(const Vector2d& center_B, const std::array<double, 2>& semi_axes, double rotation,
                          Side side) {
   const auto [a, b] = semi_axes;
-  if (!center_B.allFinite() || !std::isfinite(a) || !std::isfinite(b) || !std::isfinite(rotation)) {
-    return tl::unexpected(CurveError::kNotFinite);
-  }
-  if (a <= 0 || b <= 0) {
-    return tl::unexpected(CurveError::kNotPositive);
+  if (const auto fault = fault_of(center_B, semi_axes, rotation)) {
+    return tl::unexpected(*fault);
   }
   const Vector2d first_axis = unit_vector(rotation);
   if (a >= b) {
@@ -83,11 +87,8 @@ CurveResult make_ellipse(const Vector2d& center_B, const std::array<double, 2>& 
 }
 
 CurveResult make_parabola(const Vector2d& vertex_B, double focal_length, double rotation, Side side) {
-  if (!vertex_B.allFinite() || !std::isfinite(focal_length) || !std::isfinite(rotation)) {
-    return tl::unexpected(CurveError::kNotFinite);
-  }
-  if (focal_length <= 0) {
-    return tl::unexpected(CurveError::kNotPositive);
+  if (const auto fault = fault_of(vertex_B, {focal_length, focal_length}, rotation)) {
+    return tl::unexpected(*fault);
   }
   return if_in_range({CurveKind::kParabola, side, vertex_B, unit_vector(rotation), 2 * focal_length, 0});
 }
@@ -95,11 +96,8 @@ CurveResult make_parabola(const Vector2d& vertex_B, double focal_length, double 
 CurveResult make_hyperbola(const Vector2d& center_B, const std::array<double, 2>& semi_axes, double rotation,
                            Side side) {
   const auto [a, b] = semi_axes;
-  if (!center_B.allFinite() || !std::isfinite(a) || !std::isfinite(b) || !std::isfinite(rotation)) {
-    return tl::unexpected(CurveError::kNotFinite);
-  }
-  if (a <= 0 || b <= 0) {
-    return tl::unexpected(CurveError::kNotPositive);
+  if (const auto fault = fault_of(center_B, semi_axes, rotation)) {
+    return tl::unexpected(*fault);
   }
   const Vector2d axis_B = unit_vector(rotation);
   const double ratio = b / a;

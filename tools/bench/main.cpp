@@ -360,6 +360,19 @@ void register_long_runs() {
   }
 }
 
+std::vector<std::shared_ptr<PackCase>> checked_all_packs(const Run& four_bar, const Run& watt,
+                                                         const std::vector<Case>& cases) {
+  std::vector<std::shared_ptr<PackCase>> packs;
+  const auto add = [&](PackCase packed) { packs.push_back(std::make_shared<PackCase>(std::move(packed))); };
+  add(checked_packs("four_bar", four_bar));
+  add(checked_packs("watt_sixbar", watt));
+  add(checked_packs_with_forces("watt_sixbar_with_forces", watt));
+  for (std::size_t i = 0; i + 1 < cases.size(); ++i) {  // all but the flat face
+    add(checked_packs(cases[i].name, cases[i].run));
+  }
+  return packs;
+}
+
 // Returns the exit code.
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
@@ -377,16 +390,7 @@ int run(int argc, char** argv) {
   const LinkageCase<SixBarByHand> watt = checked_watt_sixbar();
   const std::vector<LawCase> laws = checked_laws();
   const std::vector<VariantCase> variants = checked_variants();
-  std::vector<std::shared_ptr<PackCase>> packs;
-  const auto add_packs = [&](const std::string& name, const Run& start) {
-    packs.push_back(std::make_shared<PackCase>(checked_packs(name, start)));
-  };
-  add_packs("four_bar", four_bar.run);
-  add_packs("watt_sixbar", watt.run);
-  packs.push_back(std::make_shared<PackCase>(checked_packs_with_forces("watt_sixbar_with_forces", watt.run)));
-  for (std::size_t i = 0; i + 1 < cases.size(); ++i) {  // all but the flat face
-    add_packs(cases[i].name, cases[i].run);
-  }
+  const auto packs = checked_all_packs(four_bar.run, watt.run, cases);
   VectorFourBar vector_bar = checked_vector_floor();
   const DesignCase design = checked_design();
   const BoundaryCase spline_cam = checked_spline_cam(cases[1]);

@@ -1,133 +1,17 @@
-#include "group_kinds.hpp"
+#include "contact_states.hpp"
 #include "higherpair/contact/extreme_gap.hpp"
-#include "higherpair/contact/finder.hpp"
-#include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
+#include <vector>
 
 namespace higherpair {
 namespace {
 
 constexpr double kLeastLever = 1e-3;  // of the size: of a follower that touches at its pivot
-
-// Seen from the first body of the file.
-ContactMotion contact_motion(const ContactPosition& at, double phi, bool first_is_first) {
-  ContactMotion motion;
-  if (first_is_first) {
-    motion.at = at;
-    motion.phi = phi;
-  } else {
-    motion.at = at.exchanged();
-    motion.phi = phi + kPi;
-  }
-  return motion;
-}
-
-// The group is singular where the follower's joint does not change the gap.
-void set_sine(const ContactPair& pair, const ContactPosition& at, GroupState& group) {
-  group.sine = at.gap_q;
-  group.lever = std::sqrt(gap_q_scale2(pair, at));
-  group.noise = kGapQIsZero * group.lever;
-}
-
-const ContactPosition& position_of(const PairTrack& track) {
-  if (const auto* rolling = std::get_if<RollingTrack>(&track)) {
-    return rolling->at;
-  }
-  if (const auto* standing = std::get_if<StandingContact>(&track)) {
-    return standing->at;
-  }
-  return std::get<ContactTrack>(track).at;
-}
-
-}  // namespace
-
-namespace {
-
-GroupStatus status_of(ContactStatus status) {
-  return status == ContactStatus::kNoContact ? GroupStatus::kOutOfReach : GroupStatus::kNotConverged;
-}
-
-// The follower and the contact from where the group's track now is.
-void place_follower(const TrackedPair& tracked, const ContactPosition& at, double phi, const State& from,
-                    State& to) {
-  place_at(tracked.follower.freedom, at.q, tracked.follower.body, from, to);
-  to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(at, phi, tracked.driver_is_first);
-}
-
-double coordinate_of(const TrackedPair& tracked, const std::vector<double>& drivers) {
-  return tracked.driver_sign * drivers[static_cast<std::size_t>(tracked.driver)];
-}
-
-}  // namespace
-
-GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
-                          const std::vector<double>& drivers, State& to) {
-  const double u = coordinate_of(tracked, drivers);
-  to.tracks[g] = from.tracks[g];
-  GroupState& group = to.groups[g];
-  if (auto* rolling = std::get_if<RollingTrack>(&to.tracks[g])) {
-    if (!roll_to(*rolling, u).converged) {
-      return GroupStatus::kNotConverged;
-    }
-    group.sine = 1;
-    place_follower(tracked, rolling->at, rolling->phi, from, to);
-    return GroupStatus::kOk;
-  }
-  if (const auto* standing = std::get_if<StandingContact>(&to.tracks[g])) {
-    set_sine(tracked.pair, standing->at, group);
-    place_follower(tracked, standing->at, angle_of(standing->at.n_W), from, to);
-    return GroupStatus::kOk;
-  }
-  auto& track = std::get<ContactTrack>(to.tracks[g]);
-  if (u != track.at.u || group.mode != track.branch) {
-    const ContactStatus status = step_to(track, u, group.mode);
-    if (status != ContactStatus::kOk) {
-      return status_of(status);
-    }
-  }
-  set_sine(tracked.pair, track.at, group);
-  place_follower(tracked, track.at, track.phi, from, to);
-  return GroupStatus::kOk;
-}
-
-GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const State& from,
-                               const std::vector<double>& drivers, State& to) {
-  const auto* lost = std::get_if<ContactTrack>(&from.tracks[g]);
-  if (lost == nullptr) {
-    return place_tracked(tracked, g, from, drivers, to);
-  }
-  const FindResult found =
-      find_nearest_contact(tracked.pair, coordinate_of(tracked, drivers), lost->at.q, to.groups[g].mode);
-  if (found.status != FindStatus::kFound) {
-    return GroupStatus::kOutOfReach;
-  }
-  ContactTrack track = start_track(tracked.pair, found.at, to.groups[g].mode);
-  track.phi = nearest_turn(track.phi, lost->phi);
-  set_sine(tracked.pair, track.at, to.groups[g]);
-  place_follower(tracked, track.at, track.phi, from, to);
-  to.tracks[g] = track;
-  return GroupStatus::kOk;
-}
-
-void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
-                  const std::vector<DriverMotion>& drivers, State& state) {
-  const ContactPosition& at = position_of(state.tracks[g]);
-  const DriverMotion& driver = drivers[static_cast<std::size_t>(tracked.driver)];
-  const double u_dot = tracked.driver_sign * driver.velocity;
-  const double u_ddot = tracked.driver_sign * driver.acceleration;
-  const double q_ddot = at.d2q * u_dot * u_dot + at.dq * u_ddot;
-  state.groups[g].sine_rate = at.dgap_q * u_dot;
-  set_rates_at(tracked.follower.freedom, at.dq * u_dot, q_ddot, body_in(state, tracked.follower.body));
-  set_contact_rates(model, tracked.contact, state);
-}
-
-namespace {
 
 // The contact from a guess; at a limit itself, where no branch is left to look for it on, the position that
 // two branches share.
@@ -336,12 +220,6 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
     const Vector2d direction = placed.pair.motion2.direction_W;
     state.groups[g].sine_rate = turned.dot(direction) + carrier.omega * n.dot(perp(direction));
   }
-}
-
-double tracked_sine(const TrackedPair& tracked, const State& state) {
-  const CommonNormal& at = state.contacts[static_cast<std::size_t>(tracked.contact)].at;
-  const Vector2d n = (tracked.driver_is_first ? 1 : -1) * at.n_W;
-  return n.dot(velocity_per_q(tracked.pair.motion2, at.p_W()));
 }
 
 double touching_sine(const Planned& model, const TouchingBody& touching, const State& state) {
