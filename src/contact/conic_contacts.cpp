@@ -119,7 +119,8 @@ std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& prob
     }
     return found;
   }
-  for (const Complex<Extended>& root : roots_of(polynomial)) {
+  const RootsAsked asked = problem.motion.turns ? RootsAsked::kOfUnitSize : RootsAsked::kReal;
+  for (const Complex<Extended>& root : roots_of(polynomial, asked)) {
     if (const auto at = real_coordinate(root, problem.motion.turns)) {
       for (const Tangency& tangency : tangencies_at(problem, *at)) {
         add(problem, tangency, found);

@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kMaxSweeps = 100;
 constexpr long double kNegligible = 1e-80L;
+constexpr long double kRounding = 1e-95L;  // of a sum of products, of their sizes
+constexpr long double kNearby = 1e-3L;     // to where roots are asked for: those that others take to be there
 // Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told
 // apart.
 const Extended kConvergedSquared("1e-120");
@@ -88,9 +90,10 @@ Complex<T> correction(const std::vector<Complex<T>>& c, const std::vector<Comple
   return norm(divisor) == 0 ? Complex<T>{} : inverse(divisor);
 }
 
+// \param done  roots that are left as they are
 template <class T>
-void iterate(const std::vector<Complex<T>>& c, std::vector<Complex<T>>& x, const T& converged_squared) {
-  std::vector<bool> done(x.size(), false);
+void iterate(const std::vector<Complex<T>>& c, std::vector<Complex<T>>& x, const T& converged_squared,
+             std::vector<bool> done) {
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     bool all_done = true;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -110,7 +113,7 @@ std::vector<Complex<Extended>> rough_roots(const Polynomial& c) {
   RoughComplexes rough_c;
   for (const auto& coefficient : c) rough_c.push_back(rough(coefficient));
   RoughComplexes x = start;
-  iterate(rough_c, x, kRoughlyConvergedSquared);
+  iterate(rough_c, x, kRoughlyConvergedSquared, std::vector<bool>(x.size(), false));
   std::vector<Complex<Extended>> values;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const auto& [re, im] = std::isfinite(x[i].re) && std::isfinite(x[i].im) ? x[i] : start[i];
@@ -119,9 +122,45 @@ std::vector<Complex<Extended>> rough_roots(const Polynomial& c) {
   return values;
 }
 
+// Of a disc that holds a root of p: n |p(x_i)| / (|c_n| Π |x_i - x_j|) with what rounding makes of p(x_i).
+Rough radius_of_disc(const Polynomial& c, const std::vector<Complex<Extended>>& x, std::size_t i) {
+  const Rough at = magnitude(x[i]);
+  Rough terms = 0, product = magnitude(c.back());
+  for (std::size_t k = c.size(); k-- > 0;) terms = terms * at + magnitude(c[k]);
+  for (std::size_t j = 0; j < x.size(); ++j) product *= j == i ? 1 : magnitude(x[i] - x[j]);
+  const Rough value = magnitude(evaluate(c, x[i]).first) + kRounding * terms;
+  return static_cast<Rough>(x.size()) * value / product;
+}
+
+// Which roots are not where they are asked for: connected discs hold as many roots as they are (Gershgorin),
+// so those are not that no chain of discs connects with one that reaches there.
+std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex<Extended>>& x,
+                                  RootsAsked asked) {
+  std::vector<bool> elsewhere(x.size(), asked != RootsAsked::kAll);
+  if (asked == RootsAsked::kAll) return elsewhere;
+  std::vector<Rough> radii;
+  for (std::size_t i = 0; i < x.size(); ++i) radii.push_back(radius_of_disc(c, x, i));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Rough at = magnitude(x[i]);
+    const Rough off = asked == RootsAsked::kOfUnitSize ? std::abs(at - 1) : std::abs(to_long_double(x[i].im));
+    elsewhere[i] = off > radii[i] + kNearby * (1 + at);  // false for what is no number
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t j = 0; elsewhere[i] && j < x.size(); ++j) {
+        if (elsewhere[j] || magnitude(x[i] - x[j]) > radii[i] + radii[j]) continue;
+        elsewhere[i] = false;
+        changed = true;
+      }
+    }
+  }
+  return elsewhere;
+}
+
 }  // namespace
 
-std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients) {
+std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsked asked) {
   long double largest = 0;
   for (const auto& coefficient : coefficients) {
     largest = std::max(largest, magnitude(coefficient));
@@ -134,7 +173,7 @@ std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients) {
   }
   const Polynomial trimmed(first, last);
   std::vector<Complex<Extended>> x = rough_roots(trimmed);
-  iterate(trimmed, x, kConvergedSquared);
+  iterate(trimmed, x, kConvergedSquared, lying_elsewhere(trimmed, x, asked));
   x.insert(x.end(), static_cast<std::size_t>(first - coefficients.begin()), Complex<Extended>{});
   return x;
 }
