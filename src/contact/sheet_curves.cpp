@@ -15,6 +15,7 @@ namespace {
 // Where cells are halved: off the middle, which symmetry may make special.
 constexpr double kSplit = 0.4713;
 constexpr int kDeepest = 40;
+constexpr int kMostForGraph = 16;  // a curve next to a crossing of two is none over either parameter
 constexpr std::size_t kMostSheetSteps = 200000;  // of all curves: more are noise
 constexpr double kStraight = 0.85;               // cosine between a curve and its chord
 constexpr double kNoLength = 1e-7;               // of a cell: a chord without a direction
@@ -77,13 +78,30 @@ private:
     add(grid_.zeros_along2(grid_.part1(i).last, j), Rim::kHigh1);
     add(grid_.zeros_along1(i, grid_.part2(j).first), Rim::kLow2);
     add(grid_.zeros_along1(i, grid_.part2(j).last), Rim::kHigh2);
-    if (!zeros.empty()) {
-      connect(cell, std::move(zeros), kSplit, kSplit, 0);
-    } else if (const auto inner = grid_.inner_zero(i, j)) {
-      connect(cell, {}, (inner->x() - cell.t1.low) / width_.x(), (inner->y() - cell.t2.low) / width_.y(), 0);
+    if (zeros.empty()) {
+      find_within(cell, grid_.look_into(grid_.stretch1(i), grid_.stretch2(j)), 0);
+    } else {
+      connect(cell, zeros, 0);
     }
   }
 
+  // A closed curve in a cell without zeros on its rim is cut by the lines through a place in it.
+  void find_within(const Rect& cell, const CellLook& look, int depth) {
+    if (!look.place || depth == kDeepest) {
+      found_.complete = found_.complete && !look.place && look.proven;
+      return;
+    }
+    const double split1 = (look.place->x() - cell.t1.low) / cell.t1.width();
+    const double split2 = (look.place->y() - cell.t2.low) / cell.t2.width();
+    if (std::min(split1, split2) > 0 && std::max(split1, split2) < 1) {
+      halve(cell, {}, split1, split2, depth);
+    } else {
+      found_.complete = false;
+    }
+  }
+
+  [[nodiscard]] StretchNode stretch1(const Bounds& t) const { return {sheet_, true, span1_, t}; }
+  [[nodiscard]] StretchNode stretch2(const Bounds& t) const { return {sheet_, false, span2_, t}; }
   [[nodiscard]] SheetPlace one(double t) const { return sheet_.place1({span1_, t}); }
   [[nodiscard]] SheetPlace two(double t) const { return sheet_.place2({span2_, t}); }
 
@@ -135,18 +153,30 @@ private:
     return {{span1_, a.t1}, {span2_, a.t2}, {span1_, b.t1}, {span2_, b.t2}, width_};
   }
 
-  void connect(const Rect& cell, std::vector<Zero> zeros, double split1, double split2, int depth) {
+  // Whether F rises or falls with one of the two parameters: then no curve is closed within the cell.
+  [[nodiscard]] bool is_graph(const Rect& cell) const {
+    const SheetRange range =
+        sheet_.range(sheet_.stretch1(span1_, cell.t1), sheet_.stretch2(span2_, cell.t2), 0);
+    return range.slope1 != 0 || range.slope2 != 0;
+  }
+
+  void connect(const Rect& cell, const std::vector<Zero>& zeros, int depth) {
     if (links_.size() > kMostSheetSteps || is_stopped(range_)) {
       found_.complete = false;
-    } else if (zeros.size() == 2 && (depth == kDeepest || is_straight(zeros[0], zeros[1]))) {
+    } else if (zeros.empty()) {
+      StretchNode on1 = stretch1(cell.t1);
+      StretchNode on2 = stretch2(cell.t2);
+      find_within(cell, grid_.look_into(on1, on2), depth);
+    } else if (zeros.size() == 2 && (depth == kDeepest || (is_straight(zeros[0], zeros[1]) &&
+                                                           (depth >= kMostForGraph || is_graph(cell))))) {
       const Zero& a = zeros[0];
       const Zero& b = zeros[1];
       found_.complete = found_.complete && depth < kDeepest;
       links_.push_back({a.id, b.id, step_between(polished(a), polished(b))});
     } else if (depth == kDeepest) {
-      found_.complete = found_.complete && zeros.empty();
-    } else if (!zeros.empty() || depth == 0) {
-      halve(cell, zeros, split1, split2, depth);
+      found_.complete = false;
+    } else {
+      halve(cell, zeros, kSplit, kSplit, depth);
     }
   }
 
@@ -174,8 +204,9 @@ private:
       }
     }
     const auto add = [&](bool along1, const Bounds& t, std::vector<Zero>& low, std::vector<Zero>& high) {
-      const auto fixed = along1 ? two(m2) : one(m1);
-      for (const double zero : grid_.zeros_between(fixed, along1 ? span1_ : span2_, t, along1)) {
+      StretchNode on1 = stretch1(along1 ? t : Bounds{m1, m1});
+      StretchNode on2 = stretch2(along1 ? Bounds{m2, m2} : t);
+      for (const double zero : grid_.zeros_between(on1, on2)) {
         const int id = grid_.new_id();
         const double t1 = along1 ? zero : m1;
         const double t2 = along1 ? m2 : zero;
@@ -191,7 +222,7 @@ private:
     const auto rects = rects_;
     for (const bool high1 : {false, true}) {
       for (const bool high2 : {false, true}) {
-        connect(rects[high1][high2], quarters[high1][high2], kSplit, kSplit, depth + 1);
+        connect(rects[high1][high2], quarters[high1][high2], depth + 1);
       }
     }
   }

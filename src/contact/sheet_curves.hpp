@@ -30,9 +30,8 @@ struct SheetCurves {
 };
 
 /// All tangencies of a sheet. The spans of both boundaries are cut into the parts that show their shape; on
-/// every side of the cells of that grid the zeros are found by signs, and pairs of them by the sign of the
-/// slope; cells are halved until each is crossed by one nearly straight curve. A closed curve within one cell
-/// is found where F has an extreme value of the other sign there; a smaller one may be missed.
+/// every side of the cells of that grid the zeros are found; cells are halved until each is crossed by one
+/// nearly straight curve, and bounds of F or of its slopes exclude a closed one besides.
 /// Normals that are equal do not pass corners: such curves end there.
 /// \param range  where is_stopped(range) some are missing
 [[nodiscard]] SheetCurves sheet_curves(const TangencySheet& sheet, const MapRange& range);

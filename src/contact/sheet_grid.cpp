@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -14,7 +15,8 @@ constexpr int kLeastParts = 4;     // of a span, also where it is straight
 // Far parts of lines and open conics are halved: of even parts the last ones would be nearly all of them.
 constexpr double kEvenSpeed = 4;  // between the ends of a part
 constexpr int kMostHalvings = 24;
-constexpr double kFace = 0.37;  // of a part of a face: its nodes lie off the middle, which may be special
+constexpr int kMostEdgeParts = 60;  // that the side of a cell is cut into in search of its zeros
+constexpr double kFace = 0.37;      // of a part of a face: its nodes lie off the middle, which may be special
 
 std::int64_t key_of(int a, int b) {
   return (static_cast<std::int64_t>(a) << 32) | b;
@@ -109,16 +111,13 @@ SheetGrid::Side SheetGrid::side_of(const Boundary& boundary, double length) {
 }
 
 void SheetGrid::place_nodes(Side& side, bool is_first) {
-  const auto place = [&](int span, double t) {
-    return is_first ? sheet_.place1({span, t}) : sheet_.place2({span, t});
-  };
   side.nodes.resize(side.ends.size());
   for (const Part& part : side.parts) {
-    side.first.push_back(place(part.span, part.t.low));
-    side.last.push_back(place(part.span, part.t.high));
-    side.nodes[static_cast<std::size_t>(part.last)] = side.last.back();
+    side.stretches.push_back(std::make_unique<StretchNode>(sheet_, is_first, part.span, part.t));
+    StretchNode& stretch = *side.stretches.back();
+    side.nodes[static_cast<std::size_t>(part.last)] = &stretch.end(true);
     if (part.first >= static_cast<int>(side.parts.size())) {
-      side.nodes[static_cast<std::size_t>(part.first)] = side.first.back();
+      side.nodes[static_cast<std::size_t>(part.first)] = &stretch.end(false);
     }
   }
 }
@@ -133,30 +132,33 @@ void SheetGrid::find_zeros(const MapRange& range) {
   std::vector<double> values(n1 * n2);
   for (std::size_t a = 0; a < n1 && !is_stopped(range); ++a) {
     for (std::size_t b = 0; b < n2; ++b) {
-      values[a * n2 + b] = level(side1_.nodes[a], side2_.nodes[b]);
+      values[a * n2 + b] = level(side1_.nodes[a]->stretch().middle, side2_.nodes[b]->stretch().middle);
     }
   }
   const auto value = [&](int a, int b) {
     return values[static_cast<std::size_t>(a) * n2 + static_cast<std::size_t>(b)];
   };
+  std::vector<double> zeros;
   for (std::size_t a = 0; a < n1 && !is_stopped(range); ++a) {
     for (std::size_t j = 0; j < side2_.parts.size(); ++j) {
       const Part& part = side2_.parts[j];
       const auto node = static_cast<int>(a);
-      keep(along2_, key_of(node, static_cast<int>(j)),
-           zeros_of(side1_.nodes[a], part.span, part.t, false, value(node, part.first),
-                    value(node, part.last), side2_.first[j], side2_.last[j]),
-           ends_at(side1_, a) ? 1 : 0);
+      zeros.clear();
+      int parts = 0;
+      add_zeros(*side1_.nodes[a], *side2_.stretches[j], value(node, part.first), value(node, part.last),
+                parts, zeros);
+      keep(along2_, key_of(node, static_cast<int>(j)), zeros, ends_at(side1_, a) ? 1 : 0);
     }
   }
   for (std::size_t i = 0; i < side1_.parts.size() && !is_stopped(range); ++i) {
     const Part& part = side1_.parts[i];
     for (std::size_t b = 0; b < n2; ++b) {
       const auto node = static_cast<int>(b);
-      keep(along1_, key_of(static_cast<int>(i), node),
-           zeros_of(side2_.nodes[b], part.span, part.t, true, value(part.first, node), value(part.last, node),
-                    side1_.first[i], side1_.last[i]),
-           ends_at(side2_, b) ? 2 : 0);
+      zeros.clear();
+      int parts = 0;
+      add_zeros(*side1_.stretches[i], *side2_.nodes[b], value(part.first, node), value(part.last, node),
+                parts, zeros);
+      keep(along1_, key_of(static_cast<int>(i), node), zeros, ends_at(side2_, b) ? 2 : 0);
     }
   }
 }
@@ -182,107 +184,64 @@ int SheetGrid::boundary_ending_at(int id) const {
   return static_cast<std::size_t>(id) < ending_.size() ? ending_[static_cast<std::size_t>(id)] : 0;
 }
 
-std::vector<double> SheetGrid::zeros_between(const SheetPlace& fixed, int span, const Bounds& t,
-                                             bool along1) const {
-  const auto at = [&](double x) { return along1 ? sheet_.place1({span, x}) : sheet_.place2({span, x}); };
-  const SheetPlace first = at(t.low);
-  const SheetPlace last = at(t.high);
-  const auto value = [&](const SheetPlace& moved) {
-    return along1 ? level(moved, fixed) : level(fixed, moved);
-  };
-  return zeros_of(fixed, span, t, along1, value(first), value(last), first, last);
-}
-
-std::vector<double> SheetGrid::zeros_of(const SheetPlace& fixed, int span, const Bounds& t, bool along1,
-                                        double low, double high, const SheetPlace& first,
-                                        const SheetPlace& last) const {
-  const auto at = [&](double x) {
-    return along1 ? sheet_.place1({span, t.low + x}) : sheet_.place2({span, t.low + x});
-  };
-  const auto value = [&](double x) { return along1 ? level(at(x), fixed) : level(fixed, at(x)); };
-  const auto slope_at = [&](const SheetPlace& moved) {
-    return along1 ? sheet_.slopes(moved, fixed).x() : sheet_.slopes(fixed, moved).y();
-  };
-  // The zero of F itself, where it is next to that of the lifted one.
-  const auto unlifted = [&](double lifted) {
-    double x = lifted;
-    for (int pass = 0; pass < 3; ++pass) {
-      const SheetPlace moved = at(x);
-      x -= (along1 ? sheet_.value(moved, fixed) : sheet_.value(fixed, moved)) / slope_at(moved);
-    }
-    return std::abs(x - lifted) <= kBeside * t.width() ? std::clamp(x, 0.0, t.width()) : lifted;
-  };
+std::vector<double> SheetGrid::zeros_between(StretchNode& one, StretchNode& two) const {
   std::vector<double> zeros;
-  const auto add = [&](double from, double value_from, double to, double value_to) {
-    const auto f = [&](double x) { return value(from + x); };
-    double root = from + root_between(f, value_from, to - from, value_to).value_or((to - from) / 2);
-    root = unlifted(root);
-    const SheetPlace moved = at(root);
-    if (along1 ? sheet_.faces(moved, fixed) : sheet_.faces(fixed, moved)) {
-      zeros.push_back(t.low + root);
-    }
+  const auto at_ends = [&](bool high) {
+    return level(one.end(high).stretch().middle, two.end(high).stretch().middle);
   };
-  const double width = t.width();
-  if ((low >= 0) != (high >= 0)) {
-    add(0, low, width, high);
-    return zeros;
-  }
-  const double sign = low >= 0 ? 1 : -1;
-  const double slope_low = slope_at(first);
-  const double slope_high = slope_at(last);
-  if (!(sign * slope_low < 0 && sign * slope_high > 0)) {
-    return zeros;
-  }
-  const auto slope = [&](double x) { return slope_at(at(x)); };
-  const auto extreme = root_between(slope, slope_low, width, slope_high);
-  const double deepest = extreme ? value(*extreme) : low;
-  if ((deepest >= 0) != (low >= 0)) {
-    add(0, low, *extreme, deepest);
-    add(*extreme, deepest, width, high);
-  }
+  int parts = 0;
+  add_zeros(one, two, at_ends(false), at_ends(true), parts, zeros);
   return zeros;
 }
 
-// From the middle along each of the two boundaries in turn to the extreme value there.
-std::optional<Vector2d> SheetGrid::inner_zero(int i, int j) const {
-  constexpr int kRounds = 6;
-  const auto place = [](const Side& side, int k, bool high) {
-    return (high ? side.last : side.first)[static_cast<std::size_t>(k)];
+// Halved until F rises or falls along the rest, or is not 0 there.
+void SheetGrid::add_zeros(StretchNode& one, StretchNode& two, double low, double high, int& parts,
+                          std::vector<double>& zeros) const {
+  ++parts;
+  const bool along1 = two.is_place();
+  const SheetRange range = sheet_.range(one.stretch(), two.stretch(), lifted_);
+  const bool crosses = (low >= 0) != (high >= 0);
+  if ((along1 ? range.slope1 : range.slope2) != 0 || parts > kMostEdgeParts || (!range.zero && !crosses)) {
+    if (const auto zero = crosses ? zero_along(one, two, low, high) : std::nullopt) {
+      zeros.push_back(*zero);
+    }
+    return;
+  }
+  const double middle = level(one.stretch().middle, two.stretch().middle);
+  for (const bool second : {false, true}) {
+    add_zeros(along1 ? one.half(second) : one, along1 ? two : two.half(second), second ? middle : low,
+              second ? high : middle, parts, zeros);
+  }
+}
+
+// The zero of F itself, where it is next to that of the lifted one; none that is no tangency.
+std::optional<double> SheetGrid::zero_along(const StretchNode& one, const StretchNode& two, double low,
+                                            double high) const {
+  const bool along1 = two.is_place();
+  const Bounds t = along1 ? one.t() : two.t();
+  const auto places = [&](double x) {
+    return along1 ? std::pair(sheet_.place1({one.span(), t.low + x}), two.stretch().middle)
+                  : std::pair(one.stretch().middle, sheet_.place2({two.span(), t.low + x}));
   };
-  const double sign = level(place(side1_, i, false), place(side2_, j, false)) >= 0 ? 1 : -1;
-  for (const bool high : {false, true}) {
-    const double outwards = high ? 1 : -1;
-    for (const bool other : {false, true}) {
-      const double slope1 = sheet_.slopes(place(side1_, i, high), place(side2_, j, other)).x();
-      const double slope2 = sheet_.slopes(place(side1_, i, other), place(side2_, j, high)).y();
-      if (!(sign * outwards * slope1 > 0 && sign * outwards * slope2 > 0)) {
-        return std::nullopt;
-      }
-    }
+  const auto value = [&](double x) {
+    const auto [a, b] = places(x);
+    return level(a, b);
+  };
+  const double lifted = root_between(value, low, t.width(), high).value_or(t.width() / 2);
+  double x = lifted;
+  for (int pass = 0; pass < 3; ++pass) {
+    const auto [a, b] = places(x);
+    const Vector2d slopes = sheet_.slopes(a, b);
+    x -= sheet_.value(a, b) / (along1 ? slopes.x() : slopes.y());
   }
-  const Part& one = part1(i);
-  const Part& two = part2(j);
-  Vector2d at(one.t.low + one.t.width() / 2, two.t.low + two.t.width() / 2);
-  for (int round = 0; round < kRounds; ++round) {
-    for (const bool along1 : {true, false}) {
-      const Bounds& t = along1 ? one.t : two.t;
-      const auto slope = [&](double x) {
-        const double t1 = along1 ? t.low + x : at.x();
-        const double t2 = along1 ? at.y() : t.low + x;
-        const Vector2d slopes = sheet_.slopes(sheet_.place1({one.span, t1}), sheet_.place2({two.span, t2}));
-        return along1 ? slopes.x() : slopes.y();
-      };
-      if (const auto x = root_between(slope, slope(0), t.width(), slope(t.width()))) {
-        (along1 ? at.x() : at.y()) = t.low + *x;
-      }
-      const SheetPlace on1 = sheet_.place1({one.span, at.x()});
-      const SheetPlace on2 = sheet_.place2({two.span, at.y()});
-      if (sign * level(on1, on2) < 0 && sheet_.faces(on1, on2)) {
-        return at;
-      }
-    }
-  }
-  return std::nullopt;
+  x = std::abs(x - lifted) <= kBeside * t.width() ? std::clamp(x, 0.0, t.width()) : lifted;
+  const auto [a, b] = places(x);
+  return sheet_.faces(a, b) ? std::optional(t.low + x) : std::nullopt;
+}
+
+CellLook SheetGrid::look_into(StretchNode& one, StretchNode& two) const {
+  const double corner = level(one.end(false).stretch().middle, two.end(false).stretch().middle);
+  return look_into_cell(sheet_, one, two, lifted_, corner >= 0 ? 1 : -1);
 }
 
 }  // namespace higherpair

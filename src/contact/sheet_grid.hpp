@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/contact_map.hpp"
+#include "sheet_cells.hpp"
 #include "tangency_sheet.hpp"
 
 #include <cstdint>
@@ -40,11 +41,13 @@ public:
   /// The zeros along part j of boundary 2 at a node of boundary 1, and the other way round.
   [[nodiscard]] const std::vector<Zero>& zeros_along2(int node1, int j) const;
   [[nodiscard]] const std::vector<Zero>& zeros_along1(int i, int node2) const;
-  /// The zeros along a stretch of a span of boundary 1 (or 2) at a place of the other one.
-  [[nodiscard]] std::vector<double> zeros_between(const SheetPlace& fixed, int span, const Bounds& t,
-                                                  bool along1) const;
-  /// A place within a cell without zeros on its lines where F has the other sign.
-  [[nodiscard]] std::optional<Vector2d> inner_zero(int i, int j) const;
+  /// The zeros along a line between two places, of which either both are on one place of boundary 1 or both
+  /// on one of boundary 2.
+  [[nodiscard]] std::vector<double> zeros_between(StretchNode& one, StretchNode& two) const;
+  /// Looks into a cell without zeros on its rim.
+  [[nodiscard]] CellLook look_into(StretchNode& one, StretchNode& two) const;
+  [[nodiscard]] StretchNode& stretch1(int i) { return *side1_.stretches[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] StretchNode& stretch2(int j) { return *side2_.stretches[static_cast<std::size_t>(j)]; }
 
   /// The boundary, 1 or 2, that ends at a zero; 0: none does.
   [[nodiscard]] int boundary_ending_at(int id) const;
@@ -54,9 +57,10 @@ public:
 private:
   struct Side {
     std::vector<Part> parts;
-    std::vector<SheetPlace> nodes, first, last;  // first and last of the parts, by their own spans
-    std::vector<bool> ends;                      // of the nodes: the boundary ends there
-    std::vector<bool> at_corner;                 // of the nodes: a corner begins or ends there
+    std::vector<std::unique_ptr<StretchNode>> stretches;  // the parts
+    std::vector<StretchNode*> nodes;
+    std::vector<bool> ends;       // of the nodes: the boundary ends there
+    std::vector<bool> at_corner;  // of the nodes: a corner begins or ends there
   };
 
   // \param length  what is long for a part near the middle of its boundary [m]
@@ -70,9 +74,12 @@ private:
     return side.ends[node] || (!sheet_.opposed() && side.at_corner[node]);
   }
   [[nodiscard]] double level(const SheetPlace& one, const SheetPlace& two) const;
-  [[nodiscard]] std::vector<double> zeros_of(const SheetPlace& fixed, int span, const Bounds& t, bool along1,
-                                             double low, double high, const SheetPlace& first,
-                                             const SheetPlace& last) const;
+  // Along the one of the two that is no place. \param low, high  the level at its ends
+  // \param parts  how many have been looked at
+  void add_zeros(StretchNode& one, StretchNode& two, double low, double high, int& parts,
+                 std::vector<double>& zeros) const;
+  [[nodiscard]] std::optional<double> zero_along(const StretchNode& one, const StretchNode& two, double low,
+                                                 double high) const;
   void keep(std::unordered_map<std::int64_t, std::vector<Zero>>& zeros, std::int64_t key,
             const std::vector<double>& found, int ending);
 

@@ -30,6 +30,90 @@ SheetPlace place_at(const Boundary& boundary, const BoundaryPlace& at, const Pos
   return place;
 }
 
+SpanBounds bounds_by_samples(const Span& span, const Bounds& t) {
+  const SpanPoint a = span.at(t.low);
+  const SpanPoint m = span.at(t.low + t.width() / 2);
+  const SpanPoint b = span.at(t.high);
+  const auto speed = std::minmax({a.speed, m.speed, b.speed});
+  const auto turn = std::minmax({a.kappa * a.speed, m.kappa * m.speed, b.kappa * b.speed});
+  return {{speed.first, speed.second}, {turn.first, turn.second}};
+}
+
+SheetStretch stretch_at(const Boundary& boundary, int span, const Bounds& t, const Pose<double>& X_WB,
+                        double side) {
+  const Span& curve = *boundary.spans()[static_cast<std::size_t>(span)];
+  const auto proven = curve.bounds(t);
+  const SpanBounds bounds = proven ? *proven : bounds_by_samples(curve, t);
+  const auto largest = [](const Bounds& b) { return std::max(std::abs(b.low), std::abs(b.high)); };
+  SheetStretch stretch;
+  stretch.middle = place_at(boundary, {span, t.low + t.width() / 2}, X_WB, side);
+  stretch.half = t.width() / 2;
+  stretch.reach = stretch.half * largest(bounds.speed);
+  stretch.tilt = stretch.half * largest(bounds.turn);
+  stretch.along = side > 0 ? bounds.speed : Bounds{-bounds.speed.high, -bounds.speed.low};
+  stretch.turn = bounds.turn;
+  return stretch;
+}
+
+// A number or a vector, and how far others may be from it.
+template <class T>
+struct Around {
+  T middle;
+  double radius = 0;
+};
+
+Around<double> around(const Bounds& a) {
+  return {a.low + a.width() / 2, a.width() / 2};
+}
+
+Around<double> dot(const Around<Vector2d>& a, const Around<Vector2d>& b) {
+  return {a.middle.dot(b.middle), a.middle.norm() * b.radius + a.radius * (b.middle.norm() + b.radius)};
+}
+
+Around<double> operator*(const Around<double>& a, const Around<double>& b) {
+  return {a.middle * b.middle, std::abs(a.middle) * b.radius + a.radius * (std::abs(b.middle) + b.radius)};
+}
+
+Around<double> operator-(const Around<double>& a, const Around<double>& b) {
+  return {a.middle - b.middle, a.radius + b.radius};
+}
+
+Around<Vector2d> perp(const Around<Vector2d>& a) {
+  return {higherpair::perp(a.middle), a.radius};
+}
+
+// How far a unit vector moves that turns by so much, at most.
+double chord_of(double turn) {
+  return std::min(turn, 2.0);
+}
+
+// Turned by R and by no more than `turn` to either side.
+Around<Vector2d> turned(const Rotation<double>& R, const Around<Vector2d>& a, double turn) {
+  return {R * a.middle, a.radius + a.middle.norm() * chord_of(turn)};
+}
+
+// turn·m - along·n over a stretch of a body that turns, m being its points from the pivot: turn times the
+// centre of curvature from there, so that it stands still along an arc.
+Around<Vector2d> turned_center(const SheetStretch& stretch, const Vector2d& m) {
+  const Around<double> along = around(stretch.along);
+  const Around<double> turn = around(stretch.turn);
+  return {turn.middle * m - along.middle * stretch.middle.n_W,
+          turn.radius * (m.norm() + stretch.reach) + along.radius +
+              stretch.half * (std::abs(turn.middle) * along.radius + std::abs(along.middle) * turn.radius)};
+}
+
+// What is known of a function with these slopes that has this value at the middle of both stretches, and is
+// no farther from it than `reach`.
+SheetRange range_of(const SheetStretch& one, const SheetStretch& two, const Around<double>& slope1,
+                    const Around<double>& slope2, double value, double reach) {
+  const auto largest = [](const Around<double>& a) { return std::abs(a.middle) + a.radius; };
+  const auto sign = [](const Around<double>& a) {
+    return a.middle > a.radius ? 1 : a.middle < -a.radius ? -1 : 0;
+  };
+  const double change = one.half * largest(slope1) + two.half * largest(slope2);
+  return {std::abs(value) <= std::min(reach, change), sign(slope1), sign(slope2)};
+}
+
 }  // namespace
 
 TangencySheet::TangencySheet(const BoundaryPair& pair, bool opposed)
@@ -105,6 +189,59 @@ Vector2d TangencySheet::slopes(const SheetPlace& one, const SheetPlace& two) con
             -across.dot(two.along * t1 + two.turn * perp(Rm2))};
   }
   return {size_ * one.turn * cross(t1, two.n_W), size_ * two.turn * cross(one.n_W, t2)};
+}
+
+SheetStretch TangencySheet::stretch1(int span, const Bounds& t) const {
+  return stretch_at(*pair_.boundary1, span, t, X_W1_, 1);
+}
+
+SheetStretch TangencySheet::stretch2(int span, const Bounds& t) const {
+  return stretch_at(*pair_.boundary2, span, t, X_W2_, side2_);
+}
+
+// With e = turn·m - along·n of a turning body (m from its pivot) the slopes are products of e and of what the
+// pivots miss each other by: e1·w⊥ and w·(R e2)⊥ (of O1O2) between two pivots, -d⊥·(R e)⊥ beside a slide.
+SheetRange TangencySheet::range(const SheetStretch& one, const SheetStretch& two, double level) const {
+  const SheetPlace& p1 = one.middle;
+  const SheetPlace& p2 = two.middle;
+  const double above = value(p1, p2) - level;
+  const double turn = one.tilt + two.tilt;
+  if (pair_.motion1.turns && pair_.motion2.turns) {
+    const Vector2d m1 = p1.p_W - pair_.motion1.p_WO;
+    const Vector2d m2 = p2.p_W - pair_.motion2.p_WO;
+    const double d = O12_.norm();
+    const Rotation<double> R = rotation_between(p2.n_W, -p1.n_W);
+    const Vector2d Rm2 = R * m2;
+    const double off = one.reach + two.reach + m2.norm() * chord_of(turn);
+    const Around<Vector2d> w{(m1 - Rm2) / d, off / d};
+    const double reach = off * (w.middle.norm() + w.radius / 2);
+    return range_of(one, two, dot(turned_center(one, m1), perp(w)),
+                    dot(w, perp(turned(R, turned_center(two, m2), turn))), above, reach);
+  }
+  if (pair_.motion1.turns || pair_.motion2.turns) {
+    const bool first = pair_.motion1.turns;
+    const SheetStretch& turning = first ? one : two;
+    const SheetStretch& sliding = first ? two : one;
+    const Vector2d m = turning.middle.p_W - (first ? pair_.motion1 : pair_.motion2).p_WO;
+    const Rotation<double> R = rotation_between(turning.middle.n_W, -sliding.middle.n_W);
+    const Around<Vector2d> across{perp((first ? pair_.motion2 : pair_.motion1).direction_W), 0};
+    const Around<Vector2d> Rm{R * m, turning.reach + m.norm() * chord_of(turn)};
+    const Around<Vector2d> t{perp(sliding.middle.n_W), chord_of(sliding.tilt)};
+    const Around<double> of_turning =
+        dot(Around<Vector2d>{-across.middle, 0}, perp(turned(R, turned_center(turning, m), turn)));
+    const Around<double> of_sliding =
+        around(sliding.turn) * dot(across, perp(Rm)) - around(sliding.along) * dot(across, t);
+    return range_of(one, two, first ? of_turning : of_sliding, first ? of_sliding : of_turning, above,
+                    Rm.radius + sliding.reach);
+  }
+  // The tangencies of other normals are none.
+  const double apart = std::abs(angle(rotation_between(p1.n_W, -p2.n_W)));
+  const Around<double> cosine{size_ * std::cos(apart), size_ * chord_of(turn)};
+  const Around<double> none{0, 0};
+  SheetRange range = range_of(one, two, around(one.turn) * cosine, none - around(two.turn) * cosine, above,
+                              size_ * chord_of(turn));
+  range.zero = range.zero && apart <= kPi / 2 + turn;
+  return range;
 }
 
 bool TangencySheet::faces(const SheetPlace& one, const SheetPlace& two) const {

@@ -14,6 +14,21 @@ struct SheetPlace {
   bool corner = false;
 };
 
+/// What encloses the places of a stretch of a span.
+struct SheetStretch {
+  SheetPlace middle;
+  double half = 0;     ///< half of its parameters' range
+  double reach = 0;    ///< of the points from that of the middle [m]
+  double tilt = 0;     ///< of the normals from that of the middle [rad]
+  Bounds along, turn;  ///< of SheetPlace::along and turn
+};
+
+/// What is known of F in the cell of two stretches.
+struct SheetRange {
+  bool zero = true;            ///< F may be at the level that was asked for
+  int slope1 = 0, slope2 = 0;  ///< the sign of ∂F by the parameter throughout; 0: not known, or there is none
+};
+
 /// A tangency of the pair; vectors in ground W.
 struct SheetPoint : TangentPosition {
   double gap_q = 0;  ///< n·(velocity of body 2 per q): 0 at a fold
@@ -51,10 +66,17 @@ public:
   [[nodiscard]] SheetPlace place1(const BoundaryPlace& at) const;
   [[nodiscard]] SheetPlace place2(const BoundaryPlace& at) const;
 
+  /// Of a span that gives no bounds by its values at the middle and both ends, and not proven.
+  [[nodiscard]] SheetStretch stretch1(int span, const Bounds& t) const;
+  [[nodiscard]] SheetStretch stretch2(int span, const Bounds& t) const;
+
   /// F [m].
   [[nodiscard]] double value(const SheetPlace& one, const SheetPlace& two) const;
   /// ∂F by the parameters of the two places.
   [[nodiscard]] Vector2d slopes(const SheetPlace& one, const SheetPlace& two) const;
+  /// F - level and its slopes over a cell, from the values at its middle. Rounding is left out: a zero by
+  /// less than that is none. \pre 0 <= level < size()/100
+  [[nodiscard]] SheetRange range(const SheetStretch& one, const SheetStretch& two, double level) const;
   /// Whether a zero is a tangency: between two slides F vanishes for the other normals as well.
   [[nodiscard]] bool faces(const SheetPlace& one, const SheetPlace& two) const;
   /// The tangency of a zero; angles in (-π, π], q of two turning bodies in (-2π, 2π]. \pre is_regular()

@@ -204,6 +204,40 @@ TEST(BoundaryMap, OfAFourArcCamUnderARollerIsThatOfCirclesWithinTheirAngles) {
   EXPECT_EQ(checked, 97);
 }
 
+// The lever's roller reaches the disc only next to where the disc's centre is nearest to the lever's pivot:
+// up to the angle at which the three centres are in line. So near to where a branch vanishes it may stay open
+// whether there is another one.
+TEST(BoundaryMap, HasTheSmallestBranches) {
+  std::mt19937 random(3);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(trial);
+    const double e = uniform(5, 20), d = uniform(60, 120), r1 = uniform(20, 30), r2 = uniform(3, 10);
+    const double reach = d - e + d * std::pow(10, uniform(-7, -2));
+    const double a = uniform(0, 360), b = uniform(0, 360);
+    const Boundary disc = closed({arc({e, 0}, r1, a, a + 170), arc({e, 0}, r1, a + 170, a + 360)});
+    const Vector2d middle(reach - r1 - r2, 0);
+    const Boundary roller = closed({arc(middle, r2, b, b + 200), arc(middle, r2, b + 200, b + 360)});
+    OneFreedom lever;
+    lever.p_WO = {d, 0};
+    MapRange range;
+    range.start = 1;
+    range.samples = 7;
+    const ContactMap map = map_contacts({&disc, {}, &roller, lever}, range);
+    const double limit = std::acos((e * e + d * d - reach * reach) / (2 * e * d));
+    EXPECT_EQ(std::count_if(map.branches.begin(), map.branches.end(),
+                            [&](const MapBranch& branch) {
+                              return branch.opposed && branch.begin.type == MapEndType::kFold &&
+                                     branch.end.type == MapEndType::kFold &&
+                                     std::abs(branch.begin.u - (2 * kPi - limit)) < 1e-8 &&
+                                     std::abs(branch.end.u - (2 * kPi + limit)) < 1e-8;
+                            }),
+              2);
+  }
+}
+
 TEST(BoundaryMap, EndsWhereACurveEnds) {
   // Normals from 50° to 110° only: a flat face touches it while the cam has turned by -20° to 40°.
   const Boundary cam = Boundary::make({arc({3, -4}, 20, 50, 110)}, false, 0).value();
