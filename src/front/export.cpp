@@ -1,6 +1,7 @@
 #include "higherpair/front/export.hpp"
 
 #include "higherpair/cam/cutter_path.hpp"
+#include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "model_data.hpp"
 
@@ -129,11 +130,11 @@ Result<Boundary> boundary_of(const Model& model, const NamedRef& wanted, const E
                                     "around it can be",
                                     wanted.name));
   }
-  if (curve.curve.kind == CurveKind::kSupport) {
-    return wrong(model, fmt::format("{} is given by its support, not by spans", wanted.name));
+  if (curve.curve.support != nullptr && support_chains(*curve.curve.support, 1).empty()) {
+    return wrong(model, fmt::format("{} has cusps: it bounds no body", wanted.name));
   }
-  const bool has_ends = is_point(curve.curve) || curve.curve.kind == CurveKind::kCircle ||
-                        curve.curve.kind == CurveKind::kEllipse;
+  const bool has_ends = is_point(curve.curve) || curve.curve.support != nullptr ||
+                        curve.curve.kind == CurveKind::kCircle || curve.curve.kind == CurveKind::kEllipse;
   if (!has_ends && !settings.reach) {
     return wrong(model, fmt::format("{} has no ends: say with a reach how far from its {} it is to go",
                                     wanted.name, is_line(curve.curve) ? "point" : "vertex"));

@@ -2,8 +2,10 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/local_conic.hpp"
+#include "higherpair/geometry/support_chains.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -210,6 +212,11 @@ Curve local_curve(const SpanPoint& point, bool corner) {
 }
 
 Boundary boundary_of(const Curve& curve, double reach) {
+  if (curve.support != nullptr) {
+    const std::vector<Boundary> chains = support_chains(*curve.support, reach);
+    assert(!chains.empty());
+    return Boundary::of_parts(chains);
+  }
   std::vector<SpanPtr> spans;
   bool closed = true;
   if (is_point(curve)) {

@@ -35,12 +35,11 @@ struct BoundaryRules {
 };
 
 std::shared_ptr<const Boundary> boundary_of(const NamedCurve& curve, const BoundaryRules& rules) {
-  if (!curve.boundary) {
-    return std::make_shared<const Boundary>(higherpair::boundary_of(curve.curve, rules.reach));
-  }
-  return rules.has_edges && !curve.boundary->is_closed()
-             ? std::make_shared<const Boundary>(with_edges(*curve.boundary))
-             : curve.boundary;
+  const auto boundary =
+      curve.boundary ? curve.boundary
+                     : std::make_shared<const Boundary>(higherpair::boundary_of(curve.curve, rules.reach));
+  const bool has_ends = (curve.boundary || curve.curve.support != nullptr) && !boundary->is_closed();
+  return rules.has_edges && has_ends ? std::make_shared<const Boundary>(with_edges(*boundary)) : boundary;
 }
 
 // Several curves of a body as one.

@@ -373,14 +373,25 @@ TEST_F(Export, AKnifeEdgeIsDrawnOnlyByItsCutter) {
   EXPECT_THAT(*curves_dxf(knife, taken(knife, settings), {}, knife.units()), HasSubstr("CIRCLE"));
 }
 
-TEST_F(Export, ACurveByItsSupportHasNoSpans) {
-  const testing::LobedCurve lobes(0.03, 0.002);
+TEST_F(Export, ACurveByItsSupportGoesOutUnlessItHasCusps) {
+  const testing::LobedCurve lobes(0.03, 0.002), cusps(0.03, 0.005);
   Mechanism mechanism = Model::from_text(testing::kCam)->mechanism();
   add_curve(mechanism, 1, "lobes", make_curve(lobes));
+  add_curve(mechanism, 1, "cusps", make_curve(cusps));
   const auto model = Model::from(mechanism);
   ASSERT_TRUE(model) << to_string(model.error());
-  const std::string name = mechanism.bodies[1].name + ".lobes";
-  EXPECT_THAT(refused(*model, of(name)), HasSubstr(name + " is given by its support, not by spans"));
+  const std::string name = mechanism.bodies[1].name;
+  EXPECT_THAT(refused(*model, of(name + ".cusps")), HasSubstr(name + ".cusps has cusps: it bounds no body"));
+  const std::vector<ExportedCurve> all = taken(*model, of(name + ".lobes"));
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_TRUE(all[0].boundary.is_closed());
+  const Span& span = *all[0].boundary.spans().at(0);
+  for (double share = 0; share <= 1; share += 0.01) {
+    const SpanPoint point = span.at(span.range().low + share * span.range().width());
+    const double phi = std::atan2(point.n_B.y(), point.n_B.x());
+    EXPECT_NEAR(point.p_B.dot(point.n_B), 0.03 + 0.002 * std::cos(3 * phi), 1e-16);
+    EXPECT_NEAR(point.kappa * (0.03 - 0.016 * std::cos(3 * phi)), 1, 1e-12);
+  }
 }
 
 TEST_F(Export, APictureHasTheTrueSize) {

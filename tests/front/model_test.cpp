@@ -1,4 +1,5 @@
 // Models: from files, from text, built in C++, and with other dimensions.
+#include "contact/support_curves.hpp"
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -275,6 +276,37 @@ TEST(Model, NamesTheNumbersOfItsProfile) {
               ::testing::IsSupersetOf({"bodies.cam.curves.disc.center.0 = 10",
                                        "bodies.cam.curves.disc.radius = 30", "bodies.follower.pose.y = 30"}));
   EXPECT_TRUE(Model::from(four_bar()).value().parameters().empty());
+}
+
+// An ellipse of 20 x 10 mm lifts a flat face by h = sqrt((20 sin θ)² + (10 cos θ)²), and touches it at h′.
+TEST(Model, WithACurveByItsSupportUnderAFaceThatEndsRuns) {
+  const testing::EllipseBySupport ellipse({0, 0}, 0.020, 0.010, 0);
+  const auto run = [&](double half_width) {
+    Mechanism cam;
+    const int disc = add_body(cam, "cam");
+    const int follower = add_body(cam, "follower", {0, 0.010});
+    const PointRef O = add_point(cam, kGround, "O", {0, 0});
+    const int pivot = add_revolute(cam, "pivot", O, add_point(cam, disc, "O", {0, 0}));
+    add_prismatic(cam, "guide", O, add_point(cam, follower, "P", {0, 0}), {0, 1});
+    const CurveRef edge = add_curve(cam, disc, "edge", make_curve(ellipse));
+    const CurveRef face = add_curve(
+        cam, follower, "face", *Boundary::make({face_span({-half_width, 0}, {half_width, 0})}, false, 1e-12));
+    add_contact(cam, "touch", edge, face);
+    add_driver(cam, pivot);
+    const auto motion = Model::from(cam, kSiUnits).value().run();
+    EXPECT_TRUE(motion) << to_string(motion.error());
+    return *motion;
+  };
+  const Motion motion = run(0.012);
+  EXPECT_TRUE(motion.good());
+  const auto height = motion.column("guide.position");
+  const auto turned = motion.column("cam.angle");
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double theta = turned[k];
+    EXPECT_NEAR(height[k], std::hypot(0.020 * std::sin(theta), 0.010 * std::cos(theta)), 1e-15);
+  }
+  // It touches up to 10 mm beside the guide.
+  EXPECT_THAT(run(0.008).events(), ::testing::Contains(::testing::Field(&Event::type, EventType::kEnd)));
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ private:
 /// no conic has that rate, the circle of curvature.
 [[nodiscard]] Curve local_curve(const SpanPoint& point, bool corner);
 
-/// A conic, line or point as a boundary. Open conics end `reach` [m] from their vertices, a line `reach` from
-/// its point on either side; a point has all normals.
+/// A whole curve as a boundary. Open conics end `reach` [m] from their vertices, a line `reach` from its
+/// point on either side; a point has all normals. \pre a curve by its support has no cusps
 [[nodiscard]] Boundary boundary_of(const Curve& curve, double reach);
 
 }  // namespace higherpair

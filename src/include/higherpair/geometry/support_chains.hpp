@@ -1,0 +1,20 @@
+#pragma once
+
+#include "higherpair/geometry/boundary.hpp"
+#include "higherpair/geometry/support_curve.hpp"
+
+#include <vector>
+
+namespace higherpair {
+
+/// The normals of a piece as an interval: of a closed curve once round [rad].
+[[nodiscard]] inline Bounds normals_of(const SupportPiece& piece) {
+  return piece.kind == PieceKind::kClosed ? Bounds{-kPi, kPi} : piece.phi;
+}
+
+/// The chains of spans that a curve given by its support consists of, its corners among them; ends that are
+/// within 1e-12 of `reach` of each other meet. None of a curve with cusps, which bounds no body.
+/// \param curve  outlives the chains  \param reach  where flat faces without an end are cut off [m]
+[[nodiscard]] std::vector<Boundary> support_chains(const SupportCurve& curve, double reach);
+
+}  // namespace higherpair
