@@ -74,62 +74,21 @@ TEST(CamshaftFromALiftTable, LiftsAsTheLawThatTheTableWasRoundedFrom) {
 
 // The disc's centre is 10 mm from the cam's pivot, and 40 mm from the roller's, which is led radially.
 TEST(EccentricDisc, LiftsARadialRollerAsTheTriangleOfCentresSays) {
-  const Model model = testing::model_of(R"(
-[bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.disc = { type = "circle", center = [10, 0], radius = 28 }
-[bodies.follower]
-pose = { x = 50, y = 0 }
-points.P = [0, 0]
-curves.roller = { type = "circle", center = [0, 0], radius = 12 }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [1, 0]
-[contacts.touch]
-between = ["cam.disc", "follower.roller"]
-[driver]
-joint = "O"
-positions = [0, 30]
-)");
-  const auto motion = cam_motion(model);
+  const Motion motion = cam_motion(testing::model_of(
+      testing::kCam, {"bodies.cam.curves.disc.radius=28", "bodies.follower.pose={x = 50, y = 0}",
+                      "bodies.follower.curves.face={type = \"circle\", center = [0, 0], radius = 12}",
+                      "joints.guide.direction=[1, 0]", "driver.positions=[0, 30]"}));
   EXPECT_NEAR(motion.column("guide.position")[1], 48.3465237038, 5e-11);
 }
 
 // A face through its pivot, 80 mm away, on a disc of 25 mm whose centre is 10 mm from the cam's pivot.
 TEST(EccentricDisc, SwingsAFlatFaceAsTheTangentFromItsPivotSays) {
-  const Model model = testing::model_of(R"(
-[units]
-angle = "rad"
-[bodies.ground]
-points.O = [0, 0]
-points.Q = [80, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.disc = { type = "circle", center = [10, 0], radius = 25 }
-[bodies.follower]
-pose = { x = 80, y = 0, angle = 2.7 }
-points.Q = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, 1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.Q]
-type = "revolute"
-between = ["ground.Q", "follower.Q"]
-[contacts.touch]
-between = ["cam.disc", "follower.face"]
-[driver]
-joint = "O"
-positions = [0, "90 deg"]
-)");
-  const auto motion = cam_motion(model);
-  EXPECT_NEAR(motion.column("follower.angle")[1], 2.7019532892, 5e-11);
+  const Motion motion = cam_motion(
+      shipped_model("flat_faced_oscillating",
+                    {"bodies.ground.points.O2=[80, 0]", "bodies.cam.curves.disc.center=[10, 0]",
+                     "bodies.cam.curves.disc.radius=25", "bodies.follower.pose={x = 80, y = 0, angle = -25}",
+                     "bodies.follower.curves.face.point=[0, 0]", "driver.positions=[0, 90]"}));
+  EXPECT_NEAR(motion.column("follower.angle")[1] * testing::kDegree + kPi, 2.7019532892, 5e-11);
 }
 
 }  // namespace
