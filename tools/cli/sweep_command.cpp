@@ -96,9 +96,13 @@ void print_forecast(const SweepForecast& forecast) {
   }
 }
 
-std::string kept_text(const Journal& journal, const SweepSummary& summary, const Sweep& sweep) {
-  return fmt::format("{} of {} variants are kept in {}: --resume goes on from there", summary.variants(),
-                     sweep.size(), journal.path());
+// Why the sweep has stopped, where there is a reason to name, and what is kept of it.
+void print_stop(std::string why, const Journal& journal, const SweepSummary& summary, const Sweep& sweep) {
+  if (!journal.path().empty()) {
+    why += fmt::format("{}{} of {} variants are kept in {}: --resume goes on from there",
+                       why.empty() ? "" : "; ", summary.variants(), sweep.size(), journal.path());
+  }
+  if (!why.empty()) fmt::print(stderr, "higherpair: {}\n", why);
 }
 
 // All blocks that are not there yet; returns the exit code where it does not come to the end.
@@ -115,14 +119,12 @@ std::optional<int> run_blocks(const SweepOptions& options, const OpenedSweep& op
     return !interruption();
   });
   progress.clear();
-  const bool can_resume = !journal.path().empty();
   if (!journal.error().empty()) {
-    fmt::print(stderr, "higherpair: {}\n", journal.error());
-    if (can_resume) fmt::print(stderr, "higherpair: {}\n", kept_text(journal, summary, sweep));
+    print_stop(journal.error(), journal, summary, sweep);
     return kExitMachine;
   }
   if (summary.variants() < sweep.size()) {
-    if (can_resume) fmt::print(stderr, "higherpair: interrupted; {}\n", kept_text(journal, summary, sweep));
+    print_stop("interrupted", journal, summary, sweep);
     return kExitInterrupted;
   }
   return std::nullopt;
@@ -144,9 +146,7 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
   const auto failure = write_table(options.output, sweep, {title, options.profile}, options.threads, each);
   if (failure || !all) {
     const bool interrupted = !all && journal.error().empty();
-    const std::string why = interrupted ? "interrupted" : all ? *failure : journal.error();
-    if (!why.empty()) fmt::print(stderr, "higherpair: {}\n", why);
-    if (!journal.path().empty()) fmt::print(stderr, "higherpair: {}\n", kept_text(journal, summary, sweep));
+    print_stop(interrupted ? "interrupted" : all ? *failure : journal.error(), journal, summary, sweep);
     return interrupted ? kExitInterrupted : kExitMachine;
   }
   journal.remove();
