@@ -1,6 +1,7 @@
 #include "higherpair/cam/flank.hpp"
 
 #include "envelope.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
 
 #include <algorithm>
@@ -55,6 +56,16 @@ private:
   int parts_;
 };
 
+// Whether the follower's curve stays where it is: a circle or point on the follower's pivot, a face along its
+// guide.
+bool moves_along_itself(const OneFreedom& follower, const Curve& curve, double size) {
+  if (follower.turns) {
+    const auto centre = round_center(curve);
+    return centre && (*centre - follower.p_BO).norm() <= kNoMotion * size;
+  }
+  return is_line(curve) && std::abs(follower.direction_W.dot(follower.R_WB * curve.axis_B)) <= kNoMotion;
+}
+
 // Where the flank begins to run backwards: its speed is 0.
 double cusp_before(const Envelope& envelope, double from, double to, double speed_to) {
   const auto speed = [&](double x) {
@@ -103,6 +114,9 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
   }
   if (!(std::abs(first->speed) > kNoMotion * first->p_B.norm())) {
     return tl::unexpected(FlankFault{FlankFault::Kind::kStandstill, middle});
+  }
+  if (moves_along_itself(motion.follower, curve, first->p_B.norm())) {
+    return tl::unexpected(FlankFault{FlankFault::Kind::kNoEffect, middle});
   }
   const double sense = first->speed > 0 ? 1 : -1;
   envelope->set_sense(sense);

@@ -178,6 +178,13 @@ private:
     switch (fault.kind) {
       case FlankFault::Kind::kStandstill:
         return "at " + at + " of the cam the follower does not move against the cam: no flank shapes that";
+      case FlankFault::Kind::kNoEffect:
+        return motion.follower.turns ? "the follower turns about the centre of its own curve, which stays "
+                                       "where it is: this law "
+                                       "shapes nothing; put the curve at the end of an arm"
+                                     : "the follower slides along its own face, which stays where it is: "
+                                       "this law shapes nothing; "
+                                       "turn the face, or the guide";
       case FlankFault::Kind::kNoNormal:
         return "at " + at +
                " of the cam no point of the follower's curve could touch a flank; use a curve that goes "

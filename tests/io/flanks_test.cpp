@@ -34,7 +34,7 @@ std::string profile_with(const Parts& parts) {
              {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = 80, law = "dwell" }} ])",
       parts.rising_law, parts.rise);
   return fmt::format(R"([bodies.ground]
-points.O = [0, 0]
+points = {{ O = [0, 0], Q = [-60, 50] }}
 [bodies.cam]
 points.O = [0, 0]
 curves.flank = {}
@@ -240,6 +240,15 @@ TEST(Flanks, SayWhatIsWrong) {
   flat.height = "5";
   flat.follower = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
   EXPECT_THAT(mistakes_in(flat), HasSubstr("the flank would be undercut"));
+  Parts round_its_pivot;
+  round_its_pivot.follower = R"({ type = "circle", center = [-60, 0], radius = 10 }
+points.pivot = [-60, 0])";
+  round_its_pivot.joint = R"(type = "revolute"
+between = ["ground.Q", "follower.pivot"])";
+  EXPECT_THAT(mistakes_in(round_its_pivot), HasSubstr("the follower turns about the centre of its own curve"));
+  Parts along_its_guide;
+  along_its_guide.follower = R"({ type = "line", point = [20, 0], normal = [-1, 0] })";
+  EXPECT_THAT(mistakes_in(along_its_guide), HasSubstr("the follower slides along its own face"));
   Parts open;
   open.rise = "19";
   EXPECT_THAT(mistakes_in(open), HasSubstr("lift"));

@@ -27,6 +27,7 @@ struct FlankFault {
   enum class Kind {
     kTooLong,     ///< a law over more than one turn of a cam that turns
     kStandstill,  ///< the follower does not move against the cam: every point would be one of the flank
+    kNoEffect,    ///< the follower moves its curve along itself: the law shapes nothing
     kNoNormal,    ///< the follower's curve, open, has no point that could touch
     kUndercut,    ///< the flank would have a cusp, and cut away what it has shaped before
   } kind = Kind::kStandstill;
