@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -153,7 +154,7 @@ void add_wheels(Sketch& sketch, const Joint& joint) {
 }  // namespace
 
 std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) {
-  double low = INFINITY, high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   for (const MotionRow* row : sketch.rows) {
     const Pose<double>& X_WA = body_in(*row, joint.first.body).X_WB;
     const Vector2d b = body_in(*row, joint.second.body).X_WB * point_of(sketch.mechanism, joint.second);

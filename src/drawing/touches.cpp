@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -60,7 +61,7 @@ Vector2d edge_direction(const Sketch& sketch, int body, std::size_t curve) {
 std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t index) {
   const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
   const Vector2d across = perp(curve.axis_B);
-  double low = INFINITY, high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   for (const Touch& touch : touches_of(sketch, body, index)) {
     const double t = (touch.p_B - curve.vertex_B).dot(across);
     low = std::min(low, t);

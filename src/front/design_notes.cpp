@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -39,7 +40,7 @@ std::optional<OtherUnit> meant_unit(double wanted, double present, const std::st
 }
 
 double spread_of(const std::vector<double>& values) {
-  double low = INFINITY, high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   for (const double value : values) {
     if (std::isnan(value)) continue;
     low = std::min(low, value);

@@ -45,8 +45,9 @@ std::optional<std::vector<Parameter>> parameters_of(const FitCandidate& candidat
   const std::vector<double> at_rest(candidate.run.mechanism().drivers.size(), 0.0);
   const auto add = [&](const auto& derivative, std::optional<std::size_t> offset) {
     auto by = Sensitivity::at_start(candidate.run, derivative, at_rest);
-    if (by) parameters.push_back({*std::move(by), offset});
-    return by.has_value();
+    if (!by) return false;
+    parameters.push_back({*std::move(by), offset});
+    return true;
   };
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const auto derivative = numbers.derivative(i, variables);

@@ -70,10 +70,10 @@ Result<Available> available_columns(const Model& model, RunSettings settings) {
 
 // Empty where there is a row at the place that the measure wants.
 std::string place_objection(const DriverSchedule& schedule, const Measure& measure, bool in_time) {
-  double low = -INFINITY;  // the rows on both sides of the place
-  double high = INFINITY;
-  double first = INFINITY;
-  double last = -INFINITY;
+  double low = -std::numeric_limits<double>::infinity();  // the rows on both sides of the place
+  double high = std::numeric_limits<double>::infinity();
+  double first = std::numeric_limits<double>::infinity();
+  double last = -std::numeric_limits<double>::infinity();
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const double place = in_time ? schedule.time(k) : schedule.state(k).profile.position;
     low = place <= measure.at ? std::max(low, place) : low;

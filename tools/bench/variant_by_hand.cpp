@@ -4,6 +4,7 @@
 #include "variants.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace higherpair::bench {
 namespace {
@@ -28,7 +29,9 @@ static_assert(kVariantPositions % kWidth == 0);
   const Rows inv_coupler(1 / bar.coupler), along(bar.along), across(bar.across);
   const Rows difference((bar.coupler - bar.rocker) * (bar.coupler + bar.rocker));
   const Rows zero(0.0), half(0.5), rate(speed * bar.crank), turn(2 * kPi);
-  Rows highest[3] = {Rows(-INFINITY), Rows(-INFINITY), Rows(-INFINITY)};
+  Rows highest[3] = {Rows(-std::numeric_limits<double>::infinity()),
+                     Rows(-std::numeric_limits<double>::infinity()),
+                     Rows(-std::numeric_limits<double>::infinity())};
   Rows lowest[3] = {Rows(INFINITY), Rows(INFINITY), Rows(INFINITY)};
   Rows first = zero;
   for (std::size_t k = 0; k < kVariantPositions; k += kWidth) {

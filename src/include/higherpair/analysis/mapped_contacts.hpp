@@ -17,16 +17,16 @@ struct MappedContact {
   /// Of contacts of curves with ends or several parts: both, which belong to the mechanism; null of others.
   const Boundary* boundary1 = nullptr;
   const Boundary* boundary2 = nullptr;
-  std::array<bool, 2> unbounded = {false, false};  ///< the boundary is what was kept of an unbounded curve
-  CarriedBody known;                               ///< it, on ground
+  CarriedBody known;  ///< body 1, on ground
   CarriedBody follower;
-  int known_joint = 0;  ///< of Mechanism::joints
+  std::array<bool, 2> unbounded = {false, false};  ///< the boundary is what was kept of an unbounded curve
+  bool known_is_first = true;                      ///< whether the contact names body 1 first
+  int known_joint = 0;                             ///< of Mechanism::joints
   int follower_joint = 0;
-  bool known_is_first = true;  ///< whether the contact names it first
-  std::optional<int> driver;   ///< of Mechanism::drivers: its coordinate is u, up to the sign known.sign
-  double u = 0;                ///< at the drivers' positions [rad or m]
-  double posed = 0;            ///< follower's coordinate in the poses [rad or m]
-  std::optional<double> q;     ///< in the present position; none where it cannot be started
+  std::optional<int> driver;  ///< of Mechanism::drivers: its coordinate is u, up to the sign known.sign
+  double u = 0;               ///< at the drivers' positions [rad or m]
+  double posed = 0;           ///< follower's coordinate in the poses [rad or m]
+  std::optional<double> q;    ///< in the present position; none where it cannot be started
   Vector2d n_W = Vector2d::UnitX();  ///< there: outward normal of body 1
 };
 
