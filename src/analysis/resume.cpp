@@ -26,6 +26,8 @@ constexpr double kNudge = 1e-4;            // of the way between two of these: w
 constexpr double kShortestStretch = 1e-9;  // of the driver's scale
 constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
+constexpr double kTooNearLimit = 1e-7;  // GroupState::sine there, of its lever
+
 bool has_track(const Run& run) {
   return std::any_of(run.at.state.tracks.begin(), run.at.state.tracks.end(),
                      [](const PairTrack& track) { return std::holds_alternative<ContactTrack>(track); });
@@ -57,10 +59,19 @@ bool come_back(Run& run, const std::vector<double>& drivers) {
   return follow(run, path);
 }
 
+// Whether a group is so near to its limit that its place is known to half its digits only. Beside a limit
+// that is hardly one (a pressure angle of 90 degrees where the law stands still) rounding alone makes and
+// ends such places by the thousand.
+bool is_beside_limit(const State& state) {
+  return std::any_of(state.groups.begin(), state.groups.end(), [](const GroupState& group) {
+    return std::abs(group.sine) <= kTooNearLimit * group.lever;
+  });
+}
+
 // The branch at a position of the drivers, if it is there, followed back on the way to `from`: to where this
 // stretch of it begins. run.work.trial is then at that position.
 std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from) {
-  if (!place_anew(run, at).complete) {
+  if (!place_anew(run, at).complete || is_beside_limit(run.work.trial)) {
     return std::nullopt;
   }
   Run back = run;
