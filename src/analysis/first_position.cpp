@@ -3,11 +3,10 @@
 #include "coupled_bodies.hpp"
 #include "gap_contacts.hpp"
 #include "group_kinds.hpp"
-#include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "joint_ends.hpp"
+#include "start_failures.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -17,71 +16,11 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 namespace higherpair {
 namespace {
 
-const std::string& name_of_body(const Mechanism& mechanism, int index) {
-  return mechanism.bodies[static_cast<std::size_t>(index)].name;
-}
-
 const Contact& contact_of(const Mechanism& mechanism, int index) {
   return mechanism.contacts[static_cast<std::size_t>(index)];
-}
-
-std::string explain(FindStatus status, const Contact& contact) {
-  const std::string name = "contacts." + contact.name + ": ";
-  switch (status) {
-    case FindStatus::kOverlapAtStart:
-      return name +
-             "the two bodies overlap at the first driver position with the follower in its pose; move the "
-             "pose away from the driver, or use approach = \"nearest\"";
-    case FindStatus::kUnbounded:
-      return name + "neither body is bounded, so that no safe step towards the contact exists";
-    case FindStatus::kNoContact:
-    case FindStatus::kFound:
-      break;
-  }
-  return name + "the two bodies do not touch at the first driver position, " +
-         (contact.approach == Approach::kNearest
-              ? "wherever the follower stands; change driver.start or the pose of the follower"
-              : "however far the follower is moved that way from its pose; change its approach or pose, or "
-                "driver.start");
-}
-
-std::string unreachable(const Run& run, const State& state, const Group& group) {
-  std::string names;
-  for (const int body : group.bodies) {
-    names += (names.empty() ? "" : ", ") + name_of_body(run.mechanism(), body);
-  }
-  const auto g = static_cast<std::size_t>(&group - run.plan().groups.data());
-  // Links that cannot reach each other have not been put to where their joints would be.
-  const bool reaches = closure_gap(group, state.bodies).value_or(0) <= 0;
-  const auto end = reaches ? joint_beyond_end({run.mechanism(), run.plan()}, g, state) : std::nullopt;
-  if (end) {
-    return fmt::format(
-        "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
-        "driver.start, "
-        "the dimensions or that end",
-        run.mechanism().joints[static_cast<std::size_t>(end->joint)].name, end->upper ? "to" : "from");
-  }
-  if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
-    const double distance = (state.bodies[static_cast<std::size_t>(dyad->A.body)].X_WB * dyad->A.p_B -
-                             state.bodies[static_cast<std::size_t>(dyad->B.body)].X_WB * dyad->B.p_B)
-                                .norm();
-    const double reach = dyad->length_a + dyad->length_b;
-    const bool far = distance > reach;
-    const double limit = far ? reach : std::abs(dyad->length_a - dyad->length_b);
-    return fmt::format(
-        "bodies {} cannot be put together at the first driver position: their outer pins are {:.6g} times as "
-        "far apart as the two links {}; change driver.start or the lengths",
-        names, distance / limit, far ? "reach together" : "differ in length");
-  }
-  return fmt::format(
-      "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
-      "there; change driver.start, the dimensions or the poses",
-      names);
 }
 
 FindResult first_contact(const ContactPair& pair, Approach approach, double u, double q, double sign) {
@@ -90,6 +29,33 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
   }
   const double sense = (approach == Approach::kPositive ? 1 : -1) * sign;
   return find_contact(pair, u, q, sense > 0 ? 1 : -1, false);
+}
+
+// Of all contacts that leave the bodies free of each other the nearest one, or the first that way.
+std::optional<BoundaryContact> first_boundary_contact(const BoundaryPair& pair, const Contact& contact,
+                                                      double u, double q, double sign, double size) {
+  const double sense = contact.approach == Approach::kNearest    ? 0
+                       : contact.approach == Approach::kPositive ? sign
+                                                                 : -sign;
+  std::optional<BoundaryContact> best;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  double least = kFar;
+  for (BoundaryContact& found : find_boundary_contacts(pair, u, {-kFar, kFar})) {
+    if (pair.motion2.turns) {
+      found.q = nearest_turn(found.q, q);
+      found.q += sense * (found.q - q) < 0 ? sense * 2 * kPi : 0;
+    }
+    const double distance = sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
+    const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
+    if (wanted &&
+        (contact.both_sides || deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                                                   pose_at(pair.motion2, found.q), kOverlapDepth * size)
+                                       .depth == 0)) {
+      best = found;
+      least = distance;
+    }
+  }
+  return best;
 }
 
 bool starts_rolling(const Mechanism& mechanism, const Group& group) {
@@ -125,7 +91,7 @@ bool FirstPosition::place(std::size_t g, int mode) {
                                  ? start_rolling_bodies(g)
                                  : place_group(model_, g, from, 0, run_.at.drivers, state_);
   if (status != GroupStatus::kOk) {
-    fail(g, unreachable(run_, state_, group));
+    fail(g, why_unplaced(run_, state_, g));
     return false;
   }
   return true;
@@ -172,8 +138,7 @@ void FirstPosition::begin_arcs(const Group& group) {
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
   const double u = tracked.driver_sign * run_.at.drivers[static_cast<std::size_t>(tracked.driver)];
-  const double q = carried_coordinate(tracked.follower, posed_.bodies[0],
-                                      posed_.bodies[static_cast<std::size_t>(tracked.follower.body)]);
+  const double q = posed_coordinate(tracked.follower);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
   const bool anywhere = moves_in_itself(tracked.pair.curve2, tracked.pair.motion2);
   const double touching = found.status == FindStatus::kFound && !anywhere ? found.at.q : q;
@@ -185,7 +150,7 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
                  standing_contact(tracked.pair, u, touching, run_.tolerance * run_.plan().size)) {
     state_.tracks[g] = *standing;
   } else if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact));
+    fail(g, why_no_contact(found.status, contact));
     return false;
   } else {
     state_.groups[g].mode = found.branch == 0 ? 1 : found.branch;
@@ -193,7 +158,7 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   }
   const State from = state_;
   if (place_group(model_, g, from, 0, run_.at.drivers, state_) != GroupStatus::kOk) {
-    fail(g, unreachable(run_, state_, run_.plan().groups[g]));
+    fail(g, why_unplaced(run_, state_, g));
     return false;
   }
   return true;
@@ -212,7 +177,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   }
   const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
   if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact));
+    fail(g, why_no_contact(found.status, contact));
     return false;
   }
   fail(g, "contacts." + contact.name +
@@ -223,23 +188,25 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   return false;
 }
 
+double FirstPosition::posed_coordinate(const CarriedBody& body) const {
+  return carried_coordinate(body, body_in(posed_, body.carrier), body_in(posed_, body.body));
+}
+
 // Finds the contact of a body that depends on bodies placed before; place_group then starts from it.
 bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) {
   const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const CarriedBody& follower = touching.follower;
   touching_start_ = state_;
   const StandingPair placed = standing_pair(model_, touching, state_);
-  const double posed = carried_coordinate(follower, posed_.bodies[static_cast<std::size_t>(follower.carrier)],
-                                          posed_.bodies[static_cast<std::size_t>(follower.body)]);
-  const double turned =
-      follower.freedom.turns ? state_.bodies[static_cast<std::size_t>(follower.carrier)].theta : 0;
+  const double posed = posed_coordinate(follower);
+  const double turned = follower.freedom.turns ? body_in(state_, follower.carrier).theta : 0;
   if (contact.by_boundary) {
     return start_on_boundaries(touching, g, placed, posed + turned);
   }
   const FindResult found =
       first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
   if (found.status != FindStatus::kFound) {
-    fail(g, explain(found.status, contact));
+    fail(g, why_no_contact(found.status, contact));
     return false;
   }
   if (found.branch == 0) {
@@ -247,60 +214,35 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
     return false;
   }
   state_.groups[g].mode = found.branch;
-  touching_start_.bodies[static_cast<std::size_t>(follower.body)] =
-      motion_at(placed.pair.motion2, found.at.q, 0, 0);
+  body_in(touching_start_, follower.body) = motion_at(placed.pair.motion2, found.at.q, 0, 0);
   ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
   motion.at.n_W = touching.follower_is_second ? found.at.n_W : Vector2d(-found.at.n_W);
   motion.phi = angle_of(motion.at.n_W);
   return true;
 }
 
-// Of all contacts that leave the bodies free of each other the nearest one, or the first that way.
 bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_t g,
                                         const StandingPair& placed, double posed) {
   const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const BoundaryPair pair = standing_boundaries(model_, touching, placed);
-  const double sense = contact.approach == Approach::kNearest    ? 0
-                       : contact.approach == Approach::kPositive ? touching.follower.sign
-                                                                 : -touching.follower.sign;
-  std::optional<BoundaryContact> best;
-  double least = std::numeric_limits<double>::infinity();
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  for (BoundaryContact& found : find_boundary_contacts(pair, placed.u, {-kFar, kFar})) {
-    if (pair.motion2.turns) {
-      found.q = nearest_turn(found.q, posed);
-      found.q += sense * (found.q - posed) < 0 ? sense * 2 * kPi : 0;
-    }
-    const double distance = sense == 0 ? std::abs(found.q - posed) : sense * (found.q - posed);
-    const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
-    if (wanted && (contact.both_sides ||
-                   deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
-                                       pose_at(pair.motion2, found.q), kOverlapDepth * run_.plan().size)
-                           .depth == 0)) {
-      best = found;
-      least = distance;
-    }
-  }
-  if (contact.keep == Keep::kGap &&
-      starts_open(pair, placed.u, posed, best ? std::optional(best->q) : std::nullopt, contact,
-                  run_.plan().size)) {
-    const CarriedBody& follower = touching.follower;
-    GroupState& group = touching_start_.groups[g];
-    group.held = true;
-    group.held_at = carried_coordinate(follower, posed_.bodies[static_cast<std::size_t>(follower.carrier)],
-                                       posed_.bodies[static_cast<std::size_t>(follower.body)]);
+  const double size = run_.plan().size;
+  const auto found = first_boundary_contact(pair, contact, placed.u, posed, touching.follower.sign, size);
+  GroupState& group = touching_start_.groups[g];
+  group.held =
+      contact.keep == Keep::kGap &&
+      starts_open(pair, placed.u, posed, found ? std::optional(found->q) : std::nullopt, contact, size);
+  if (group.held) {
+    group.held_at = posed_coordinate(touching.follower);
     return true;
   }
-  if (!best) {
-    fail(g, explain(FindStatus::kNoContact, contact));
+  if (!found) {
+    fail(g, why_no_contact(FindStatus::kNoContact, contact));
     return false;
   }
-  touching_start_.groups[g].held = false;
-  state_.groups[g].mode = best->gap_q < 0 ? -1 : 1;
-  touching_start_.bodies[static_cast<std::size_t>(touching.follower.body)] =
-      motion_at(pair.motion2, best->q, 0, 0);
+  state_.groups[g].mode = found->gap_q < 0 ? -1 : 1;
+  body_in(touching_start_, touching.follower.body) = motion_at(pair.motion2, found->q, 0, 0);
   ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
-  move_contact(touching, *best, 0, motion);
+  move_contact(touching, *found, 0, motion);
   motion.phi = angle_of(motion.at.n_W);
   return true;
 }

@@ -8,11 +8,6 @@
 
 namespace higherpair {
 
-/// Why a contact cannot be followed from where it is to start.
-inline constexpr const char* kTouchesAtLimit =
-    "at the first driver position the two bodies touch at a limit position, or where branches cross: nothing "
-    "tells which way the motion goes on; move driver.start away from it";
-
 /// Places the groups of a run at its first driver positions, one after the other, beginning from their poses.
 /// Keeps a reference to the run.
 class FirstPosition {
@@ -34,6 +29,7 @@ private:
   [[nodiscard]] bool start_tracked(const TrackedPair& tracked, std::size_t g);
   [[nodiscard]] bool start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,
                                         const FindResult& found);
+  [[nodiscard]] double posed_coordinate(const CarriedBody& body) const;
   [[nodiscard]] bool start_touching(const TouchingBody& touching, std::size_t g);
   [[nodiscard]] bool start_on_boundaries(const TouchingBody& touching, std::size_t g,
                                          const StandingPair& placed, double posed);

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "span_joints.hpp"
+#include "joint_passage.hpp"
+
+#include <optional>
 
 // A flat part of a boundary that comes to lie on a flat part of the other one. They touch all along for this
 // one position; before it the contact is at one end of the flat part, after it at the other.

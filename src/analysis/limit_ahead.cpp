@@ -13,8 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kShareToLimit = 0.5;  // of what is left to a limit: the next step
-constexpr double kNearLimit = 1e-6;    // of the driver's scale: nearer, rates may be too inexact to go on
+constexpr double kShareToLimit = 0.5;   // of what is left to a limit: the next step
+constexpr double kNearLimit = 1e-6;     // of the driver's scale: nearer, rates may be too inexact to go on
+constexpr double kBesideLimit = 1e-12;  // of the driver's scale: as near before a limit a row needs no step
 
 // A row at a limit: in run.work.trial, with positions only; run.at.state remains short of it.
 void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
@@ -67,6 +68,16 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
     limit_ = PathLimit{g, at};
   }
   return false;
+}
+
+bool LimitAhead::rests_before(double s) {
+  if (std::abs(limit_->s - path_.length) > kBesideLimit * scale_ ||
+      !solve_at(run_, path_, s, path_.length - s)) {
+    return false;
+  }
+  run_.at.beside = run_.work.trial;
+  path_.positions(s, run_.at.drivers);
+  return true;
 }
 
 PathLimit LimitAhead::assumed(std::size_t g, double s) const {

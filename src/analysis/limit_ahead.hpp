@@ -40,6 +40,11 @@ public:
   /// position there, which has no rates, and run.at.drivers to where run.at.state is, short of it.
   [[nodiscard]] bool look_for(std::size_t g, double s, double h);
 
+  /// Whether the end of the path is just before it, so near that no step to there can be judged:
+  /// run.at.beside is set to the position there, and run.at.drivers to where run.at.state is, at s. \pre
+  /// is_known()
+  [[nodiscard]] bool rests_before(double s);
+
   /// The limit of group g where none is found although no step from s is left. Where bodies run off to
   /// infinity there is no last position; what goes to 0 there says how far it is. At an end of a curve or a
   /// guide nothing is left but the shortest step.

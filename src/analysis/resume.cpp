@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/vector.hpp"
 #include "limit_events.hpp"
+#include "outlook.hpp"
 #include "overlap.hpp"
 #include "path.hpp"
 #include "short_way.hpp"
@@ -22,8 +23,6 @@ namespace {
 constexpr double kProbe = kPi / 144;  // of the driver's scale: where a branch that was lost is looked for
 constexpr int kFirstProbes = 4;       // before the first of these, each four times as far from the limit
 constexpr double kMostProbes = 1e4;
-constexpr double kNudge = 1e-4;            // of the way between two of these: what is a little ahead
-constexpr double kShortestStretch = 1e-9;  // of the driver's scale
 constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
 constexpr double kTooNearLimit = 1e-7;  // GroupState::sine there, of its lever
@@ -185,104 +184,32 @@ private:
   double limit_, step_;
 };
 
-// How much can be placed at a position of the driver, and whether that is less (-1) or more (1) than a little
-// ahead; 0: as much, or nothing is known of it.
-struct Outlook {
-  double x = 0;
-  Placeable placing;
-  int rises = 0;
-  double slope = 0;  // of Placeable::room, where it is of the same condition
-};
-
-Outlook outlook_at(Run& run, double x, double nudge) {
-  const Placeable here = place_anew(run, {x});
-  if (here.complete || !std::isfinite(here.room)) {
-    return {x, here, 0, std::numeric_limits<double>::quiet_NaN()};
-  }
-  const Placeable ahead = place_anew(run, {x + nudge});
-  const bool alike = here.conditions == ahead.conditions && std::isfinite(ahead.room);
-  const int rises = here < ahead ? 1 : ahead < here ? -1 : 0;
-  return {x, here, rises,
-          alike ? (ahead.room - here.room) / nudge : std::numeric_limits<double>::quiet_NaN()};
-}
-
-// Whether more can be placed between two positions than at both: the one with more has yet more inwards.
-bool has_hill(const Outlook& a, const Outlook& b) {
-  return a.placing < b.placing ? b.rises < 0 : a.rises > 0;
-}
-
-// What a hill may reach that lies below its tangents at both ends, and twice what that is above them for one
-// that is not quite so; +inf where different conditions fail.
-double highest_between(const Outlook& a, const Outlook& b) {
-  if (a.placing.conditions != b.placing.conditions || !std::isfinite(a.slope + b.slope)) {
-    return std::numeric_limits<double>::infinity();
-  }
-  const double w = b.x - a.x;
-  const double from_a = a.placing.room + std::max(a.slope * w, 0.0);
-  const double from_b = b.placing.room + std::max(-b.slope * w, 0.0);
-  const double share = (b.placing.room - a.placing.room - b.slope * w) / ((a.slope - b.slope) * w);
-  const bool both = a.rises > 0 && b.rises < 0;
-  const double top = both ? a.placing.room + a.slope * w * share : std::min(from_a, from_b);
-  return 2 * top - std::max(a.placing.room, b.placing.room);
-}
-
-// Climbs a hill between two positions at which the branch cannot be placed, up to where it can.
-std::optional<double> placed_on_hill(Run& run, Outlook a, Outlook b) {
-  const double shortest = kShortestStretch * driver_scale(run, 0);
-  while (has_hill(a, b) && std::abs(b.x - a.x) > shortest && highest_between(a, b) >= 0 && !is_stopped(run)) {
-    const Outlook middle = outlook_at(run, (a.x + b.x) / 2, kNudge * (b.x - a.x));
-    if (middle.placing.complete) {
-      return middle.x;
+// Goes on where the branch is found first behind `from`, up to the positions of the only driver.
+bool resume_ahead(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  const Probes probes(run, drivers[0]);
+  const double first = probes.first_from(from[0]);
+  const double beyond = std::min(probes.first_from(drivers[0]), first + kMostProbes);
+  const auto outlook = [&](double k) {
+    return outlook_at(run, probes.at(k), probes.at(k + 1) - probes.at(k));
+  };
+  std::optional<Outlook> before;
+  for (double k = first; k <= beyond && !is_stopped(run); ++k) {
+    const Outlook here = outlook(k);
+    std::optional<double> at;
+    if (here.placing.complete) {
+      at = here.x;
+    } else if (std::isfinite(here.placing.room)) {
+      // What a contact lacks has no number, and beside its limit it takes long to see that it cannot be
+      // placed.
+      at = placed_between(run, before ? *before : outlook(k - 1), here);
     }
-    (has_hill(a, middle) ? b : a) = middle;
-  }
-  return std::nullopt;
-}
-
-// Where the cubic with the values and slopes at both ends is highest within, behind a hollow or before one.
-std::optional<double> top_of_cubic(const Outlook& a, const Outlook& b) {
-  const double w = b.x - a.x;
-  const double rise = b.placing.room - a.placing.room, at_a = a.slope * w, at_b = b.slope * w;
-  const double c2 = 3 * rise - 2 * at_a - at_b, c3 = at_a + at_b - 2 * rise;
-  const double root = std::sqrt(c2 * c2 - 3 * at_a * c3);
-  const double share = c2 < 0 ? at_a / (root - c2) : -(c2 + root) / (3 * c3);
-  return share > 0 && share < 1 ? std::optional(a.x + share * w) : std::nullopt;
-}
-
-// Where the branch can be placed between two positions at which it cannot and the same condition fails.
-std::optional<double> placed_within(Run& run, const Outlook& a, const Outlook& b) {
-  if (has_hill(a, b)) {
-    return placed_on_hill(run, a, b);
-  }
-  const auto top = top_of_cubic(a, b);
-  if (!top) {
-    return std::nullopt;
-  }
-  const Outlook there = outlook_at(run, *top, kNudge * (b.x - a.x));
-  if (there.placing.complete) {
-    return there.x;
-  }
-  const auto before = placed_on_hill(run, a, there);
-  return before ? before : placed_on_hill(run, there, b);
-}
-
-// Where the branch can be placed between two positions at which it cannot: between conditions that fail, or
-// where one fails least.
-std::optional<double> placed_between(Run& run, const Outlook& a, const Outlook& b) {
-  if (a.placing.conditions == b.placing.conditions) {
-    return placed_within(run, a, b);
-  }
-  const double shortest = kShortestStretch * driver_scale(run, 0);
-  Outlook low = a, high = b;
-  while (std::abs(high.x - low.x) > shortest && !is_stopped(run)) {
-    const Outlook middle = outlook_at(run, (low.x + high.x) / 2, kNudge * (high.x - low.x));
-    if (middle.placing.complete) {
-      return middle.x;
+    if (const auto arrives = at ? take_up(run, {*at}, drivers) : std::nullopt) {
+      return *arrives || resume(run, drivers, run.at.lost.at);
     }
-    (middle.placing.conditions == a.placing.conditions ? low : high) = middle;
+    before = here;
   }
-  const auto before = placed_within(run, a, low);
-  return before || high.placing.conditions != b.placing.conditions ? before : placed_within(run, high, b);
+  const auto arrives = is_stopped(run) ? std::nullopt : take_up(run, drivers, drivers);
+  return arrives && (*arrives || resume(run, drivers, run.at.lost.at));
 }
 
 }  // namespace
@@ -304,30 +231,7 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
     }
     return back.has_value();
   }
-  const Probes probes(run, drivers[0]);
-  const double first = probes.first_from(from[0]);
-  const double beyond = std::min(probes.first_from(drivers[0]), first + kMostProbes);
-  const auto outlook = [&](double k) {
-    return outlook_at(run, probes.at(k), kNudge * (probes.at(k + 1) - probes.at(k)));
-  };
-  std::optional<Outlook> before;
-  for (double k = first; k <= beyond && !is_stopped(run); ++k) {
-    const Outlook here = outlook(k);
-    std::optional<double> at;
-    if (here.placing.complete) {
-      at = here.x;
-    } else if (std::isfinite(here.placing.room)) {
-      // What a contact lacks has no number, and beside its limit it takes long to see that it cannot be
-      // placed.
-      at = placed_between(run, before ? *before : outlook(k - 1), here);
-    }
-    if (const auto arrives = at ? take_up(run, {*at}, drivers) : std::nullopt) {
-      return *arrives || resume(run, drivers, run.at.lost.at);
-    }
-    before = here;
-  }
-  const auto arrives = is_stopped(run) ? std::nullopt : take_up(run, drivers, drivers);
-  return arrives && (*arrives || resume(run, drivers, run.at.lost.at));
+  return resume_ahead(run, drivers, from);
 }
 
 }  // namespace higherpair

@@ -2,7 +2,6 @@
 
 #include "assembly.hpp"
 #include "events.hpp"
-#include "first_position.hpp"
 #include "group_solver.hpp"
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
@@ -13,6 +12,7 @@
 #include "resume.hpp"
 #include "singular_start.hpp"
 #include "span_joints.hpp"
+#include "start_failures.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 

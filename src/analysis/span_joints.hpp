@@ -1,37 +1,14 @@
 #pragma once
 
-#include "span_ends.hpp"
+#include "joint_passage.hpp"
 
 #include <optional>
 
 namespace higherpair {
 
-/// A joint of two spans over which a contact goes.
-struct JointPassage {
-  std::size_t contact = 0;
-  std::size_t side = 0;         ///< 0: the contact's first body, 1: its second
-  BoundaryPlace before, after;  ///< the two places that meet there
-  double x = 0;                 ///< beyond run.at.state on the path
-  bool solved = false;          ///< run.work.trial is there
-};
-
-/// Sets the contacts of run.work.trial onto the places of run.at.state, so that a step shows which have left
-/// theirs.
-void mark_places(Run& run);
-
 /// The first joint over which a contact goes between run.at.state, which is at s, and run.work.trial, the
 /// positions a step of h tried; none if all contacts stay on their spans. run.work.trial is left somewhere
 /// between.
 [[nodiscard]] std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h);
-
-/// Holds the contact of a passage at a place of its boundary, whatever rounding has made of it.
-void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state);
-
-/// Places run.work.trial at the joint, still on the span before it, with its rates; false if it cannot be
-/// placed.
-[[nodiscard]] bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage);
-
-/// Lets run.at.state, which is at the joint at s, go on with the span after it. An event says what jumps.
-void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage);
 
 }  // namespace higherpair

@@ -5,7 +5,6 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "joint_ends.hpp"
 #include "reduction.hpp"
-#include "span_joints.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -15,6 +14,16 @@ namespace higherpair {
 namespace {
 
 constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
+
+// Sets the contacts of run.work.trial onto the places of run.at.state, so that a step shows which have left
+// their spans.
+void mark_places(Run& run) {
+  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
+    if (run.mechanism().contacts[i].by_boundary) {
+      run.work.trial.contacts[i].place = run.at.state.contacts[i].place;
+    }
+  }
+}
 
 // Groups that have one branch only, or keep it by themselves.
 bool keeps_branch(const Run& run, std::size_t g) {
@@ -238,6 +247,11 @@ std::optional<std::size_t> broken_off(const Run& run, double h) {
 
 bool solve_at(Run& run, const Path& path, double s, double x) {
   return solve_from(run, run.at.state, path, s, x);
+}
+
+bool solve_from_spans(Run& run, const Path& path, double s, double x) {
+  mark_places(run);
+  return solve_at(run, path, s, x);
 }
 
 bool solve_from(Run& run, const State& from, const Path& path, double s, double x) {

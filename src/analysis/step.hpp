@@ -64,7 +64,11 @@ struct StepResult {
 /// the modes of run.at.state and without asking whether they agree with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
 
-/// The same from another state at s than run.at.state.
+/// The same with the contacts looked for from their places in run.at.state on, as try_step does, so that it
+/// shows which have left their spans.
+[[nodiscard]] bool solve_from_spans(Run& run, const Path& path, double s, double x);
+
+/// `solve_at` from another state at s than run.at.state.
 [[nodiscard]] bool solve_from(Run& run, const State& from, const Path& path, double s, double x);
 
 /// Places all groups at s in the modes of `from` and near it, and makes that run.at.state; false, and

@@ -29,6 +29,10 @@ End end_at(const Boundary& boundary, const BoundaryPlace& place, const Pose<doub
   return {point, boundary.is_corner(place), X_WB * point.p_B, X_WB.R_WB * point.n_B};
 }
 
+bool are_flat(const End& end1, const End& end2) {
+  return !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
+}
+
 // How two ends lie relative to each other, with t = n1 turned.
 struct Offset {
   Vector2d n_W, t_W;
@@ -113,8 +117,7 @@ bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundar
 // One pass along both boundaries; `turn` is E, `slip` is Σ. Which of them an end has stopped: 0, 1 or 2.
 int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1, const Boundary& boundary2,
                const End& end2, BoundaryPlace& place2, double turn, double slip, double longest) {
-  const bool flat = !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
-  if (flat && leave_flats(boundary1, place1, boundary2, place2, turn, slip)) {
+  if (are_flat(end1, end2) && leave_flats(boundary1, place1, boundary2, place2, turn, slip)) {
     return 0;
   }
   const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
@@ -193,8 +196,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
       return result;
     }
     if (closure.is_reached(error, ended_before != 0)) {
-      const bool flat = !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
-      if (flat && !held) {
+      if (!held && are_flat(end1, end2)) {
         hold_at_end_of_flat(boundary1, p1, X_W1, boundary2, p2, X_W2);
         held = true;
         continue;

@@ -1,0 +1,105 @@
+#include "joint_passage.hpp"
+
+#include "higherpair/geometry/boundary_places.hpp"
+#include "other_place.hpp"
+#include "step.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair {
+namespace {
+
+// The joint that the contact's group moves, to say how its acceleration jumps.
+std::optional<int> moved_joint(const Run& run, std::size_t contact) {
+  for (const Group& group : run.plan().groups) {
+    if (std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
+            group.contacts.end() &&
+        !group.joints.empty()) {
+      return group.joints.front();
+    }
+  }
+  return std::nullopt;
+}
+
+double acceleration_of(const Run& run, int joint) {
+  return joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)],
+                      run.at.state.bodies)
+      .acceleration;
+}
+
+// What the contact meets at the joint; none where nothing jumps.
+std::optional<EventType> type_of(const Run& run, const JointPassage& passage) {
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const bool onto_corner = boundary.is_corner(passage.after);
+  const int span = passage.before.t == range_of(boundary, passage.before.span).high ? passage.before.span
+                                                                                    : passage.after.span;
+  if (!onto_corner && boundary.joint_after(span) == SpanJoint::kSmooth) {
+    return std::nullopt;
+  }
+  const bool over_end = is_on_edge(run, passage.contact, passage.side, passage.before) ||
+                        is_on_edge(run, passage.contact, passage.side, passage.after);
+  return over_end                                            ? EventType::kEnd
+         : onto_corner || boundary.is_corner(passage.before) ? EventType::kCorner
+                                                             : EventType::kCurvatureJump;
+}
+
+std::string cause_of(const Run& run, const JointPassage& passage, EventType type) {
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const bool onto_corner = boundary.is_corner(passage.after);
+  const std::string& body = body_of_side(run, passage.contact, passage.side);
+  if (type == EventType::kEnd) {
+    return onto_corner
+               ? fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there",
+                             body)
+               : fmt::format("the contact leaves the edge at the end of the curve of {}", body);
+  }
+  if (type == EventType::kCorner) {
+    return fmt::format("the contact {} a corner of {}", onto_corner ? "goes onto" : "leaves", body);
+  }
+  return fmt::format("the curvature of {} jumps from {:.6g} to {:.6g} 1/m", body,
+                     boundary.at(passage.before).kappa, boundary.at(passage.after).kappa);
+}
+
+}  // namespace
+
+void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
+  ContactMotion& motion = state.contacts[passage.contact];
+  motion.place[passage.side] = place;
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const double rho = radius_of(boundary.at(place), boundary.is_corner(place));
+  (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
+}
+
+bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
+  if (!passage.solved && !solve_from_spans(run, path, s, passage.x)) {
+    return false;
+  }
+  set_place_of(run, passage, passage.before, run.work.trial);
+  set_rates(run, run.work.motions, run.work.trial);
+  return true;
+}
+
+void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
+  const auto joint = moved_joint(run, passage.contact);
+  const double before = joint ? acceleration_of(run, *joint) : 0;
+  set_place_of(run, passage, passage.after, run.at.state);
+  path.motions(s, run.work.motions);
+  set_rates(run, run.work.motions, run.at.state);
+  const auto type = type_of(run, passage);
+  if (!type) {
+    return;
+  }
+  RunEvent event = event_at(*type, path, s, cause_of(run, passage, *type));
+  event.contact = static_cast<int>(passage.contact);
+  if (joint) {
+    event.cause += fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
+                               run.mechanism().joints[static_cast<std::size_t>(*joint)].name,
+                               from_to_text(before, acceleration_of(run, *joint)));
+  }
+  run.events.push_back(std::move(event));
+}
+
+}  // namespace higherpair

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "higherpair/analysis/run.hpp"
+#include "higherpair/contact/finder.hpp"
+
+#include <cstddef>
+#include <string>
+
+// Why a mechanism cannot stand at its first driver positions, in words.
+
+namespace higherpair {
+
+/// Why a contact cannot be followed from where it is to start.
+inline constexpr const char* kTouchesAtLimit =
+    "at the first driver position the two bodies touch at a limit position, or where branches cross: nothing "
+    "tells which way the motion goes on; move driver.start away from it";
+
+/// Why no contact of two bodies has been found.
+[[nodiscard]] std::string why_no_contact(FindStatus status, const Contact& contact);
+
+/// Why the bodies of group g cannot be placed. \param state  as far as they could
+[[nodiscard]] std::string why_unplaced(const Run& run, const State& state, std::size_t g);
+
+}  // namespace higherpair
