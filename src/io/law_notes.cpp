@@ -50,8 +50,7 @@ double shown(const Reading& reading, const LawQuantities& quantities, const Dime
 
 void note_rounding(TableReader& table, const LawQuantities& quantities, const ReadLaw& law) {
   Reading& reading = table.reading();
-  const auto stated = table.take("rounding");
-  const auto quantity = stated ? as_quantity(reading, *stated, {quantities.value}) : std::nullopt;
+  const auto quantity = table.take("rounding", as_quantity, {quantities.value});
   const std::vector<Vector2d>& given = law.profile.points;
   const auto rounding = quantity ? std::optional(quantity->profile) : guessed_rounding(given);
   if (law.profile.smoothing > 0 || !rounding || (!quantity && given.size() < kFewestPoints)) {

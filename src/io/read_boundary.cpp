@@ -18,11 +18,8 @@ bool turned_round(TableReader& table, bool has_inside) {
   table.refuse(has_inside ? "material" : "side",
                has_inside ? "this curve has its material inside or outside: `side`"
                           : "an open curve has its material on the left or right of its way: `material`");
-  const auto item = table.take(key);
-  const auto choice = item ? as_choice(table.reading(), *item,
-                                       has_inside ? std::vector<std::string>{"inside", "outside"}
-                                                  : std::vector<std::string>{"left", "right"})
-                           : std::nullopt;
+  const auto choice = has_inside ? table.take(key, as_choice, {"inside", "outside"})
+                                 : table.take(key, as_choice, {"left", "right"});
   return choice == 1U;
 }
 

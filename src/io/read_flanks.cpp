@@ -53,8 +53,7 @@ public:
 
   void make(LateCurves::Flank& late) {
     Body& cam = body_named(mechanism_, late.body);
-    const auto side = late.table.take("side");
-    const auto choice = side ? as_choice(reading_, *side, {"inside", "outside"}) : std::nullopt;
+    const auto choice = late.table.take("side", as_choice, {"inside", "outside"});
     late.table.finish();
     const CurveRef own{index_of(mechanism_, cam), static_cast<int>(late.curve)};
     const auto follower = follower_of(late, own);

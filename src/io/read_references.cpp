@@ -94,13 +94,13 @@ struct MemberPair {
 template <class F>
 std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism,
                                       std::string_view kind, F resolve) {
-  const auto* items = std::get_if<Array>(&item.value->content);
-  if (items == nullptr || items->size() != 2) {
-    report(reading, item, fmt::format("expected two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", kind));
+  const auto items = as_items(
+      reading, item, fmt::format("two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", kind), 2, 2);
+  if (!items) {
     return std::nullopt;
   }
-  const std::optional<Member> first = resolve(Item{&(*items)[0], item.path + ".0"});
-  const std::optional<Member> second = resolve(Item{&(*items)[1], item.path + ".1"});
+  const std::optional<Member> first = resolve(items->front());
+  const std::optional<Member> second = resolve(items->back());
   if (!first || !second) {
     return std::nullopt;
   }
