@@ -236,13 +236,11 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   const std::size_t mistakes = reading.mistakes.size();
   if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
   if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
-  const auto wrong = [&](const std::string& what) {
-    reading.mistakes.push_back({table.mark(), table.path() + ": " + what});
-  };
   if (!constraint.below && !constraint.above && reading.mistakes.size() == mistakes) {
-    wrong("a limit is missing: below = … or above = …");
+    report_whole(table, "a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
-    wrong(fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
+    report_whole(table,
+                 fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
   }
   const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
                         constraint.extent || constraint.grashof || !constraint.without.empty();

@@ -1,7 +1,6 @@
 // The path of a point as a design's objective.
 #include "higherpair/io/suggestion.hpp"
-#include "point_table.hpp"
-#include "read_boundary.hpp"
+#include "named_file.hpp"
 #include "read_design.hpp"
 
 #include <string>
@@ -37,18 +36,10 @@ void read_list_of_points(Reading& reading, const Item& list, PointPath& path) {
 }
 
 void read_file_of_points(TableReader& table, const Item& file, PointPath& path) {
-  Reading& reading = table.reading();
-  const std::optional<Unit> unit = read_file_unit(table);
-  const auto text = read_named_file(table, file, "table");
-  if (!text) return;
-  const auto read = read_points(*text, {{"x", "y"}, {dimension::kLength, dimension::kLength}},
-                                {.length = unit.value_or(reading.units.length)});
-  if (!read) {
-    for (const std::string& mistake : read.error()) report(reading, file, mistake);
-    return;
-  }
+  const auto read = read_place_file(table, file);
+  if (!read) return;
   for (const auto& [x, y] : read->points) path.through.emplace_back(x.si, y.si);
-  check_points(reading, file, path);
+  check_points(table.reading(), file, path);
 }
 
 void read_positions(Reading& reading, const Item& at, PointPath& path) {

@@ -1,5 +1,6 @@
 #include "dxf.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "named_file.hpp"
 #include "read_boundary.hpp"
 
 #include <algorithm>

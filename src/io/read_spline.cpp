@@ -1,5 +1,5 @@
+#include "named_file.hpp"
 #include "numeric/decimal.hpp"
-#include "point_table.hpp"
 #include "read_boundary.hpp"
 
 #include <algorithm>
@@ -48,18 +48,8 @@ std::optional<Given> points_inline(TableReader& table, const Item& item) {
 }
 
 std::optional<Given> points_in_file(TableReader& table, const Item& item) {
-  const std::optional<Unit> unit = read_file_unit(table);
-  const auto text = read_named_file(table, item, "table");
-  if (!text) {
-    return std::nullopt;
-  }
-  const Units units = {.length = unit.value_or(table.reading().units.length)};
-  const auto read =
-      io_detail::read_points(*text, {{"x", "y"}, {dimension::kLength, dimension::kLength}}, units);
+  const auto read = read_place_file(table, item);
   if (!read) {
-    for (const std::string& mistake : read.error()) {
-      report(table.reading(), item, mistake);
-    }
     return std::nullopt;
   }
   Given given;

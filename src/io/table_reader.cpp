@@ -105,6 +105,14 @@ std::string TableReader::path_of(std::string_view key) const {
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
+void report_whole(TableReader& table, std::string_view message) {
+  table.reading().mistakes.push_back({table.mark(), fmt::format("{}: {}", table.path(), message)});
+}
+
+void note_whole(TableReader& table, std::string_view message) {
+  table.reading().notes.push_back({table.mark(), fmt::format("{}: {}", table.path(), message)});
+}
+
 std::optional<TableReader> as_reader(Reading& reading, const std::optional<Item>& item,
                                      std::string_view what) {
   const Table* table = item ? as_table(reading, *item, what) : nullptr;

@@ -80,6 +80,10 @@ private:
   std::vector<std::string> refused_;  ///< keys that are present and must not be
 };
 
+/// Notes a mistake, or something that is probably a slip, about a table as a whole.
+void report_whole(TableReader& table, std::string_view message);
+void note_whole(TableReader& table, std::string_view message);
+
 /// The place among `things` of the one that a table is called after; reports that there is no such `what`.
 template <class Things>
 [[nodiscard]] std::optional<std::size_t> place_among(const Things& things, TableReader& table,
@@ -88,8 +92,7 @@ template <class Things>
   for (const auto& thing : things) names.push_back(thing.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  table.reading().mistakes.push_back({table.mark(), fmt::format("{}: there is no {} `{}`; {}", table.path(),
-                                                                what, name, suggestion(name, names))});
+  report_whole(table, fmt::format("there is no {} `{}`; {}", what, name, suggestion(name, names)));
   return std::nullopt;
 }
 
