@@ -1,4 +1,6 @@
 // What is wrong with a mechanism that was built in C++: what the reader of profiles makes sure of.
+#include "higherpair/geometry/support_chains.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
@@ -127,6 +129,24 @@ private:
     expect(!contact.name.empty(), at, "needs a name");
     if (exists(at + ".first", contact.first) && exists(at + ".second", contact.second)) {
       expect(contact.first.body != contact.second.body, at, "is of a body with itself");
+      if (needs_boundaries(m_, contact)) {
+        expect_no_cusps(at + ".first", contact.first);
+        expect_no_cusps(at + ".second", contact.second);
+      }
+    }
+  }
+
+  // A contact with a boundary takes a curve by its support as one too, which it is only without cusps.
+  void expect_no_cusps(const std::string& where, const CurveRef& ref) {
+    const Body& body = m_.bodies[static_cast<std::size_t>(ref.body)];
+    const std::vector<int>& parts = body.curves[static_cast<std::size_t>(ref.curve)].parts;
+    for (const int index : parts.empty() ? std::vector{ref.curve} : parts) {
+      const NamedCurve& curve = body.curves[static_cast<std::size_t>(index)];
+      const SupportCurve* support = curve.boundary ? nullptr : curve.curve.support;
+      expect(support == nullptr || !support_chains(*support, 1).empty(), where,
+             fmt::format("{}.{} has cusps, for its radius of curvature h + h'' changes sign: it bounds no "
+                         "body; a larger constant part of h takes them out",
+                         body.name, curve.name));
     }
   }
 

@@ -1,12 +1,12 @@
 #include "dxf_entities.hpp"
 
+#include "dxf_numbers.hpp"
 #include "higherpair/geometry/spline_span.hpp"
-#include "names.hpp"
-#include "numeric/decimal.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -17,77 +17,7 @@ using Shape = tl::expected<DxfShape, DxfFault>;
 
 constexpr double kDegree = kPi / 180;
 
-// The numbers of an entity by their group codes. The first mistake is kept and ends the reading; until then
-// wrong numbers count as 0.
-class Numbers {
-public:
-  Numbers(const DxfGroup& entity, const Scaling& unit) : entity_(entity), unit_(unit) {}
-
-  [[nodiscard]] const std::optional<DxfFault>& fault() const { return fault_; }
-  [[nodiscard]] double length(double x) const { return unit_.apply(x); }
-
-  void refuse(int line, std::string message) {
-    if (!fault_) {
-      fault_ = DxfFault{line, std::move(message)};
-    }
-  }
-  void refuse(std::string_view message) { refuse(entity_.line, fmt::format("{} {}", entity_.type, message)); }
-
-  double value(const DxfPair& pair) {
-    double x = 0;
-    std::string_view text = pair.value;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, status] = read_decimal(text.data(), text.data() + text.size(), x);
-    if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(x)) {
-      refuse(pair.line, fmt::format("\"{}\" is not a number (group {} of {})",
-                                    visible(pair.value.substr(0, 20)), pair.code, entity_.type));
-      return 0;
-    }
-    return x;
-  }
-
-  std::optional<double> find(int code) {
-    const auto pair = std::find_if(entity_.pairs.begin(), entity_.pairs.end(),
-                                   [&](const DxfPair& p) { return p.code == code; });
-    return pair == entity_.pairs.end() ? std::nullopt : std::optional(value(*pair));
-  }
-
-  double need(int code, std::string_view what) {
-    const auto x = find(code);
-    if (!x) refuse(fmt::format("has no {} (group {})", what, code));
-    return x.value_or(0);
-  }
-
-  Vector2d need_point(int code, std::string_view what) {
-    const double x = length(need(code, what));
-    return {x, length(need(code + 10, what))};
-  }
-
-  double need_radius() {
-    const double radius = length(need(40, "radius"));
-    if (!fault_ && !(radius > 0)) refuse("has a radius that is not > 0");
-    return radius;
-  }
-
-  unsigned flags() { return static_cast<unsigned>(find(70).value_or(0)); }
-
-  // -1 where the entity is drawn as seen from below.
-  double facing() {
-    constexpr double kPlane = 1e-9;
-    const double z = find(230).value_or(1);
-    if (std::abs(find(210).value_or(0)) > kPlane || std::abs(find(220).value_or(0)) > kPlane || z == 0) {
-      refuse("does not lie in the plane of the drawing: its extrusion is not along z");
-    }
-    return z < 0 ? -1 : 1;
-  }
-
-private:
-  const DxfGroup& entity_;
-  const Scaling& unit_;
-  std::optional<DxfFault> fault_;
-};
-
-Shape result(const Numbers& numbers, DxfShape shape) {
+Shape result(const DxfNumbers& numbers, DxfShape shape) {
   if (numbers.fault()) {
     return tl::unexpected(*numbers.fault());
   }
@@ -104,12 +34,12 @@ ContourPiece mirrored(const ContourPiece& piece) {
   return ArcPiece{mirror(arc.center), arc.radius, kPi - arc.from, -arc.sweep};
 }
 
-Shape line(Numbers& numbers) {
+Shape line(DxfNumbers& numbers) {
   const LinePiece piece = {numbers.need_point(10, "first point"), numbers.need_point(11, "second point")};
   return result(numbers, piece.from == piece.to ? DxfShape{} : DxfShape{{piece}, std::nullopt});
 }
 
-Shape arc(Numbers& numbers) {
+Shape arc(DxfNumbers& numbers) {
   ArcPiece piece;
   piece.center = numbers.need_point(10, "centre");
   piece.radius = numbers.need_radius();
@@ -119,7 +49,7 @@ Shape arc(Numbers& numbers) {
   return result(numbers, {{numbers.facing() < 0 ? mirrored(piece) : piece}, std::nullopt});
 }
 
-Shape circle(Numbers& numbers) {
+Shape circle(DxfNumbers& numbers) {
   ArcPiece piece = {numbers.need_point(10, "centre"), numbers.need_radius(), 0, 2 * kPi};
   piece.center.x() *= numbers.facing();
   if (numbers.fault()) {
@@ -133,7 +63,7 @@ double normal_at(double a, double b, double u) {
   return nearest_turn(std::atan2(a * std::sin(u), b * std::cos(u)), u);
 }
 
-Shape ellipse(Numbers& numbers) {
+Shape ellipse(DxfNumbers& numbers) {
   const Vector2d center = numbers.need_point(10, "centre");
   const Vector2d axis = numbers.need_point(11, "major axis");
   const double ratio = numbers.need(40, "ratio of its axes");
@@ -175,7 +105,7 @@ ContourPiece piece_between(const Vertex& a, const Vertex& b) {
   return ArcPiece{center, (a.p - center).norm(), angle_of(a.p - center), 4 * std::atan(k)};
 }
 
-Shape polyline(Numbers& numbers, const std::vector<Vertex>& vertices, bool closed) {
+Shape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, bool closed) {
   const bool below = numbers.facing() < 0;
   DxfShape shape;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < vertices.size(); ++i) {
@@ -189,9 +119,9 @@ Shape polyline(Numbers& numbers, const std::vector<Vertex>& vertices, bool close
   return result(numbers, std::move(shape));
 }
 
-Shape light_polyline(const DxfGroup& entity, Numbers& numbers) {
+Shape light_polyline(DxfNumbers& numbers) {
   std::vector<Vertex> vertices;
-  for (const DxfPair& pair : entity.pairs) {
+  for (const DxfPair& pair : numbers.pairs()) {
     if (pair.code == 10) {
       vertices.push_back({{numbers.length(numbers.value(pair)), 0}});
     } else if (pair.code == 20 && !vertices.empty()) {
@@ -207,7 +137,7 @@ Shape light_polyline(const DxfGroup& entity, Numbers& numbers) {
   return polyline(numbers, vertices, (numbers.flags() & 1U) != 0);
 }
 
-Shape old_polyline(Numbers& numbers, const std::vector<DxfGroup>& groups, const Scaling& unit) {
+Shape old_polyline(DxfNumbers& numbers, const std::vector<DxfGroup>& groups) {
   constexpr unsigned kNotPlane = 8U | 16U | 64U;  // 3D polylines and meshes
   constexpr unsigned kFrame = 16U;                // a vertex of the frame of a fitted spline
   if ((numbers.flags() & kNotPlane) != 0) {
@@ -215,7 +145,7 @@ Shape old_polyline(Numbers& numbers, const std::vector<DxfGroup>& groups, const 
   }
   std::vector<Vertex> vertices;
   for (const DxfGroup& group : groups) {
-    Numbers vertex(group, unit);
+    DxfNumbers vertex(group, numbers.unit());
     if ((vertex.flags() & kFrame) == 0) {
       const Vector2d p = vertex.need_point(10, "place");
       vertices.push_back({p, vertex.find(42).value_or(0)});
@@ -253,9 +183,9 @@ std::string fault_of(const NurbsCurve& curve, double degree) {
   return positive ? "" : "has a weight that is not > 0";
 }
 
-Shape spline(const DxfGroup& entity, Numbers& numbers) {
+Shape spline(DxfNumbers& numbers) {
   NurbsCurve curve;
-  for (const DxfPair& pair : entity.pairs) {
+  for (const DxfPair& pair : numbers.pairs()) {
     if (pair.code == 40) curve.knots.push_back(numbers.value(pair));
     if (pair.code == 41) curve.weights.push_back(numbers.value(pair));
     if (pair.code == 10) curve.control.emplace_back(numbers.length(numbers.value(pair)), 0);
@@ -282,25 +212,33 @@ Shape spline(const DxfGroup& entity, Numbers& numbers) {
   return shape;
 }
 
-constexpr std::array<std::string_view, 7> kCurves = {"LINE",       "ARC",      "CIRCLE", "ELLIPSE",
-                                                     "LWPOLYLINE", "POLYLINE", "SPLINE"};
+struct CurveType {
+  std::string_view name;
+  Shape (*read)(DxfNumbers& numbers);  // none of an old polyline, which also takes its vertices
+};
+
+constexpr CurveType kCurves[] = {{"LINE", line},       {"ARC", arc},       {"CIRCLE", circle},
+                                 {"ELLIPSE", ellipse}, {"SPLINE", spline}, {"LWPOLYLINE", light_polyline},
+                                 {"POLYLINE", nullptr}};
+
+const CurveType* find_type(std::string_view name) {
+  const auto type = std::find_if(std::begin(kCurves), std::end(kCurves),
+                                 [&](const CurveType& candidate) { return candidate.name == name; });
+  return type == std::end(kCurves) ? nullptr : type;
+}
 
 }  // namespace
 
 bool is_dxf_curve(std::string_view type) {
-  return std::find(kCurves.begin(), kCurves.end(), type) != kCurves.end();
+  return find_type(type) != nullptr;
 }
 
 tl::expected<DxfShape, DxfFault> dxf_shape(const DxfGroup& entity, const std::vector<DxfGroup>& vertices,
                                            const Scaling& unit) {
-  Numbers numbers(entity, unit);
-  if (entity.type == "LINE") return line(numbers);
-  if (entity.type == "ARC") return arc(numbers);
-  if (entity.type == "CIRCLE") return circle(numbers);
-  if (entity.type == "ELLIPSE") return ellipse(numbers);
-  if (entity.type == "LWPOLYLINE") return light_polyline(entity, numbers);
-  if (entity.type == "POLYLINE") return old_polyline(numbers, vertices, unit);
-  return spline(entity, numbers);
+  DxfNumbers numbers(entity, unit);
+  const CurveType* type = find_type(entity.type);
+  assert(type != nullptr);
+  return type->read == nullptr ? old_polyline(numbers, vertices) : type->read(numbers);
 }
 
 }  // namespace higherpair::io_detail

@@ -14,7 +14,7 @@ struct DxfShape {
 /// Whether an entity of this type is a curve that dxf_shape() reads.
 [[nodiscard]] bool is_dxf_curve(std::string_view type);
 
-/// \param vertices  of a POLYLINE, the groups that follow it
+/// \pre is_dxf_curve(entity.type) \param vertices  of a POLYLINE, the groups that follow it
 /// \param unit      from its numbers to metres
 [[nodiscard]] tl::expected<DxfShape, DxfFault> dxf_shape(const DxfGroup& entity,
                                                          const std::vector<DxfGroup>& vertices,

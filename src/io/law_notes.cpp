@@ -50,8 +50,7 @@ double shown(const Reading& reading, const LawQuantities& quantities, const Dime
 
 void note_rounding(TableReader& table, const LawQuantities& quantities, const ReadLaw& law) {
   Reading& reading = table.reading();
-  const auto stated = table.take("rounding");
-  const auto quantity = stated ? as_quantity(reading, *stated, {quantities.value}) : std::nullopt;
+  const auto quantity = table.take("rounding", as_quantity, {quantities.value});
   const std::vector<Vector2d>& given = law.profile.points;
   const auto rounding = quantity ? std::optional(quantity->profile) : guessed_rounding(given);
   if (law.profile.smoothing > 0 || !rounding || (!quantity && given.size() < kFewestPoints)) {
@@ -70,15 +69,14 @@ void note_rounding(TableReader& table, const LawQuantities& quantities, const Re
     return;
   }
   const Dimension acceleration = quantities.value / quantities.coordinate / quantities.coordinate;
-  reading.notes.push_back(
-      {table.mark(),
-       fmt::format("{}: its values are {} {:g} {}; the spline through them has about {:.2g} {} "
-                   "of noise from that in its "
-                   "second derivative, whose peak is {:.3g}; smoothing = {:g} takes it out",
-                   table.path(), quantity ? "rounded to" : "given to, and probably rounded to,", *rounding,
-                   unit_text(quantities.value, reading.units),
-                   shown(reading, quantities, acceleration, noise), unit_text(acceleration, reading.units),
-                   shown(reading, quantities, acceleration, peak), *rounding / 2)});
+  note_whole(table, fmt::format("its values are {} {:g} {}; the spline through them has about {:.2g} {} "
+                                "of noise from that in its "
+                                "second derivative, whose peak is {:.3g}; smoothing = {:g} takes it out",
+                                quantity ? "rounded to" : "given to, and probably rounded to,", *rounding,
+                                unit_text(quantities.value, reading.units),
+                                shown(reading, quantities, acceleration, noise),
+                                unit_text(acceleration, reading.units),
+                                shown(reading, quantities, acceleration, peak), *rounding / 2));
 }
 
 }  // namespace
@@ -89,12 +87,10 @@ void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw
     note_rounding(table, quantities, law);
   }
   if (law.profile.repeats && quantities.coordinate == dimension::kAngle && law.made->advance() != 0) {
-    reading.notes.push_back(
-        {table.mark(),
-         fmt::format("{}: it does not end where it begins: every turn is {:g} {} higher "
-                     "than the one before",
-                     table.path(), shown(reading, quantities, quantities.value, law.made->advance()),
-                     unit_text(quantities.value, reading.units))});
+    note_whole(table, fmt::format("it does not end where it begins: every turn is {:g} {} higher "
+                                  "than the one before",
+                                  shown(reading, quantities, quantities.value, law.made->advance()),
+                                  unit_text(quantities.value, reading.units)));
   }
 }
 

@@ -22,13 +22,12 @@ std::optional<ReadLaw> read_item(Reading& reading, const Item& item, const LawQu
 }  // namespace
 
 LawBook::LawBook(TableReader& root) : reading_(&root.reading()) {
-  if (const auto laws = root.take("laws")) {
-    for_each_named(*reading_, *laws, "a law (a table)", [&](const std::string& name, const Item& item) {
-      if (as_table(*reading_, item, "a law (a table)") != nullptr) {
-        entries_.push_back({name, item, false});
-      }
-    });
-  }
+  for_each_named(*reading_, root.take("laws"), "a law (a table)",
+                 [&](const std::string& name, const Item& item) {
+                   if (as_table(*reading_, item, "a law (a table)") != nullptr) {
+                     entries_.push_back({name, item, false});
+                   }
+                 });
 }
 
 std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantities, Mechanism& mechanism) {

@@ -37,6 +37,9 @@ struct ReadLaw {
 /// Reads `[laws.NAME]` for these quantities; none where it has mistakes, which are reported.
 [[nodiscard]] std::optional<ReadLaw> read_law(TableReader& table, const LawQuantities& quantities);
 
+/// The segments of a law, with `origin` and `start`; a mistake in them is reported. \param item  `segments`
+void read_law_segments(TableReader& table, const Item& item, const LawQuantities& quantities, ReadLaw& law);
+
 /// What a law that has been read probably does not mean: the noise of a table's rounding, a turn that does
 /// not close.
 void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw& law);

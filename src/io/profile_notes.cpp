@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -14,15 +13,6 @@ namespace higherpair::io_detail {
 namespace {
 
 constexpr double kEarth = 9.80665;  // [m/s²]
-
-const Value* find_at(const Value& document, std::initializer_list<std::string_view> path) {
-  const Value* value = &document;
-  for (const std::string_view key : path) {
-    const Table* table = value == nullptr ? nullptr : std::get_if<Table>(&value->content);
-    value = table == nullptr ? nullptr : find(*table, key);
-  }
-  return value;
-}
 
 // A number that is written without a unit of its own.
 std::optional<double> plain_number(const Value* value) {
@@ -40,7 +30,10 @@ bool is_whole(double x) {
 class Notes {
 public:
   Notes(const Reading& reading, const Value& document, const Profile& profile)
-      : reading_(reading), document_(document), profile_(profile), mechanism_(profile.mechanism) {}
+      : reading_(reading),
+        document_(std::get<Table>(document.content)),
+        profile_(profile),
+        mechanism_(profile.mechanism) {}
 
   Diagnostics all() {
     found_ = reading_.notes;
@@ -55,7 +48,7 @@ public:
     }
     for (const Contact& contact : mechanism_.contacts) {
       if (const std::string text = contact_note(mechanism_, contact, profile_.units); !text.empty()) {
-        add(find_at(document_, {"contacts", contact.name, "between"}), "contacts." + contact.name, text);
+        add("contacts." + contact.name, text, ".between");
       }
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
@@ -71,12 +64,18 @@ public:
   }
 
 private:
-  void add(const Value* value, const std::string& path, const std::string& text) {
+  [[nodiscard]] const Value* at(const std::string& path) const { return end_of_path(document_, path).value; }
+
+  // \param key  of the table at the path that the note stands at
+  void add(const std::string& path, const std::string& text, const char* key = "") {
+    const Value* value = at(path + key);
     found_.push_back({value == nullptr ? Mark{} : value->mark, path + ": " + text});
   }
 
-  void add_with_value(const Value* value, const std::string& path, const std::string& text) {
-    add(value, fmt::format("{} = {}", path, text_of(*value)), text);
+  // \pre there is something at the path
+  void add_with_value(const std::string& path, const std::string& text) {
+    const Value& value = *at(path);
+    found_.push_back({value.mark, fmt::format("{} = {}: {}", path, text_of(value), text)});
   }
 
   [[nodiscard]] double length(double metres) const {
@@ -87,7 +86,7 @@ private:
 
   // 9.81 where lengths are in millimetres.
   void gravity() {
-    const Value* value = find_at(document_, {"gravity"});
+    const Value* value = at("gravity");
     const auto* items = value == nullptr ? nullptr : std::get_if<Array>(&value->content);
     if (items == nullptr || items->size() != 2) return;
     const auto x = plain_number(&(*items)[0]);
@@ -100,7 +99,7 @@ private:
                                        [&](double number) { return is_near(written, number, 0.02); });
     if (is_earths && !is_near(share, 1, 0.05)) {
       add_with_value(
-          value, "gravity",
+          "gravity",
           fmt::format("{:.3g} times the earth's: numbers here are in {}, in which the earth's is {:.6g}; or "
                       "write it with its unit, \"9.81 m/s^2\"",
                       share, unit_text(dimension::kAcceleration, profile_.units),
@@ -113,9 +112,8 @@ private:
     constexpr double kLarge = 50;  // [m]
     const double metres = size_of(mechanism_);
     if (metres > kLarge && !mechanism_.joints.empty()) {
-      add(find_at(document_, {"units", "length"}), "units.length",
-          fmt::format("the mechanism is {:.3g} {} large: are its numbers in \"{}\"?", length(metres),
-                      length_unit(), length_unit()));
+      add("units.length", fmt::format("the mechanism is {:.3g} {} large: are its numbers in \"{}\"?",
+                                      length(metres), length_unit(), length_unit()));
     }
   }
 
@@ -125,7 +123,7 @@ private:
              std::any_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns_ground);
     };
     if (!any([](const auto& element) { return element.first.body == 0 || element.second.body == 0; })) {
-      add(find_at(document_, {"joints"}), "joints",
+      add("joints",
           "nothing is joined to ground: the frame is the body `ground`, give it points and join bodies to "
           "them");
     }
@@ -137,11 +135,9 @@ private:
     };
     if (std::none_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns) &&
         std::none_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns)) {
-      add(find_at(document_, {"bodies", body.name}), "bodies." + body.name,
-          "no joint and no contact holds this body");
+      add("bodies." + body.name, "no joint and no contact holds this body");
     }
-    const Value* angle = find_at(document_, {"bodies", body.name, "pose", "angle"});
-    angle_unit(angle, "bodies." + body.name + ".pose.angle");
+    angle_unit("bodies." + body.name + ".pose.angle");
     if (body.mass && body.mass->mass > 0 && body.mass->inertia > 0) {
       inertia(body);
     }
@@ -160,9 +156,8 @@ private:
     const double gyration = std::sqrt(body.mass->inertia / body.mass->mass);
     constexpr double kOff = 100;
     if (extent > 0 && (gyration > kOff * extent || gyration < extent / kOff)) {
-      const Value* value = find_at(document_, {"bodies", body.name, "inertia"});
       add_with_value(
-          value, "bodies." + body.name + ".inertia",
+          "bodies." + body.name + ".inertia",
           fmt::format("a radius of gyration of {:.3g} {} in a body of {:.3g} {}: numbers here are in {}",
                       length(gyration), length_unit(), length(extent), length_unit(),
                       unit_text(dimension::kInertia, profile_.units)));
@@ -178,10 +173,9 @@ private:
           mechanism_.contacts.begin(), mechanism_.contacts.end(),
           [&](const Contact& contact) { return is_this(contact.first) || is_this(contact.second); });
       const std::string& name = body.curves[k].name;
-      const bool is_drawn = find_at(document_, {"drawing", body.name, "curves", name}) != nullptr;
+      const bool is_drawn = at(fmt::format("drawing.{}.curves.{}", body.name, name)) != nullptr;
       if (!used && !is_drawn && !has_offset(body, name)) {
-        add(find_at(document_, {"bodies", body.name, "curves", name}),
-            fmt::format("bodies.{}.curves.{}", body.name, name), "no contact names this curve");
+        add(fmt::format("bodies.{}.curves.{}", body.name, name), "no contact names this curve");
       }
     }
   }
@@ -189,15 +183,15 @@ private:
   // Whether another curve of the body is an offset of this one.
   [[nodiscard]] bool has_offset(const Body& body, const std::string& name) const {
     return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& other) {
-      const Value* of = find_at(document_, {"bodies", body.name, "curves", other.name, "of"});
+      const Value* of = at(fmt::format("bodies.{}.curves.{}.of", body.name, other.name));
       const auto* text = of == nullptr ? nullptr : std::get_if<std::string>(&of->content);
       return text != nullptr && *text == name;
     });
   }
 
   // Degrees read as radians or turns, and the other way round.
-  void angle_unit(const Value* value, const std::string& path) {
-    const auto number = plain_number(value);
+  void angle_unit(const std::string& path) {
+    const auto number = plain_number(at(path));
     if (!number) return;
     const Unit unit = profile_.units.angle;
     const double least = unit == Unit::kRevolution ? 90 : 30;  // so many turns may well be meant
@@ -209,61 +203,53 @@ private:
     const double turns = to_si(dimension::kAngle, profile_.units).apply(*number) / (2 * kPi);
     if (unit != Unit::kDegree && could_be_degrees) {
       add_with_value(
-          value, path,
-          fmt::format("{:.4g} turns, for angles here are in {}; write \"{:g} deg\" if that is meant", turns,
-                      name_of(unit), *number));
+          path, fmt::format("{:.4g} turns, for angles here are in {}; write \"{:g} deg\" if that is meant",
+                            turns, name_of(unit), *number));
     } else if (unit == Unit::kDegree && could_be_radians) {
       add_with_value(
-          value, path,
-          fmt::format("{:.3g} turns, for angles here are in deg; write \"{:g} rad\" if that is meant", turns,
-                      *number));
+          path, fmt::format("{:.3g} turns, for angles here are in deg; write \"{:g} rad\" if that is meant",
+                            turns, *number));
     }
   }
 
   void driver(const Driver& driver, const DriverProgram& program) {
     const std::string path = driver.name.empty() ? "driver" : "drivers." + driver.name;
-    const auto at = [&](std::string_view key) {
-      return driver.name.empty() ? find_at(document_, {"driver", key})
-                                 : find_at(document_, {"drivers", driver.name, key});
-    };
     const bool turns = mechanism_.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
     if (turns) {
-      angle_unit(at("start"), path + ".start");
-      angle_unit(at("end"), path + ".end");
+      angle_unit(path + ".start");
+      angle_unit(path + ".end");
     }
     if (program.law) {
       // Its rows are in time.
     } else if (!program.positions.empty()) {
-      for (const char* key : {"end", "samples"}) {
-        if (const Value* value = at(key))
-          add_with_value(value, path + "." + key, "not used, for `positions` are given");
+      for (const char* key : {".end", ".samples"}) {
+        if (at(path + key) != nullptr) add_with_value(path + key, "not used, for `positions` are given");
       }
     } else if (!turns && !program.end && !program.duration) {
-      add(at("joint"), path + ".joint", "this joint slides, and without an `end` it stays at its start");
+      add(path + ".joint", "this joint slides, and without an `end` it stays at its start");
     } else {
-      spacing(at("samples"), path, program, turns);
+      spacing(path + ".samples", program, turns);
     }
     if (program.time_step && program.duration && *program.time_step > *program.duration) {
-      add_with_value(at("time_step"), path + ".time_step", "longer than the duration");
+      add_with_value(path + ".time_step", "longer than the duration");
     }
   }
 
   // 360 rows over 360 degrees, both ends included.
-  void spacing(const Value* value, const std::string& path, const DriverProgram& program, bool turns) {
-    if (value == nullptr || !program.samples || *program.samples < 10) return;
+  void spacing(const std::string& path, const DriverProgram& program, bool turns) {
+    if (!program.samples || *program.samples < 10) return;
     const double full_turn = from_si(dimension::kAngle, profile_.units).apply(2 * kPi);
     const double span = program.end ? *program.end - program.start : turns ? full_turn : 0;
     const auto rows = static_cast<double>(*program.samples);
     const auto is_round = [](double x) { return is_whole(x) || is_whole(1 / x); };
     if (span != 0 && is_round(span / rows) && !is_round(span / (rows - 1))) {
-      add_with_value(value, path + ".samples",
-                     fmt::format("both ends are rows, so they are {:.6g} apart; {} rows are {:g} apart",
-                                 span / (rows - 1), *program.samples + 1, span / rows));
+      add_with_value(path, fmt::format("both ends are rows, so they are {:.6g} apart; {} rows are {:g} apart",
+                                       span / (rows - 1), *program.samples + 1, span / rows));
     }
   }
 
   const Reading& reading_;
-  const Value& document_;
+  const Table& document_;
   const Profile& profile_;
   const Mechanism& mechanism_;
   std::vector<Mistake> found_;

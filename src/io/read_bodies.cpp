@@ -13,15 +13,12 @@ void read_named_points(Reading& reading, const Item& item, Body& body) {
 }
 
 void read_pose(Reading& reading, const Item& item, Body& body) {
-  const Table* table = as_table(reading, item, "a table { x, y, angle }");
-  if (table == nullptr) {
-    return;
+  if (auto pose = as_reader(reading, item, "a table { x, y, angle }")) {
+    body.guess_p_WB.x() = pose->quantity("x", {dimension::kLength});
+    body.guess_p_WB.y() = pose->quantity("y", {dimension::kLength});
+    body.guess_theta = pose->quantity("angle", {dimension::kAngle});
+    pose->finish();
   }
-  TableReader pose(reading, *table, item.value->mark, item.path);
-  body.guess_p_WB.x() = pose.quantity("x", {dimension::kLength});
-  body.guess_p_WB.y() = pose.quantity("y", {dimension::kLength});
-  body.guess_theta = pose.quantity("angle", {dimension::kAngle});
-  pose.finish();
 }
 
 // Without an inertia the mass is a point mass at its centre.
@@ -64,11 +61,7 @@ void read_body(TableReader& table, Body& body, LateCurves& late) {
 void read_bodies(TableReader& root, Mechanism& mechanism, LateCurves& late) {
   mechanism.bodies.emplace_back();
   mechanism.bodies.front().name = "ground";
-  const auto bodies = root.take("bodies");
-  if (!bodies) {
-    return;
-  }
-  for_each_table(root.reading(), *bodies, "a body (a table)",
+  for_each_table(root.reading(), root.take("bodies"), "a body (a table)",
                  [&](const std::string& name, TableReader& table) {
                    if (name == "ground") {
                      read_body(table, mechanism.bodies.front(), late);

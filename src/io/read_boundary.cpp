@@ -1,7 +1,5 @@
 #include "read_boundary.hpp"
 
-#include "text_file.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,11 +16,8 @@ bool turned_round(TableReader& table, bool has_inside) {
   table.refuse(has_inside ? "material" : "side",
                has_inside ? "this curve has its material inside or outside: `side`"
                           : "an open curve has its material on the left or right of its way: `material`");
-  const auto item = table.take(key);
-  const auto choice = item ? as_choice(table.reading(), *item,
-                                       has_inside ? std::vector<std::string>{"inside", "outside"}
-                                                  : std::vector<std::string>{"left", "right"})
-                           : std::nullopt;
+  const auto choice = has_inside ? table.take(key, as_choice, {"inside", "outside"})
+                                 : table.take(key, as_choice, {"left", "right"});
   return choice == 1U;
 }
 
@@ -123,14 +118,6 @@ std::string point_text(const Reading& reading, const Vector2d& p) {
   return fmt::format("({}, {})", text(p.x()), text(p.y()));
 }
 
-void report_whole(TableReader& table, const std::string& message) {
-  table.reading().mistakes.push_back({table.mark(), table.path() + ": " + message});
-}
-
-void note_whole(TableReader& table, const std::string& message) {
-  table.reading().notes.push_back({table.mark(), table.path() + ": " + message});
-}
-
 bool report_gaps(TableReader& table, const Outline& outline) {
   const Reading& reading = table.reading();
   const std::size_t count = outline.pieces.size();
@@ -151,37 +138,6 @@ bool report_gaps(TableReader& table, const Outline& outline) {
     return true;
   }
   return false;
-}
-
-std::optional<std::string> read_named_file(TableReader& table, const Item& item, const std::string& what) {
-  Reading& reading = table.reading();
-  const auto name = as_text(reading, item);
-  if (!name) {
-    return std::nullopt;
-  }
-  const std::string path = beside(reading.sources.front(), *name);
-  auto text = read_text_file(path, what);
-  if (!text) {
-    report(reading, item, text.error());
-    return std::nullopt;
-  }
-  reading.files.push_back(path);
-  return *std::move(text);
-}
-
-void report_in_file(TableReader& table, const Item& item, int line, const std::string& message) {
-  report(table.reading(), item, fmt::format("line {}: {}", line, message));
-}
-
-std::optional<Unit> read_file_unit(TableReader& table) {
-  const auto item = table.take("units");
-  const auto name = item ? as_text(table.reading(), *item) : std::nullopt;
-  const auto unit = name ? find_unit(*name) : std::nullopt;
-  if (name && (!unit || dimension_of(*unit) != dimension::kLength)) {
-    report(table.reading(), *item, "expected a unit of length: m, cm, mm, um, km, in, ft");
-    return std::nullopt;
-  }
-  return unit;
 }
 
 std::optional<NamedCurve> curve_of(TableReader& table, Outline outline) {

@@ -71,22 +71,9 @@ struct Outline {
 /// @{
 [[nodiscard]] std::string length_text(const Reading& reading, double metres);
 [[nodiscard]] std::string point_text(const Reading& reading, const Vector2d& p);
-/// Notes a mistake, or something that is probably a slip, about a table as a whole.
-void report_whole(TableReader& table, const std::string& message);
-void note_whole(TableReader& table, const std::string& message);
 /// @}
 
 /// Ends that are no farther apart meet, unless the table has a `tolerance`.
 inline constexpr double kDefaultGap = 1e-5;  // of the curve's size
-
-/// The text of a file that a profile names; reports why it cannot be read. \param what  "table", what it
-/// ought to be
-[[nodiscard]] std::optional<std::string> read_named_file(TableReader& table, const Item& item,
-                                                         const std::string& what);
-/// Notes a mistake on a line of such a file.
-void report_in_file(TableReader& table, const Item& item, int line, const std::string& message);
-
-/// `units` of a file: a unit of length.
-[[nodiscard]] std::optional<Unit> read_file_unit(TableReader& table);
 
 }  // namespace higherpair::io_detail

@@ -28,12 +28,11 @@ struct ChainPiece {
 };
 
 std::optional<ChainPiece> read_piece(TableReader& table) {
-  const auto item = table.need("type", "a kind of span, such as \"arc\"");
   std::vector<std::string> names;
   for (const PieceType& type : piece_types()) {
     names.push_back(type.name);
   }
-  const auto choice = item ? as_choice(table.reading(), *item, names) : std::nullopt;
+  const auto choice = table.need("type", "a kind of span, such as \"arc\"", as_choice, names);
   if (!choice) {
     return std::nullopt;
   }
@@ -48,25 +47,14 @@ std::optional<ChainPiece> read_piece(TableReader& table) {
 
 std::optional<std::vector<ChainPiece>> read_pieces(TableReader& table, const Item& item) {
   Reading& reading = table.reading();
-  const auto* items = std::get_if<Array>(&item.value->content);
-  if (items == nullptr || items->empty()) {
-    report(reading, item, "expected a list of spans, [{ type = \"arc\", … }, …]");
-    return std::nullopt;
-  }
+  const auto items = as_items(reading, item, "a list of spans, [{ type = \"arc\", … }, …]");
   std::vector<ChainPiece> pieces;
-  bool complete = true;
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item entry = {&(*items)[i], fmt::format("{}.{}", item.path, i)};
-    const Table* keys = as_table(reading, entry, "a span (a table)");
-    std::optional<ChainPiece> piece;
-    if (keys != nullptr) {
-      TableReader reader(reading, *keys, entry.value->mark, entry.path);
-      piece = read_piece(reader);
-    }
-    complete = complete && piece.has_value();
+  for (const Item& entry : items.value_or(std::vector<Item>{})) {
+    auto reader = as_reader(reading, entry, "a span (a table)");
+    auto piece = reader ? read_piece(*reader) : std::nullopt;
     if (piece) pieces.push_back(*std::move(piece));
   }
-  return complete ? std::optional(std::move(pieces)) : std::nullopt;
+  return items && pieces.size() == items->size() ? std::optional(std::move(pieces)) : std::nullopt;
 }
 
 double gap(const ContourPiece& a, const ContourPiece& b) {

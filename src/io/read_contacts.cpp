@@ -68,9 +68,7 @@ void read_ends(TableReader& table, Mechanism& mechanism, Contact& contact) {
 }
 
 void read_approach(TableReader& table, Contact& contact) {
-  const auto item = table.take("approach");
-  const auto choice = item ? as_choice(table.reading(), *item, {"nearest", "+", "-"}) : std::nullopt;
-  contact.approach = kApproaches[choice.value_or(0)];
+  contact.approach = kApproaches[table.take("approach", as_choice, {"nearest", "+", "-"}).value_or(0)];
 }
 
 void read_keep(TableReader& table, Contact& contact) {
@@ -86,11 +84,7 @@ void read_keep(TableReader& table, Contact& contact) {
 }  // namespace
 
 void read_contacts(TableReader& root, Mechanism& mechanism) {
-  const auto contacts = root.take("contacts");
-  if (!contacts) {
-    return;
-  }
-  for_each_table(root.reading(), *contacts, "a contact (a table)",
+  for_each_table(root.reading(), root.take("contacts"), "a contact (a table)",
                  [&](const std::string& name, TableReader& table) {
                    Contact contact;
                    contact.name = name;

@@ -38,16 +38,12 @@ std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& tab
                                                                 const VariantPlan& plan) {
   const std::string expected = fmt::format("the names of two {}s", words.one);
   const auto item = table.need("between", expected);
-  const auto* items = item ? std::get_if<Array>(&item->value->content) : nullptr;
-  if (!item) {
+  const auto items = item ? as_items(table.reading(), *item, expected, 2, 2) : std::nullopt;
+  if (!items) {
     return std::nullopt;
   }
-  if (items == nullptr || items->size() != 2) {
-    report(table.reading(), *item, "expected " + expected);
-    return std::nullopt;
-  }
-  const auto first = variable_named(table, {items->data(), item->path + ".0"}, words, plan);
-  const auto second = variable_named(table, {&(*items)[1], item->path + ".1"}, words, plan);
+  const auto first = variable_named(table, items->front(), words, plan);
+  const auto second = variable_named(table, items->back(), words, plan);
   if (!first || !second) {
     return std::nullopt;
   }
@@ -96,19 +92,15 @@ void read_correlation(TableReader& table, const CorrelationWords& words, Variant
 
 void read_correlations(TableReader& task, const CorrelationWords& words, VariantPlan& plan) {
   const auto item = task.take("correlations");
-  if (!item) {
+  const auto items =
+      item ? as_items(task.reading(), *item, "a list of { between = [\"a\", \"b\"], coefficient = … }", 0)
+           : std::nullopt;
+  if (!items) {
     return;
   }
-  const auto* items = std::get_if<Array>(&item->value->content);
-  if (items == nullptr) {
-    report(task.reading(), *item, "expected a list of { between = [\"a\", \"b\"], coefficient = … }");
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item entry = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
-    if (const Table* table = as_table(task.reading(), entry, "a correlation (a table)")) {
-      TableReader reader(task.reading(), *table, entry.value->mark, entry.path);
-      read_correlation(reader, words, plan);
+  for (const Item& entry : *items) {
+    if (auto table = as_reader(task.reading(), entry, "a correlation (a table)")) {
+      read_correlation(*table, words, plan);
     }
   }
   if (!correlation_factor(plan)) {

@@ -21,8 +21,7 @@ struct CurveReading {
 };
 
 std::array<double, 2> read_semi_axes(TableReader& table) {
-  const auto item = table.need("semi_axes", "[a, b]");
-  const auto list = item ? as_list(table.reading(), *item, kSize, 2) : std::nullopt;
+  const auto list = table.need("semi_axes", "[a, b]", as_list, kSize, 2);
   return list ? std::array{(*list)[0].si, (*list)[1].si} : std::array{1.0, 1.0};
 }
 
@@ -67,22 +66,18 @@ std::array<double, 6> coefficients_in_metres(std::array<double, 6> k, const Unit
 }
 
 CurveReading read_conic(TableReader& table, Side side) {
-  Reading& reading = table.reading();
-  const auto item = table.need("coefficients", "[A, B, C, D, E, F]");
-  const auto list = item ? as_list(reading, *item, {dimension::kNumber}, 6) : std::nullopt;
-  const auto near_item = table.take("near");
-  const auto near_B = near_item ? as_vector(reading, *near_item, dimension::kLength) : std::nullopt;
+  const auto list = table.need("coefficients", "[A, B, C, D, E, F]", as_list, {dimension::kNumber}, 6);
+  const auto near_B = table.take("near", as_vector, dimension::kLength);
   std::array<double, 6> k = {1, 1, 0, 0, 0, -1};
   for (std::size_t i = 0; list && i < k.size(); ++i) {
     k[i] = (*list)[i].value;
   }
-  return {make_conic(coefficients_in_metres(k, reading.units), side, near_B), "coefficients"};
+  return {make_conic(coefficients_in_metres(k, table.reading().units), side, near_B), "coefficients"};
 }
 
 CurveReading read_line(TableReader& table, Side /*side*/) {
   const Vector2d point = table.need_vector("point", dimension::kLength);
-  const auto item = table.need("normal", "the outward normal, [nx, ny] or an angle");
-  const auto normal = item ? as_direction(table.reading(), *item) : std::nullopt;
+  const auto normal = table.need("normal", "the outward normal, [nx, ny] or an angle", as_direction);
   return {make_line(point, normal.value_or(Vector2d::UnitX())), "normal"};
 }
 
@@ -143,9 +138,7 @@ Side read_side(TableReader& table, const ConicType& type) {
     table.refuse("side", "a line or point has no sides to choose from");
     return Side::kInside;
   }
-  const auto item = table.take("side");
-  const auto choice = item ? as_choice(table.reading(), *item, {"inside", "outside"}) : std::nullopt;
-  return choice == 1U ? Side::kOutside : Side::kInside;
+  return table.take("side", as_choice, {"inside", "outside"}) == 1U ? Side::kOutside : Side::kInside;
 }
 
 std::optional<NamedCurve> read_conic_curve(TableReader& table, const ConicType& type) {
@@ -206,8 +199,8 @@ private:
   }
 
   void read_one(TableReader& table, std::size_t index) {
-    const auto item = table.need("type", "a kind of curve, such as \"circle\"");
-    const auto choice = item ? as_choice(reading_, *item, curve_type_names()) : std::nullopt;
+    const auto choice =
+        table.need("type", "a kind of curve, such as \"circle\"", as_choice, curve_type_names());
     if (!choice) {
       states_[index] = State::kWrong;
       return;  // which keys belong here is unknown

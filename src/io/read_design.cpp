@@ -63,12 +63,10 @@ private:
 }  // namespace
 
 void read_design(TableReader& root, const Table& document, LawBook& laws, Profile& profile) {
-  const auto item = root.take("design");
-  const Table* content = item ? as_table(root.reading(), *item, "a design task (a table)") : nullptr;
-  if (content == nullptr) return;
-  TableReader table(root.reading(), *content, item->value->mark, item->path);
-  profile.design =
-      std::make_shared<const DesignTask>(DesignReader(root.reading(), document, profile, laws).read(table));
+  if (auto table = as_reader(root.reading(), root.take("design"), "a design task (a table)")) {
+    DesignReader reader(root.reading(), document, profile, laws);
+    profile.design = std::make_shared<const DesignTask>(reader.read(*table));
+  }
 }
 
 }  // namespace higherpair::io_detail

@@ -41,15 +41,9 @@ std::vector<int> bodies_that_count(TableReader& table, const Mechanism& mechanis
     return bodies;
   }
   bodies.clear();
-  const auto* items = std::get_if<Array>(&item->value->content);
-  if (items == nullptr || items->empty()) {
-    report(table.reading(), *item, "expected a list of bodies, such as [\"crank\", \"coupler\"]");
-    return bodies;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto body =
-        as_body(table.reading(), {&(*items)[i], fmt::format("{}.{}", item->path, i)}, mechanism);
-    if (body) bodies.push_back(*body);
+  const auto items = as_items(table.reading(), *item, "a list of bodies, such as [\"crank\", \"coupler\"]");
+  for (const Item& one : items.value_or(std::vector<Item>{})) {
+    if (const auto body = as_body(table.reading(), one, mechanism)) bodies.push_back(*body);
   }
   return bodies;
 }

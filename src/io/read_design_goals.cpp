@@ -61,15 +61,10 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
 }
 
 void follow_pairs(Reading& reading, const Item& follow, Measure measure, DesignTask::Objective& objective) {
-  const auto* items = std::get_if<Array>(&follow.value->content);
-  if (items == nullptr || items->size() < 2) {
-    report(reading, follow,
-           "expected a list of at least two pairs, [[driver, value], …], or the name of a law");
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto pair =
-        as_list(reading, {&(*items)[i], fmt::format("{}.{}", follow.path, i)}, {dimension::kNumber}, 2);
+  const auto items = as_items(reading, follow,
+                              "a list of at least two pairs, [[driver, value], …], or the name of a law", 2);
+  for (const Item& item : items.value_or(std::vector<Item>{})) {
+    const auto pair = as_list(reading, item, {dimension::kNumber}, 2);
     if (!pair) return;
     measure.at = (*pair)[0].value;
     objective.followed.push_back(measure);
@@ -151,14 +146,9 @@ std::vector<EventType> read_events(Reading& reading, const Item& item) {
   std::vector<std::string> names;
   for (const auto& [name, type] : types) names.push_back(name);
   std::vector<EventType> events;
-  const auto* items = std::get_if<Array>(&item.value->content);
-  if (items == nullptr || items->empty()) {
-    report(reading, item, "expected a list of events, such as [\"dead_point\"]");
-    return events;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto choice = as_choice(reading, {&(*items)[i], fmt::format("{}.{}", item.path, i)}, names);
-    if (choice) events.push_back(types[*choice].second);
+  const auto items = as_items(reading, item, "a list of events, such as [\"dead_point\"]");
+  for (const Item& one : items.value_or(std::vector<Item>{})) {
+    if (const auto choice = as_choice(reading, one, names)) events.push_back(types[*choice].second);
   }
   return events;
 }
@@ -246,13 +236,11 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   const std::size_t mistakes = reading.mistakes.size();
   if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
   if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
-  const auto wrong = [&](const std::string& what) {
-    reading.mistakes.push_back({table.mark(), table.path() + ": " + what});
-  };
   if (!constraint.below && !constraint.above && reading.mistakes.size() == mistakes) {
-    wrong("a limit is missing: below = … or above = …");
+    report_whole(table, "a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
-    wrong(fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
+    report_whole(table,
+                 fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
   }
   const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
                         constraint.extent || constraint.grashof || !constraint.without.empty();

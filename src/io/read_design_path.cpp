@@ -1,7 +1,6 @@
 // The path of a point as a design's objective.
 #include "higherpair/io/suggestion.hpp"
-#include "point_table.hpp"
-#include "read_boundary.hpp"
+#include "named_file.hpp"
 #include "read_design.hpp"
 
 #include <string>
@@ -26,13 +25,9 @@ void check_points(Reading& reading, const Item& item, const PointPath& path) {
 }
 
 void read_list_of_points(Reading& reading, const Item& list, PointPath& path) {
-  const auto* items = std::get_if<Array>(&list.value->content);
-  if (items == nullptr) {
-    report(reading, list, "expected a list of points, [[x, y], …]");
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item entry = {&(*items)[i], fmt::format("{}.{}", list.path, i)};
+  const auto items = as_items(reading, list, "a list of points, [[x, y], …]", 0);
+  if (!items) return;
+  for (const Item& entry : *items) {
     const auto point = as_vector(reading, entry, dimension::kLength);
     if (!point) return;
     path.through.push_back(*point);
@@ -41,45 +36,30 @@ void read_list_of_points(Reading& reading, const Item& list, PointPath& path) {
 }
 
 void read_file_of_points(TableReader& table, const Item& file, PointPath& path) {
-  Reading& reading = table.reading();
-  const std::optional<Unit> unit = read_file_unit(table);
-  const auto text = read_named_file(table, file, "table");
-  if (!text) return;
-  const auto read = read_points(*text, {{"x", "y"}, {dimension::kLength, dimension::kLength}},
-                                {.length = unit.value_or(reading.units.length)});
-  if (!read) {
-    for (const std::string& mistake : read.error()) report(reading, file, mistake);
-    return;
-  }
+  const auto read = read_place_file(table, file);
+  if (!read) return;
   for (const auto& [x, y] : read->points) path.through.emplace_back(x.si, y.si);
-  check_points(reading, file, path);
+  check_points(table.reading(), file, path);
 }
 
 void read_positions(Reading& reading, const Item& at, PointPath& path) {
-  const auto* items = std::get_if<Array>(&at.value->content);
-  if (items == nullptr || items->size() != path.through.size()) {
-    report(reading, at,
-           fmt::format("expected a list of {} positions of the driver, one for each point",
-                       path.through.size()));
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto position = as_plain_number(reading, {&(*items)[i], fmt::format("{}.{}", at.path, i)});
-    if (position) path.at.push_back(*position);
+  const std::size_t count = path.through.size();
+  const auto items =
+      as_items(reading, at, fmt::format("a list of {} positions of the driver, one for each point", count),
+               count, count);
+  for (const Item& item : items.value_or(std::vector<Item>{})) {
+    if (const auto position = as_plain_number(reading, item)) path.at.push_back(*position);
   }
 }
 
 // What the path may be placed by: only its form is asked for.
 void read_free(Reading& reading, const Item& free, PointPath& path) {
   static const std::vector<std::string> names = {"position", "turn", "scale"};
-  const auto* items = std::get_if<Array>(&free.value->content);
-  if (items == nullptr || items->empty()) {
-    report(reading, free,
-           "expected a list of \"position\", \"turn\" and \"scale\", such as [\"position\", \"turn\"]");
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto choice = as_choice(reading, {&(*items)[i], fmt::format("{}.{}", free.path, i)}, names);
+  const auto items = as_items(
+      reading, free, "a list of \"position\", \"turn\" and \"scale\", such as [\"position\", \"turn\"]");
+  if (!items) return;
+  for (const Item& item : *items) {
+    const auto choice = as_choice(reading, item, names);
     if (!choice) return;
     (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
   }

@@ -62,12 +62,8 @@ public:
 
 private:
   std::vector<Item> paths_in(const Item& item) {
-    const auto* items = std::get_if<Array>(&item.value->content);
-    if (items == nullptr) return {item};
-    std::vector<Item> paths;
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      paths.push_back({&(*items)[i], fmt::format("{}.{}", item.path, i)});
-    }
+    if (!std::holds_alternative<Array>(item.value->content)) return {item};
+    std::vector<Item> paths = items_of(item);
     if (paths.empty()) report(reading_, item, "expected the path of a number, or a list of such paths");
     return paths;
   }

@@ -14,8 +14,7 @@ namespace {
 constexpr double kLeastShare = 1e-9;
 
 std::optional<std::vector<double>> numbers(TableReader& table, const std::string& key, std::size_t count) {
-  const auto item = table.take(key);
-  const auto list = item ? as_list(table.reading(), *item, {dimension::kNumber}, count) : std::nullopt;
+  const auto list = table.take(key, as_list, {dimension::kNumber}, count);
   if (!list) {
     return std::nullopt;
   }

@@ -39,32 +39,17 @@ Look read_look(TableReader& table, Kind kind) {
   return look;
 }
 
-// The place of a name among those of `things`; reports that there is none.
-template <class Things>
-std::optional<std::size_t> find(TableReader& table, const std::string& name, const Things& things,
-                                std::string_view what) {
-  std::vector<std::string> names;
-  for (const auto& thing : things) names.push_back(thing.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  table.reading().mistakes.push_back({table.mark(), fmt::format("{}: there is no {} `{}`; {}", table.path(),
-                                                                what, name, suggestion(name, names))});
-  return std::nullopt;
-}
-
 template <class Things>
 std::vector<Look> read_parts(TableReader& table, const std::string& key, const Things& things, Kind kind,
                              const std::string& what) {
   std::vector<Look> looks(things.size());
-  if (const auto item = table.take(key)) {
-    for_each_table(table.reading(), *item, "what it looks like (a table)",
-                   [&](const std::string& name, TableReader& part) {
-                     if (const auto index = find(part, name, things, what)) {
-                       looks[*index] = read_look(part, kind);
-                       part.finish();
-                     }
-                   });
-  }
+  for_each_table(table.reading(), table.take(key), "what it looks like (a table)",
+                 [&](const std::string& name, TableReader& part) {
+                   if (const auto index = place_among(things, part, name, what)) {
+                     looks[*index] = read_look(part, kind);
+                     part.finish();
+                   }
+                 });
   return looks;
 }
 
@@ -83,7 +68,7 @@ void read_drawing(TableReader& root, Profile& profile) {
   for_each_table(
       root.reading(), *drawing, "what a body looks like (a table)",
       [&](const std::string& name, TableReader& table) {
-        const auto index = find(table, name, bodies, "body");
+        const auto index = place_among(bodies, table, name, "body");
         if (!index) return;
         BodyLook& look = profile.looks[*index];
         look.body = read_look(table, Kind::kBody);

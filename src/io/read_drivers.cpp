@@ -51,8 +51,7 @@ private:
 };
 
 std::optional<double> read_number(TableReader& table, const std::string& key, const Expected& expected) {
-  const auto item = table.take(key);
-  const auto quantity = item ? as_quantity(table.reading(), *item, expected) : std::nullopt;
+  const auto quantity = table.take(key, as_quantity, expected);
   return quantity ? std::optional(quantity->profile) : std::nullopt;
 }
 
@@ -189,17 +188,12 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
         {root.mark(), fmt::format("driver is missing: add a table {}, the joint that is driven",
                                   "[driver] with joint = \"...\"")});
   }
-  if (one) {
-    if (const Table* table = as_table(reading, *one, "a table")) {
-      TableReader reader(reading, *table, one->value->mark, one->path);
-      read_driver(reader, "", profile, joint_type_known, laws);
-    }
+  if (auto table = as_reader(reading, one, "a table")) {
+    read_driver(*table, "", profile, joint_type_known, laws);
   }
-  if (several) {
-    for_each_table(reading, *several, "a driver (a table)", [&](const std::string& name, TableReader& table) {
-      read_driver(table, name, profile, joint_type_known, laws);
-    });
-  }
+  for_each_table(reading, several, "a driver (a table)", [&](const std::string& name, TableReader& table) {
+    read_driver(table, name, profile, joint_type_known, laws);
+  });
 }
 
 }  // namespace higherpair::io_detail

@@ -1,5 +1,6 @@
 #include "dxf.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "named_file.hpp"
 #include "read_boundary.hpp"
 
 #include <algorithm>
@@ -67,8 +68,7 @@ double distance(const Contour& contour, const Vector2d& p) {
 std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
                                   const std::vector<Contour>& contours) {
   const Reading& reading = table.reading();
-  const auto near = table.take("near");
-  const auto point = near ? as_vector(table.reading(), *near, dimension::kLength) : std::nullopt;
+  const auto point = table.take("near", as_vector, dimension::kLength);
   if (contours.size() == 1 || point) {
     std::vector<double> distances;
     for (const Contour& contour : contours) {

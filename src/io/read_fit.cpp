@@ -77,12 +77,11 @@ private:
     static const std::vector<std::string> kFree = {"position", "turn", "scale"};
     const auto free =
         table.need("free", "what is not known of its frame, [\"position\", \"turn\", \"scale\"]");
-    const auto* items = free ? std::get_if<Array>(&free->value->content) : nullptr;
-    if (free && (items == nullptr || items->empty())) {
-      report(reading_, *free, "expected a list of \"position\", \"turn\" and \"scale\", or some of them");
-    }
-    for (std::size_t i = 0; items != nullptr && i < items->size(); ++i) {
-      const auto choice = as_choice(reading_, {&(*items)[i], fmt::format("{}.{}", free->path, i)}, kFree);
+    const auto items =
+        free ? as_items(reading_, *free, "a list of \"position\", \"turn\" and \"scale\", or some of them")
+             : std::nullopt;
+    for (const Item& item : items.value_or(std::vector<Item>{})) {
+      const auto choice = as_choice(reading_, item, kFree);
       if (!choice) continue;
       bool* const flags[] = {&frame.position, &frame.turn, &frame.scale};
       *flags[*choice] = true;
@@ -106,15 +105,9 @@ private:
   }
 
   void read_use(const Item& item) {
-    const auto* items = std::get_if<Array>(&item.value->content);
-    if (items == nullptr || items->empty()) {
-      report(reading_, item, "expected a list of names or globs of columns, [\"slider.*\"]");
-      return;
-    }
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      if (const auto name = as_text(reading_, {&(*items)[i], fmt::format("{}.{}", item.path, i)})) {
-        task_.use.push_back(*name);
-      }
+    const auto items = as_items(reading_, item, "a list of names or globs of columns, [\"slider.*\"]");
+    for (const Item& one : items.value_or(std::vector<Item>{})) {
+      if (const auto name = as_text(reading_, one)) task_.use.push_back(*name);
     }
   }
 
@@ -126,11 +119,8 @@ private:
 }  // namespace
 
 std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism) {
-  const auto item = root.take("fit");
-  const Table* content = item ? as_table(root.reading(), *item, "a fit (a table)") : nullptr;
-  if (content == nullptr) return std::nullopt;
-  TableReader table(root.reading(), *content, item->value->mark, item->path);
-  return FitReader(root.reading(), mechanism).read(table);
+  auto table = as_reader(root.reading(), root.take("fit"), "a fit (a table)");
+  return table ? std::optional(FitReader(root.reading(), mechanism).read(*table)) : std::nullopt;
 }
 
 }  // namespace io_detail

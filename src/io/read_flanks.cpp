@@ -53,8 +53,7 @@ public:
 
   void make(LateCurves::Flank& late) {
     Body& cam = body_named(mechanism_, late.body);
-    const auto side = late.table.take("side");
-    const auto choice = side ? as_choice(reading_, *side, {"inside", "outside"}) : std::nullopt;
+    const auto choice = late.table.take("side", as_choice, {"inside", "outside"});
     late.table.finish();
     const CurveRef own{index_of(mechanism_, cam), static_cast<int>(late.curve)};
     const auto follower = follower_of(late, own);
@@ -150,9 +149,12 @@ private:
     named.curve.vertex_B = named.boundary->middle_B();
   }
 
+  [[nodiscard]] std::string amount(const Dimension& of, double value) const {
+    return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(value), unit_text(of, reading_.units));
+  }
+
   [[nodiscard]] std::string cam_coordinate(const CamMotion& motion, double x) const {
-    const Dimension& of = motion.cam.turns ? dimension::kAngle : dimension::kLength;
-    return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(x), unit_text(of, reading_.units));
+    return amount(motion.cam.turns ? dimension::kAngle : dimension::kLength, x);
   }
 
   // Where the law's velocity jumps, which no follower but a knife edge can follow whatever its size; none if
@@ -201,10 +203,6 @@ private:
 
   // What would keep the flank from being undercut.
   [[nodiscard]] std::string remedies(const FlankOrigin& cam) const {
-    const auto amount = [&](const Dimension& of, double value) {
-      return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(value),
-                         unit_text(of, reading_.units));
-    };
     std::string text;
     if (const auto size = smallest_for_radius(cam, {})) {
       const bool turns = cam.motion.follower.turns;

@@ -91,8 +91,7 @@ std::optional<ContourPiece> involute_piece(TableReader& table) {
   const Mistakes mistakes(table.reading());
   Involute involute;
   involute.center_B = table.need_vector("center", dimension::kLength);
-  const auto hand = table.take("hand");
-  const auto choice = hand ? as_choice(table.reading(), *hand, {"left", "right"}) : std::nullopt;
+  const auto choice = table.take("hand", as_choice, {"left", "right"});
   involute.hand = choice == 1U ? Hand::kRight : Hand::kLeft;
   std::optional<Bounds> roll;
   if (table.take("module")) {
@@ -109,8 +108,8 @@ std::optional<ContourPiece> involute_piece(TableReader& table) {
     roll = read_roll(table, &tooth);
   } else {
     refuse_tooth_keys(table);
-    const auto radius = table.need("base_radius", "the radius of the base circle (or module and teeth)");
-    const auto value = radius ? as_quantity(table.reading(), *radius, kInvoluteSize) : std::nullopt;
+    const auto value = table.need("base_radius", "the radius of the base circle (or module and teeth)",
+                                  as_quantity, kInvoluteSize);
     involute.base_radius = value ? value->si : 1;
     involute.start = table.quantity("start", kRollAngle);
     roll = read_roll(table, nullptr);

@@ -9,10 +9,8 @@ constexpr std::array<JointType, 5> kJointTypes = {JointType::kRevolute, JointTyp
                                                   JointType::kSlot, JointType::kGears, JointType::kBelt};
 
 std::optional<JointType> read_type(TableReader& table) {
-  const auto item = table.need("type", "revolute, prismatic, slot, gears or belt");
-  const auto choice =
-      item ? as_choice(table.reading(), *item, {"revolute", "prismatic", "slot", "gears", "belt"})
-           : std::nullopt;
+  const auto choice = table.need("type", "revolute, prismatic, slot, gears or belt", as_choice,
+                                 {"revolute", "prismatic", "slot", "gears", "belt"});
   return choice ? std::optional(kJointTypes[*choice]) : std::nullopt;
 }
 
@@ -39,9 +37,9 @@ void read_direction(TableReader& table, Joint& joint) {
     table.refuse("direction", "a revolute joint has no direction");
     return;
   }
-  const auto item = table.need("direction", "an angle or [dx, dy] in the frame of the first body");
-  const auto direction = item ? as_direction(table.reading(), *item) : std::nullopt;
-  joint.direction_A = direction.value_or(Vector2d::UnitX());
+  joint.direction_A =
+      table.need("direction", "an angle or [dx, dy] in the frame of the first body", as_direction)
+          .value_or(Vector2d::UnitX());
 }
 
 void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
@@ -83,11 +81,7 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
   std::vector<bool> type_known;
   std::vector<PendingGears> gears;
   bool ends_known = true;  // of all joints
-  const auto joints = root.take("joints");
-  if (!joints) {
-    return type_known;
-  }
-  for_each_table(root.reading(), *joints, "a joint (a table)",
+  for_each_table(root.reading(), root.take("joints"), "a joint (a table)",
                  [&](const std::string& name, TableReader& table) {
                    Joint joint;
                    joint.name = name;

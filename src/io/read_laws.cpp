@@ -1,6 +1,5 @@
 #include "laws.hpp"
-#include "point_table.hpp"
-#include "text_file.hpp"
+#include "named_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +26,12 @@ public:
     const auto file = table_.take("file");
     const int given = int(segments.has_value()) + int(points.has_value()) + int(file.has_value());
     if (given != 1) {
-      reading_.mistakes.push_back(
-          {table_.mark(), fmt::format("{}: expected one of `segments`, `points` and `file`", table_.path())});
+      report_whole(table_, "expected one of `segments`, `points` and `file`");
       return std::nullopt;
     }
-    if (const auto repeat = table_.take("repeat")) {
-      repeat_ = as_flag(reading_, *repeat);
-    }
+    repeat_ = table_.take("repeat", as_flag);
     if (segments) {
-      read_segments(*segments);
+      read_law_segments(table_, *segments, quantities_, law_);
     } else {
       points ? read_points_of(*points) : read_file(*file);
       read_spline();
@@ -55,122 +51,20 @@ private:
   [[nodiscard]] bool turns() const { return quantities_.coordinate == dimension::kAngle; }
   [[nodiscard]] double turn() const { return from_si(dimension::kAngle, reading_.units).apply(2 * kPi); }
 
-  void set(const std::string& key, double LawDescription::*member, const Expected& expected) {
-    const auto item = table_.take(key);
-    if (const auto quantity = item ? as_quantity(reading_, *item, expected) : std::nullopt) {
-      law_.profile.*member = quantity->profile;
-      law_.si.*member = quantity->si;
-    }
-  }
-
-  void read_segments(const Item& item) {
-    set("origin", &LawDescription::origin, {quantities_.coordinate});
-    set("start", &LawDescription::start, {quantities_.value});
-    const auto* items = std::get_if<Array>(&item.value->content);
-    if (items == nullptr || items->empty()) {
-      report(reading_, item,
-             "expected a list of segments, [{ over = 120, law = \"cycloidal\", rise = 20 }, ...]");
-      return;
-    }
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      const Item segment{&(*items)[i], fmt::format("{}.{}", item.path, i)};
-      law_.profile.segments.emplace_back();
-      law_.si.segments.emplace_back();
-      if (const Table* content = as_table(reading_, segment, "a segment (a table)")) {
-        TableReader table(reading_, *content, segment.value->mark, segment.path);
-        read_segment(table);
-      }
-    }
-  }
-
-  [[nodiscard]] LawSegment& profile() { return law_.profile.segments.back(); }
-  [[nodiscard]] LawSegment& si() { return law_.si.segments.back(); }
-
-  void set(TableReader& table, const std::string& key, double LawSegment::*member, const Expected& expected,
-           std::string_view missing) {
-    const auto item = missing.empty() ? table.take(key) : table.need(key, missing);
-    if (const auto quantity = item ? as_quantity(reading_, *item, expected) : std::nullopt) {
-      profile().*member = quantity->profile;
-      si().*member = quantity->si;
-    }
-  }
-
-  void read_segment(TableReader& table) {
-    static const std::vector<std::string> names(kLawNames.begin(), kLawNames.end());
-    set(table, "over", &LawSegment::over, {quantities_.coordinate, Sign::kPositive},
-        "the length of the segment");
-    const auto item = table.need("law", "the name of a law, \"cycloidal\"");
-    const auto choice = item ? as_choice(reading_, *item, names) : std::nullopt;
-    if (!choice) {
-      return;
-    }
-    const auto type = static_cast<LawType>(*choice);
-    profile().type = si().type = type;
-    const bool polynomial = type == LawType::kPolynomial;
-    const bool harmonics = type == LawType::kHarmonics;
-    const bool must_rise = !polynomial && !harmonics && type != LawType::kDwell;
-    set(table, "rise", &LawSegment::rise, {quantities_.value},
-        must_rise ? "by how much the value grows over the segment" : "");
-    for (const auto& [key, member] :
-         {std::pair("start", &LawSegment::start), std::pair("end", &LawSegment::end)}) {
-      polynomial ? read_conditions(table, key, member)
-                 : table.refuse(key, "has a meaning for law = \"polynomial\" only");
-    }
-    for (const auto& [key, member] :
-         {std::pair("cosines", &LawSegment::cosines), std::pair("sines", &LawSegment::sines)}) {
-      harmonics ? read_amplitudes(table, key, member)
-                : table.refuse(key, "has a meaning for law = \"harmonics\" only");
-    }
-    table.finish();
-  }
-
-  // [s, v, a, …], each in its own unit.
-  void read_conditions(TableReader& table, const std::string& key, std::vector<double> LawSegment::*member) {
-    const auto item =
-        table.need(key, "the value there and as many derivatives as are to be given, [s, v, a, ...]");
-    const auto* items = item ? std::get_if<Array>(&item->value->content) : nullptr;
-    if (item && (items == nullptr || items->empty())) {
-      report(reading_, *item, "expected a list, [s, v, a, ...]");
-    }
-    Dimension dimension = quantities_.value;
-    for (std::size_t k = 0; items != nullptr && k < items->size(); ++k) {
-      const Item number{&(*items)[k], fmt::format("{}.{}", item->path, k)};
-      const Quantity quantity = as_quantity(reading_, number, {dimension}).value_or(Quantity{});
-      (profile().*member).push_back(quantity.profile);
-      (si().*member).push_back(quantity.si);
-      dimension = dimension / quantities_.coordinate;
-    }
-  }
-
-  void read_amplitudes(TableReader& table, const std::string& key, std::vector<double> LawSegment::*member) {
-    const auto item = table.take(key);
-    const auto list = item ? as_list(reading_, *item, {quantities_.value}) : std::nullopt;
-    for (const Quantity& amplitude : list.value_or(std::vector<Quantity>{})) {
-      (profile().*member).push_back(amplitude.profile);
-      (si().*member).push_back(amplitude.si);
-    }
-  }
-
   void add_point(const Quantity& x, const Quantity& s) {
     law_.profile.points.emplace_back(x.profile, s.profile);
     law_.si.points.emplace_back(x.si, s.si);
   }
 
   void read_points_of(const Item& item) {
-    const auto* items = std::get_if<Array>(&item.value->content);
-    if (items == nullptr) {
-      report(reading_, item, "expected a list of points, [[x, s], ...]");
-      return;
-    }
-    for (std::size_t i = 0; i < items->size(); ++i) {
-      const Item point{&(*items)[i], fmt::format("{}.{}", item.path, i)};
-      const auto* pair = std::get_if<Array>(&point.value->content);
-      if (pair == nullptr || pair->size() != 2) {
-        report(reading_, point, "expected a point, [x, s]");
+    const auto items = as_items(reading_, item, "a list of points, [[x, s], ...]", 0);
+    for (const Item& point : items.value_or(std::vector<Item>{})) {
+      const auto pair = as_items(reading_, point, "a point, [x, s]", 2, 2);
+      if (!pair) {
         continue;
       }
-      const auto x = as_quantity(reading_, {&(*pair)[0], point.path + ".0"}, {quantities_.coordinate});
-      const auto s = as_quantity(reading_, {&(*pair)[1], point.path + ".1"}, {quantities_.value});
+      const auto x = as_quantity(reading_, pair->front(), {quantities_.coordinate});
+      const auto s = as_quantity(reading_, pair->back(), {quantities_.value});
       if (x && s) {
         add_point(*x, *s);
       }
@@ -178,23 +72,9 @@ private:
   }
 
   void read_file(const Item& item) {
-    const auto name = as_text(reading_, item);
-    if (!name) {
-      return;
-    }
-    const std::string path = beside(reading_.sources.front(), *name);
-    reading_.files.push_back(path);
-    const auto text = read_text_file(path, "table");
-    if (!text) {
-      report(reading_, item, text.error());
-      return;
-    }
-    auto table =
-        read_points(*text, {{"x", "s"}, {quantities_.coordinate, quantities_.value}}, reading_.units);
+    auto table = read_point_file(table_, item, {{"x", "s"}, {quantities_.coordinate, quantities_.value}},
+                                 reading_.units);
     if (!table) {
-      for (const std::string& mistake : table.error()) {
-        report(reading_, item, mistake);
-      }
       return;
     }
     for (const auto& [x, s] : table->points) {
@@ -214,7 +94,11 @@ private:
       }
       law_.profile.degree = law_.si.degree = degree.value_or(5) == 3 ? 3 : 5;
     }
-    set("smoothing", &LawDescription::smoothing, {quantities_.value, Sign::kNotNegative});
+    if (const auto smoothing =
+            table_.take("smoothing", as_quantity, {quantities_.value, Sign::kNotNegative})) {
+      law_.profile.smoothing = smoothing->profile;
+      law_.si.smoothing = smoothing->si;
+    }
     (void)table_.quantity("rounding", {quantities_.value, Sign::kPositive});
   }
 

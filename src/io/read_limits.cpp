@@ -104,26 +104,12 @@ template <class Thing, class ScopeOf>
 std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std::string_view kind,
                                 const std::vector<Thing>& things, const ScopeOf& scope) {
   std::vector<LimitSet> sets(things.size());
-  const auto item = limits.take(key);
-  if (!item) {
-    return sets;
-  }
-  std::vector<std::string> names;
-  for (const Thing& thing : things) {
-    names.push_back(thing.name);
-  }
-  for_each_table(limits.reading(), *item, fmt::format("limits of a {} (a table)", kind),
+  for_each_table(limits.reading(), limits.take(key), fmt::format("limits of a {} (a table)", kind),
                  [&](const std::string& name, TableReader& table) {
-                   const auto found = std::find(names.begin(), names.end(), name);
-                   if (found == names.end()) {
-                     limits.reading().mistakes.push_back(
-                         {table.mark(), fmt::format("{}: there is no {} `{}`; {}", table.path(), kind, name,
-                                                    suggestion(name, names))});
-                     return;
-                   }
-                   const auto index = static_cast<std::size_t>(found - names.begin());
-                   sets[index] = read_set(
-                       table, [&](const KeyRow& row) { return (row.scopes & scope(things[index])) != 0; });
+                   const auto index = place_among(things, table, name, kind);
+                   if (!index) return;
+                   sets[*index] = read_set(
+                       table, [&](const KeyRow& row) { return (row.scopes & scope(things[*index])) != 0; });
                    table.finish();
                  });
   return sets;
@@ -181,12 +167,11 @@ const GivenLimit* limit_of(const CheckLimits& limits, const std::vector<LimitSet
 namespace io_detail {
 
 void read_limits(TableReader& root, Profile& profile) {
-  const auto item = root.take("limits");
-  const Table* content = item ? as_table(root.reading(), *item, "a table of limits") : nullptr;
-  if (content == nullptr) {
+  auto reader = as_reader(root.reading(), root.take("limits"), "a table of limits");
+  if (!reader) {
     return;
   }
-  TableReader table(root.reading(), *content, item->value->mark, item->path);
+  TableReader& table = *reader;
   const Mechanism& mechanism = profile.mechanism;
   auto limits = std::make_shared<CheckLimits>();
   limits->all = read_set(table, [](const KeyRow&) { return true; });

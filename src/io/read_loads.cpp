@@ -20,9 +20,8 @@ void read_force(TableReader& table, const Mechanism& mechanism, std::optional<in
     const auto index = as_point_of(table.reading(), *point, owner);
     load.p_B = index ? owner.points[static_cast<std::size_t>(*index)].p_B : Vector2d::Zero();
   }
-  const auto frame = table.take("frame");
-  const auto choice = frame ? as_choice(table.reading(), *frame, {"ground", "body"}) : std::nullopt;
-  load.frame = choice == 1U ? LoadFrame::kBody : LoadFrame::kGround;
+  load.frame =
+      table.take("frame", as_choice, {"ground", "body"}) == 1U ? LoadFrame::kBody : LoadFrame::kGround;
 }
 
 void read_load(TableReader& table, const Mechanism& mechanism, Load& load) {
@@ -49,11 +48,7 @@ void read_load(TableReader& table, const Mechanism& mechanism, Load& load) {
 }  // namespace
 
 void read_loads(TableReader& root, Mechanism& mechanism) {
-  const auto loads = root.take("loads");
-  if (!loads) {
-    return;
-  }
-  for_each_table(root.reading(), *loads, "a load (a table)",
+  for_each_table(root.reading(), root.take("loads"), "a load (a table)",
                  [&](const std::string& name, TableReader& table) {
                    Load load;
                    load.name = name;

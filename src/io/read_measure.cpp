@@ -25,8 +25,7 @@ std::optional<std::string> read_column(TableReader& table, Measure& measure) {
 
 std::optional<MeasureKind> read_kind(TableReader& table) {
   const std::vector<std::string> names(kMeasureNames.begin(), kMeasureNames.end());
-  const auto item = table.need("of", fmt::format("one of {}", fmt::join(names, ", ")));
-  const auto choice = item ? as_choice(table.reading(), *item, names) : std::nullopt;
+  const auto choice = table.need("of", fmt::format("one of {}", fmt::join(names, ", ")), as_choice, names);
   return choice ? std::optional(static_cast<MeasureKind>(*choice)) : std::nullopt;
 }
 
@@ -38,9 +37,8 @@ std::optional<Measure> read_measure(TableReader& table) {
   const auto kind = read_kind(table);
   std::optional<double> at = 0;
   if (kind == MeasureKind::kAt) {
-    const auto item = table.need("at", "the driver's position (in time: the time), in the profile's unit");
-    const auto quantity =
-        item ? as_quantity(table.reading(), *item, {dimension::kNumber}) : std::optional<Quantity>();
+    const auto quantity = table.need("at", "the driver's position (in time: the time), in the profile's unit",
+                                     as_quantity, {dimension::kNumber});
     at = quantity ? std::optional(quantity->si) : std::nullopt;
   } else if (kind) {
     table.refuse("at", "belongs to of = \"at\"");

@@ -85,22 +85,17 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   return index ? std::optional(Member{*body, *index}) : std::nullopt;
 }
 
-struct MemberPair {
-  Member first;
-  Member second;
-};
-
 // \param resolve  makes a Member of an item
-template <class F>
-std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism,
-                                      std::string_view kind, F resolve) {
-  const auto* items = std::get_if<Array>(&item.value->content);
-  if (items == nullptr || items->size() != 2) {
-    report(reading, item, fmt::format("expected two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", kind));
+template <class Pair, class F>
+std::optional<Pair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism,
+                                std::string_view kind, F resolve) {
+  const auto items = as_items(
+      reading, item, fmt::format("two {0}s on two bodies, [\"body.{0}\", \"body.{0}\"]", kind), 2, 2);
+  if (!items) {
     return std::nullopt;
   }
-  const std::optional<Member> first = resolve(Item{&(*items)[0], item.path + ".0"});
-  const std::optional<Member> second = resolve(Item{&(*items)[1], item.path + ".1"});
+  const std::optional<Member> first = resolve(items->front());
+  const std::optional<Member> second = resolve(items->back());
   if (!first || !second) {
     return std::nullopt;
   }
@@ -110,7 +105,7 @@ std::optional<MemberPair> member_pair(Reading& reading, const Item& item, const 
                        mechanism.bodies[static_cast<std::size_t>(first->body)].name));
     return std::nullopt;
   }
-  return MemberPair{*first, *second};
+  return Pair{{first->body, first->index}, {second->body, second->index}};
 }
 
 // Adds several curves of a body to it as one: all whose names begin with `start`.
@@ -172,21 +167,13 @@ std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& b
 }
 
 std::optional<PointPair> as_point_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {
-  const auto pair = member_pair(reading, item, mechanism, Points::kKind,
+  return member_pair<PointPair>(reading, item, mechanism, Points::kKind,
                                 [&](const Item& one) { return member<Points>(reading, one, mechanism); });
-  if (!pair) {
-    return std::nullopt;
-  }
-  return PointPair{{pair->first.body, pair->first.index}, {pair->second.body, pair->second.index}};
 }
 
 std::optional<CurvePair> as_curve_pair(Reading& reading, const Item& item, Mechanism& mechanism) {
-  const auto pair = member_pair(reading, item, mechanism, Curves::kKind,
+  return member_pair<CurvePair>(reading, item, mechanism, Curves::kKind,
                                 [&](const Item& one) { return curve_or_curves(reading, one, mechanism); });
-  if (!pair) {
-    return std::nullopt;
-  }
-  return CurvePair{{pair->first.body, pair->first.index}, {pair->second.body, pair->second.index}};
 }
 
 }  // namespace higherpair::io_detail

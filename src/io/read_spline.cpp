@@ -1,5 +1,5 @@
+#include "named_file.hpp"
 #include "numeric/decimal.hpp"
-#include "point_table.hpp"
 #include "read_boundary.hpp"
 
 #include <algorithm>
@@ -23,22 +23,20 @@ struct Given {
 std::optional<Given> points_inline(TableReader& table, const Item& item) {
   Reading& reading = table.reading();
   table.refuse("units", "is that of a file; these points are in the profile's unit of length");
-  const auto* items = std::get_if<Array>(&item.value->content);
-  if (items == nullptr) {
-    report(reading, item, "expected a list of points, [[x, y], …]");
+  const auto items = as_items(reading, item, "a list of points, [[x, y], …]", 0);
+  if (!items) {
     return std::nullopt;
   }
   Given given;
+  given.items = *items;
   int decimals = 0;
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item entry = {&(*items)[i], fmt::format("{}.{}", item.path, i)};
+  for (const Item& entry : *items) {
     const auto point = as_vector(reading, entry, dimension::kLength);
     if (!point) {
       return std::nullopt;
     }
     given.points.push_back(*point);
-    given.items.push_back(entry);
-    given.names.push_back(fmt::format("points.{}", i));
+    given.names.push_back(fmt::format("points.{}", given.names.size()));
     for (const Value& number : std::get<Array>(entry.value->content)) {
       if (const auto* x = std::get_if<double>(&number.content)) {
         decimals = std::max(decimals, decimals_of(shortest_digits(*x)));
@@ -50,18 +48,8 @@ std::optional<Given> points_inline(TableReader& table, const Item& item) {
 }
 
 std::optional<Given> points_in_file(TableReader& table, const Item& item) {
-  const std::optional<Unit> unit = read_file_unit(table);
-  const auto text = read_named_file(table, item, "table");
-  if (!text) {
-    return std::nullopt;
-  }
-  const Units units = {.length = unit.value_or(table.reading().units.length)};
-  const auto read =
-      io_detail::read_points(*text, {{"x", "y"}, {dimension::kLength, dimension::kLength}}, units);
+  const auto read = read_place_file(table, item);
   if (!read) {
-    for (const std::string& mistake : read.error()) {
-      report(table.reading(), item, mistake);
-    }
     return std::nullopt;
   }
   Given given;
@@ -103,8 +91,7 @@ SplineOptions read_options(TableReader& table, bool closed) {
     options.degree = static_cast<int>(*value);
   }
   options.smoothing = table.quantity("smoothing", kTolerance);
-  const auto parameter = table.take("parameter");
-  const auto choice = parameter ? as_choice(reading, *parameter, {"arc", "centripetal"}) : std::nullopt;
+  const auto choice = table.take("parameter", as_choice, {"arc", "centripetal"});
   options.parameter = choice == 1U ? SplineParameter::kCentripetal : SplineParameter::kArc;
   for (const auto& [key, tangent] :
        {std::pair{"first_tangent", &options.first_tangent}, {"last_tangent", &options.last_tangent}}) {
@@ -112,8 +99,8 @@ SplineOptions read_options(TableReader& table, bool closed) {
       table.refuse(key, "a closed spline has no ends");
     } else if (options.smoothing > 0) {
       table.refuse(key, "holds for a spline through its points: without `smoothing`");
-    } else if (const auto item = table.take(key)) {
-      *tangent = as_direction(reading, *item);
+    } else {
+      *tangent = table.take(key, as_direction);
     }
   }
   return options;

@@ -80,11 +80,7 @@ void read_spring(TableReader& table, const Mechanism& mechanism, const std::vect
 }  // namespace
 
 void read_springs(TableReader& root, Mechanism& mechanism, const std::vector<bool>& joint_type_known) {
-  const auto springs = root.take("springs");
-  if (!springs) {
-    return;
-  }
-  for_each_table(root.reading(), *springs, "a spring (a table)",
+  for_each_table(root.reading(), root.take("springs"), "a spring (a table)",
                  [&](const std::string& name, TableReader& table) {
                    Spring spring;
                    spring.name = name;

@@ -17,9 +17,8 @@ namespace {
 constexpr std::array kTakenNames = {"variant", "status", "cause", "row", "time"};
 
 std::optional<SweepMethod> read_method(TableReader& table) {
-  const auto item = table.need("method", "one of grid, list, random, sobol");
-  const auto choice =
-      item ? as_choice(table.reading(), *item, {"grid", "list", "random", "sobol"}) : std::nullopt;
+  const auto choice = table.need("method", "one of grid, list, random, sobol", as_choice,
+                                 {"grid", "list", "random", "sobol"});
   return choice ? std::optional(static_cast<SweepMethod>(*choice)) : std::nullopt;
 }
 
@@ -66,14 +65,10 @@ void read_rows(TableReader& table, SweepTask& task) {
   if (!item) {
     return;
   }
-  const auto* items = std::get_if<Array>(&item->value->content);
-  if (items == nullptr || items->empty()) {
-    report(table.reading(), *item, "expected a list of columns, names or globs, such as [\"follower.*\"]");
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto glob = as_text(table.reading(), {&(*items)[i], fmt::format("{}.{}", item->path, i)});
-    task.rows.push_back(glob.value_or("*"));
+  const auto items =
+      as_items(table.reading(), *item, "a list of columns, names or globs, such as [\"follower.*\"]");
+  for (const Item& one : items.value_or(std::vector<Item>{})) {
+    task.rows.push_back(as_text(table.reading(), one).value_or("*"));
   }
 }
 
@@ -125,11 +120,7 @@ void check_size(TableReader& table, const VariantPlan& plan) {
 void read_results(TableReader& task,
                   const std::function<void(const std::string& name, const std::optional<Measure>& measure,
                                            TableReader& table)>& finish) {
-  const auto item = task.take("results");
-  if (!item) {
-    return;
-  }
-  for_each_table(task.reading(), *item, "a measure (a table)",
+  for_each_table(task.reading(), task.take("results"), "a measure (a table)",
                  [&](const std::string& name, TableReader& table) {
                    finish(name, read_measure(table), table);
                    table.finish();

@@ -148,9 +148,7 @@ private:
   }
 
   void read_distribution(TableReader& table, Tolerance& tolerance) {
-    const auto item = table.take("distribution");
-    const auto choice = item ? as_choice(reading_, *item, {"normal", "uniform", "triangular"})
-                             : std::optional<std::size_t>(0);
+    const auto choice = table.take("distribution", as_choice, {"normal", "uniform", "triangular"});
     constexpr DistributionKind kKinds[] = {DistributionKind::kNormal, DistributionKind::kUniform,
                                            DistributionKind::kTriangular};
     tolerance.kind = kKinds[choice.value_or(0)];
@@ -203,7 +201,7 @@ void read_tolerances(TableReader& root, const Table& document, Profile& profile)
                  [](const Entry& entry) { return !is_own_key(entry.key); });
     const Value all = {named, item.value->mark};
     ToleranceReader reader(reading, document);
-    for_each_table(reading, {&all, item.path}, "a tolerance, NAME = { path = …, plus_minus = … }",
+    for_each_table(reading, Item{&all, item.path}, "a tolerance, NAME = { path = …, plus_minus = … }",
                    [&](const std::string& name, TableReader& one) {
                      task.tolerances.push_back(reader.read(name, one));
                    });

@@ -32,19 +32,17 @@ void read_unit(TableReader& table, const std::string& key, Unit& unit) {
 }  // namespace
 
 void read_units(TableReader& root) {
-  const auto item = root.take("units");
-  const Table* table = item ? as_table(root.reading(), *item, "a table") : nullptr;
-  if (table == nullptr) {
+  auto table = as_reader(root.reading(), root.take("units"), "a table");
+  if (!table) {
     return;
   }
   Units& units = root.reading().units;
-  TableReader reader(root.reading(), *table, item->value->mark, item->path);
-  read_unit(reader, "length", units.length);
-  read_unit(reader, "angle", units.angle);
-  read_unit(reader, "mass", units.mass);
-  read_unit(reader, "time", units.time);
-  read_unit(reader, "force", units.force);
-  reader.finish();
+  read_unit(*table, "length", units.length);
+  read_unit(*table, "angle", units.angle);
+  read_unit(*table, "mass", units.mass);
+  read_unit(*table, "time", units.time);
+  read_unit(*table, "force", units.force);
+  table->finish();
 }
 
 }  // namespace higherpair::io_detail

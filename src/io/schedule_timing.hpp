@@ -32,4 +32,7 @@ struct Timing {
 [[nodiscard]] tl::expected<Timing, Diagnostics> timing_of_laws(const Profile& profile,
                                                                std::optional<std::int64_t> samples);
 
+/// The shortest decimal number that is read as x > 0, less x.
+[[nodiscard]] double rest_of_decimal(double x);
+
 }  // namespace higherpair::io_detail

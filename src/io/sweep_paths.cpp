@@ -103,16 +103,12 @@ void read_paths(TableReader& table, SweepPaths& paths, SweepVariable& variable) 
   if (!item) {
     return;
   }
-  const auto* items = std::get_if<Array>(&item->value->content);
-  if (items == nullptr) {
-    variable.paths.push_back(read_path(table.reading(), *item, paths).value_or(""));
-    return;
-  }
-  if (items->empty()) {
+  const bool several = std::holds_alternative<Array>(item->value->content);
+  const std::vector<Item> items = several ? items_of(*item) : std::vector{*item};
+  if (items.empty()) {
     report(table.reading(), *item, "expected at least one path");
   }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
+  for (const Item& one : items) {
     variable.paths.push_back(read_path(table.reading(), one, paths).value_or(""));
   }
 }

@@ -52,17 +52,16 @@ template <class Task>
 std::shared_ptr<const Task> read_task(
     TableReader& root, const std::string& key,
     const std::function<void(const Item& item, TableReader& table, Task& task)>& read) {
-  const auto item = root.take(key);
-  const Table* keys = item ? as_table(root.reading(), *item, "a table") : nullptr;
-  if (keys == nullptr) {
-    return nullptr;
-  }
   Reading& reading = root.reading();
   const std::size_t mistakes = reading.mistakes.size();
-  TableReader table(reading, *keys, item->value->mark, item->path);
+  const auto item = root.take(key);
+  auto table = as_reader(reading, item, "a table");
+  if (!table) {
+    return nullptr;
+  }
   Task task;
-  task.place = place_of(reading, item->value->mark);
-  read(*item, table, task);
+  task.place = place_of(reading, table->mark());
+  read(*item, *table, task);
   return reading.mistakes.size() == mistakes ? std::make_shared<const Task>(std::move(task)) : nullptr;
 }
 

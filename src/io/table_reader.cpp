@@ -48,31 +48,25 @@ void TableReader::refuse(const std::string& key, std::string_view reason) {
 }
 
 double TableReader::quantity(const std::string& key, const Expected& expected, double otherwise) {
-  const auto item = take(key);
-  const auto quantity = item ? as_quantity(*reading_, *item, expected) : std::nullopt;
+  const auto quantity = take(key, as_quantity, expected);
   return quantity ? quantity->si : otherwise;
 }
 
 double TableReader::need_quantity(const std::string& key, const Expected& expected) {
-  const auto item = need(key, what_number(expected.dimension, reading_->units));
-  const auto quantity = item ? as_quantity(*reading_, *item, expected) : std::nullopt;
+  const auto quantity = need(key, what_number(expected.dimension, reading_->units), as_quantity, expected);
   return quantity ? quantity->si : 0;
 }
 
 Vector2d TableReader::need_vector(const std::string& key, const Dimension& dimension) {
-  const auto item = need(key, "[x, y]");
-  const auto vector = item ? as_vector(*reading_, *item, dimension) : std::nullopt;
-  return vector.value_or(Vector2d::Zero());
+  return need(key, "[x, y]", as_vector, dimension).value_or(Vector2d::Zero());
 }
 
 std::string TableReader::text(const std::string& key) {
-  const auto item = take(key);
-  return item ? as_text(*reading_, *item).value_or("") : "";
+  return take(key, as_text).value_or("");
 }
 
 bool TableReader::flag(const std::string& key, bool otherwise) {
-  const auto item = take(key);
-  return item ? as_flag(*reading_, *item).value_or(otherwise) : otherwise;
+  return take(key, as_flag).value_or(otherwise);
 }
 
 std::optional<std::int64_t> TableReader::count(const std::string& key, std::int64_t least) {
@@ -111,14 +105,30 @@ std::string TableReader::path_of(std::string_view key) const {
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
-void for_each_named(Reading& reading, const Item& item, std::string_view what,
+void report_whole(TableReader& table, std::string_view message) {
+  table.reading().mistakes.push_back({table.mark(), fmt::format("{}: {}", table.path(), message)});
+}
+
+void note_whole(TableReader& table, std::string_view message) {
+  table.reading().notes.push_back({table.mark(), fmt::format("{}: {}", table.path(), message)});
+}
+
+std::optional<TableReader> as_reader(Reading& reading, const std::optional<Item>& item,
+                                     std::string_view what) {
+  const Table* table = item ? as_table(reading, *item, what) : nullptr;
+  return table == nullptr ? std::nullopt
+                          : std::optional(TableReader(reading, *table, item->value->mark, item->path));
+}
+
+void for_each_named(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, const Item& item)>& read) {
-  const Table* table = as_table(reading, item, fmt::format("a table of names, each with {}", what));
+  const Table* table =
+      item ? as_table(reading, *item, fmt::format("a table of names, each with {}", what)) : nullptr;
   if (table == nullptr) {
     return;
   }
   for (const Entry& entry : *table) {
-    const std::string path = fmt::format("{}.{}", item.path, entry.key);
+    const std::string path = fmt::format("{}.{}", item->path, entry.key);
     if (is_name(entry.key)) {
       read(entry.key, {&entry.value, path});
     } else {
@@ -130,7 +140,7 @@ void for_each_named(Reading& reading, const Item& item, std::string_view what,
   }
 }
 
-void for_each_table(Reading& reading, const Item& item, std::string_view what,
+void for_each_table(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read) {
   for_each_named(reading, item, what, [&](const std::string& name, const Item& entry) {
     if (const auto* table = std::get_if<Table>(&entry.value->content)) {
@@ -148,20 +158,12 @@ void for_each_in_list(TableReader& table, const std::string& key,
                       const std::function<void(TableReader& entry)>& read) {
   Reading& reading = table.reading();
   const auto item = table.take(key);
-  if (!item) {
-    return;
-  }
-  const auto* items = std::get_if<Array>(&item->value->content);
-  if (items == nullptr || items->empty()) {
-    report(reading, *item, fmt::format("expected a list of tables, [[{}]]", item->path));
-    return;
-  }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const Item one = {&(*items)[i], fmt::format("{}.{}", item->path, i)};
-    if (const Table* content = as_table(reading, one, "a table")) {
-      TableReader entry(reading, *content, one.value->mark, one.path);
-      read(entry);
-      entry.finish();
+  const auto items =
+      item ? as_items(reading, *item, fmt::format("a list of tables, [[{}]]", item->path)) : std::nullopt;
+  for (const Item& one : items.value_or(std::vector<Item>{})) {
+    if (auto entry = as_reader(reading, one, "a table")) {
+      read(*entry);
+      entry->finish();
     }
   }
 }

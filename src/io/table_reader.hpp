@@ -1,14 +1,19 @@
 #pragma once
 
+#include "higherpair/io/suggestion.hpp"
 #include "typed_values.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace higherpair::io_detail {
 
@@ -27,6 +32,24 @@ public:
 
   /// The same; reports that the key is missing and `what` it should be.
   [[nodiscard]] std::optional<Item> need(const std::string& key, std::string_view what);
+
+  /// What `as` (as_quantity, as_choice, …) makes of the item at `key`; nothing if it is absent or wrong.
+  template <class T, class... More>
+  [[nodiscard]] std::optional<T> take(const std::string& key,
+                                      std::optional<T> (*as)(Reading&, const Item&, More...),
+                                      const std::type_identity_t<More>&... more) {
+    const auto item = take(key);
+    return item ? as(*reading_, *item, more...) : std::nullopt;
+  }
+
+  /// The same of one that must be there.
+  template <class T, class... More>
+  [[nodiscard]] std::optional<T> need(const std::string& key, std::string_view what,
+                                      std::optional<T> (*as)(Reading&, const Item&, More...),
+                                      const std::type_identity_t<More>&... more) {
+    const auto item = need(key, what);
+    return item ? as(*reading_, *item, more...) : std::nullopt;
+  }
 
   /// Reports that the key is present, and why it must not be.
   void refuse(const std::string& key, std::string_view reason);
@@ -57,12 +80,33 @@ private:
   std::vector<std::string> refused_;  ///< keys that are present and must not be
 };
 
-/// Calls `read` for every entry of a table of named things (bodies, points, joints, …) whose name is a name.
-void for_each_named(Reading& reading, const Item& item, std::string_view what,
+/// Notes a mistake, or something that is probably a slip, about a table as a whole.
+void report_whole(TableReader& table, std::string_view message);
+void note_whole(TableReader& table, std::string_view message);
+
+/// The place among `things` of the one that a table is called after; reports that there is no such `what`.
+template <class Things>
+[[nodiscard]] std::optional<std::size_t> place_among(const Things& things, TableReader& table,
+                                                     const std::string& name, std::string_view what) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  report_whole(table, fmt::format("there is no {} `{}`; {}", what, name, suggestion(name, names)));
+  return std::nullopt;
+}
+
+/// A reader of an item that is a table; reports one that is not, as which it would be `what`.
+[[nodiscard]] std::optional<TableReader> as_reader(Reading& reading, const std::optional<Item>& item,
+                                                   std::string_view what);
+
+/// Calls `read` for every entry of a table of named things (bodies, points, joints, …) whose name is a name;
+/// the table may be absent.
+void for_each_named(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, const Item& item)>& read);
 
 /// The same, where every thing is a table itself.
-void for_each_table(Reading& reading, const Item& item, std::string_view what,
+void for_each_table(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read);
 
 /// Calls `read` for every table of the list [[key]], which may be absent; whatever keys it leaves are

@@ -100,6 +100,17 @@ Place place_of(const Reading& reading, const Mark& mark) {
   return {reading.sources[static_cast<std::size_t>(mark.source)], mark.line, mark.column};
 }
 
+std::vector<Item> items_of(const Item& item) {
+  std::vector<Item> items;
+  if (const auto* values = std::get_if<Array>(&item.value->content)) {
+    items.reserve(values->size());
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      items.push_back({&(*values)[i], fmt::format("{}.{}", item.path, i)});
+    }
+  }
+  return items;
+}
+
 void report(Reading& reading, const Item& item, std::string_view rule) {
   reading.mistakes.push_back(
       {item.value->mark, fmt::format("{} = {}: {}", item.path, text_of(*item.value), rule)});
@@ -204,12 +215,22 @@ std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item,
   std::vector<Quantity> list;
   list.reserve(items->size());
   bool complete = true;
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto quantity = as_quantity(reading, {&(*items)[i], fmt::format("{}.{}", item.path, i)}, expected);
+  for (const Item& one : items_of(item)) {
+    const auto quantity = as_quantity(reading, one, expected);
     complete = complete && quantity.has_value();
     list.push_back(quantity.value_or(Quantity{}));
   }
   return complete ? std::optional(std::move(list)) : std::nullopt;
+}
+
+std::optional<std::vector<Item>> as_items(Reading& reading, const Item& item, std::string_view expected,
+                                          std::size_t fewest, std::size_t most) {
+  const auto* values = std::get_if<Array>(&item.value->content);
+  if (values == nullptr || values->size() < fewest || values->size() > most) {
+    report(reading, item, fmt::format("expected {}", expected));
+    return std::nullopt;
+  }
+  return items_of(item);
 }
 
 std::optional<Vector2d> as_vector(Reading& reading, const Item& item, const Dimension& dimension) {

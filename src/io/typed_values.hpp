@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -46,6 +47,9 @@ struct Item {
   std::string path;
 };
 
+/// The items of a list, with their paths; none of anything else.
+[[nodiscard]] std::vector<Item> items_of(const Item& item);
+
 /// Notes a mistake about an item: "PATH = VALUE: rule".
 void report(Reading& reading, const Item& item, std::string_view rule);
 
@@ -78,6 +82,10 @@ void report_kind(Reading& reading, const Item& item, std::string_view what,
 /// A list of quantities; any number of them where `count` is 0.
 [[nodiscard]] std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item,
                                                            const Expected& expected, std::size_t count = 0);
+/// The items of a list of anything, from `fewest` to `most` of them; reports that this was `expected`.
+[[nodiscard]] std::optional<std::vector<Item>> as_items(
+    Reading& reading, const Item& item, std::string_view expected, std::size_t fewest = 1,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 /// A list of two quantities, in SI units.
 [[nodiscard]] std::optional<Vector2d> as_vector(Reading& reading, const Item& item,
                                                 const Dimension& dimension);

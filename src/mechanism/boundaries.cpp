@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kReach = 10;  // of the size of the mechanism: how far lines and open conics are followed
 
-NamedCurve& named(Mechanism& mechanism, const CurveRef& ref) {
+const NamedCurve& named(const Mechanism& mechanism, const CurveRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
 }
 
@@ -66,19 +66,19 @@ void make_own(Mechanism& mechanism, CurveRef& ref, const BoundaryRules& rules) {
   body.curves.push_back(std::move(own));
 }
 
-// Whether conics, lines and points do, in closed form.
-bool is_of_whole_curves(Mechanism& mechanism, const Contact& contact) {
-  const auto is_whole = [&](const CurveRef& ref) {
-    return named(mechanism, ref).curve.kind != CurveKind::kChain;
-  };
-  return contact.keep == Keep::kTouching && is_whole(contact.first) && is_whole(contact.second);
-}
-
 }  // namespace
+
+bool needs_boundaries(const Mechanism& mechanism, const Contact& contact) {
+  const auto is_chain = [&](const CurveRef& ref) {
+    return named(mechanism, ref).curve.kind == CurveKind::kChain;
+  };
+  return !contact.by_boundary &&
+         (contact.keep != Keep::kTouching || is_chain(contact.first) || is_chain(contact.second));
+}
 
 void use_boundaries(Mechanism& mechanism) {
   for (Contact& contact : mechanism.contacts) {
-    if (contact.by_boundary || is_of_whole_curves(mechanism, contact)) {
+    if (!needs_boundaries(mechanism, contact)) {
       continue;
     }
     const BoundaryRules rules{kReach * size_with_boundaries(mechanism), !contact.both_sides};

@@ -278,22 +278,27 @@ TEST(Model, NamesTheNumbersOfItsProfile) {
   EXPECT_TRUE(Model::from(four_bar()).value().parameters().empty());
 }
 
+// A cam by its support under a flat face that ends.
+Mechanism cam_under_face(const SupportCurve& support, double half_width) {
+  Mechanism cam;
+  const int disc = add_body(cam, "cam");
+  const int follower = add_body(cam, "follower", {0, 0.010});
+  const PointRef O = add_point(cam, kGround, "O", {0, 0});
+  const int pivot = add_revolute(cam, "pivot", O, add_point(cam, disc, "O", {0, 0}));
+  add_prismatic(cam, "guide", O, add_point(cam, follower, "P", {0, 0}), {0, 1});
+  const CurveRef edge = add_curve(cam, disc, "edge", make_curve(support));
+  const CurveRef face = add_curve(
+      cam, follower, "face", *Boundary::make({face_span({-half_width, 0}, {half_width, 0})}, false, 1e-12));
+  add_contact(cam, "touch", edge, face);
+  add_driver(cam, pivot);
+  return cam;
+}
+
 // An ellipse of 20 x 10 mm lifts a flat face by h = sqrt((20 sin θ)² + (10 cos θ)²), and touches it at h′.
 TEST(Model, WithACurveByItsSupportUnderAFaceThatEndsRuns) {
   const testing::EllipseBySupport ellipse({0, 0}, 0.020, 0.010, 0);
   const auto run = [&](double half_width) {
-    Mechanism cam;
-    const int disc = add_body(cam, "cam");
-    const int follower = add_body(cam, "follower", {0, 0.010});
-    const PointRef O = add_point(cam, kGround, "O", {0, 0});
-    const int pivot = add_revolute(cam, "pivot", O, add_point(cam, disc, "O", {0, 0}));
-    add_prismatic(cam, "guide", O, add_point(cam, follower, "P", {0, 0}), {0, 1});
-    const CurveRef edge = add_curve(cam, disc, "edge", make_curve(ellipse));
-    const CurveRef face = add_curve(
-        cam, follower, "face", *Boundary::make({face_span({-half_width, 0}, {half_width, 0})}, false, 1e-12));
-    add_contact(cam, "touch", edge, face);
-    add_driver(cam, pivot);
-    const auto motion = Model::from(cam, kSiUnits).value().run();
+    const auto motion = Model::from(cam_under_face(ellipse, half_width), kSiUnits).value().run();
     EXPECT_TRUE(motion) << to_string(motion.error());
     return *motion;
   };
@@ -307,6 +312,34 @@ TEST(Model, WithACurveByItsSupportUnderAFaceThatEndsRuns) {
   }
   // It touches up to 10 mm beside the guide.
   EXPECT_THAT(run(0.008).events(), ::testing::Contains(::testing::Field(&Event::type, EventType::kEnd)));
+}
+
+// h = a + b cos 3φ has h + h'' = a - 8 b cos 3φ, which changes sign where 8 b > a.
+TEST(Model, RefusesACuspedCurveThatIsToBoundABody) {
+  const testing::LobedCurve smooth(0.03, 0.003), cusped(0.03, 0.005);
+  const Mechanism good = cam_under_face(smooth, 0.02), bad = cam_under_face(cusped, 0.02);
+  const std::string fault =
+      "cam.edge has cusps, for its radius of curvature h + h'' changes sign: it bounds no body; a larger "
+      "constant part of h takes them out";
+  EXPECT_TRUE(Model::from(good));
+  EXPECT_EQ(to_string(Model::from(bad).error()), "mechanism: contacts.touch.first: " + fault);
+  EXPECT_EQ(to_string(Model::from(good)->with_mechanism(bad).error()),
+            "mechanism: contacts.touch.first: " + fault);
+  Mechanism swapped = bad;
+  std::swap(swapped.contacts[0].first, swapped.contacts[0].second);
+  EXPECT_EQ(to_string(Model::from(swapped).error()), "mechanism: contacts.touch.second: " + fault);
+  // Several curves of a body as one.
+  Mechanism joined = bad;
+  const CurveRef all = add_curve(joined, 1, "all", Curve{CurveKind::kCircle});
+  joined.bodies[1].curves[1].parts = {0};
+  joined.contacts[0].first = all;
+  EXPECT_EQ(to_string(Model::from(joined).error()), "mechanism: contacts.touch.first: " + fault);
+  // A contact that may part makes boundaries of whole curves too.
+  Mechanism whole = bad;
+  whole.bodies[2].curves[0] = {"face", make_line({0, 0}, {0, -1}).value()};
+  EXPECT_TRUE(Model::from(whole));
+  whole.contacts[0].keep = Keep::kGap;
+  EXPECT_EQ(to_string(Model::from(whole).error()), "mechanism: contacts.touch.first: " + fault);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "dxf.hpp"
+#include "dxf_pairs.hpp"
+#include "names.hpp"
+#include "numeric/decimal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace higherpair::io_detail {
+
+/// The numbers of an entity by their group codes. The first mistake is kept and ends the reading; until then
+/// wrong numbers count as 0.
+class DxfNumbers {
+public:
+  /// \param unit  from its numbers to metres
+  DxfNumbers(const DxfGroup& entity, const Scaling& unit) : entity_(entity), unit_(unit) {}
+
+  [[nodiscard]] const std::optional<DxfFault>& fault() const { return fault_; }
+  [[nodiscard]] const std::vector<DxfPair>& pairs() const { return entity_.pairs; }
+  [[nodiscard]] const Scaling& unit() const { return unit_; }
+  [[nodiscard]] double length(double x) const { return unit_.apply(x); }
+
+  void refuse(int line, std::string message) {
+    if (!fault_) {
+      fault_ = DxfFault{line, std::move(message)};
+    }
+  }
+  void refuse(std::string_view message) { refuse(entity_.line, fmt::format("{} {}", entity_.type, message)); }
+
+  double value(const DxfPair& pair) {
+    double x = 0;
+    std::string_view text = pair.value;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    const auto [end, status] = read_decimal(text.data(), text.data() + text.size(), x);
+    if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(x)) {
+      refuse(pair.line, fmt::format("\"{}\" is not a number (group {} of {})",
+                                    visible(pair.value.substr(0, 20)), pair.code, entity_.type));
+      return 0;
+    }
+    return x;
+  }
+
+  std::optional<double> find(int code) {
+    const auto pair = std::find_if(entity_.pairs.begin(), entity_.pairs.end(),
+                                   [&](const DxfPair& p) { return p.code == code; });
+    return pair == entity_.pairs.end() ? std::nullopt : std::optional(value(*pair));
+  }
+
+  double need(int code, std::string_view what) {
+    const auto x = find(code);
+    if (!x) refuse(fmt::format("has no {} (group {})", what, code));
+    return x.value_or(0);
+  }
+
+  Vector2d need_point(int code, std::string_view what) {
+    const double x = length(need(code, what));
+    return {x, length(need(code + 10, what))};
+  }
+
+  double need_radius() {
+    const double radius = length(need(40, "radius"));
+    if (!fault_ && !(radius > 0)) refuse("has a radius that is not > 0");
+    return radius;
+  }
+
+  unsigned flags() { return static_cast<unsigned>(find(70).value_or(0)); }
+
+  /// -1 where the entity is drawn as seen from below.
+  double facing() {
+    constexpr double kPlane = 1e-9;
+    const double z = find(230).value_or(1);
+    if (std::abs(find(210).value_or(0)) > kPlane || std::abs(find(220).value_or(0)) > kPlane || z == 0) {
+      refuse("does not lie in the plane of the drawing: its extrusion is not along z");
+    }
+    return z < 0 ? -1 : 1;
+  }
+
+private:
+  const DxfGroup& entity_;
+  const Scaling& unit_;
+  std::optional<DxfFault> fault_;
+};
+
+}  // namespace higherpair::io_detail
