@@ -188,7 +188,7 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
     output.body = body;
     output.turns = joint.type == JointType::kRevolute;
     if (!output.turns) {
-      output.direction_W = grounded_freedom(mechanism, body).value_or(OneFreedom{}).direction_W;
+      output.direction_W = carried_body(mechanism, joint, body).freedom.direction_W;
     }
     outputs.push_back(output);
   }

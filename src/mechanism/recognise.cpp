@@ -155,17 +155,13 @@ CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int bod
   return carried;
 }
 
+// A body that moves on several, a valve in two guides, moves alike on each.
 std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body) {
-  std::optional<OneFreedom> freedom;
-  for (const Joint& joint : mechanism.joints) {
-    if (is_grounded(joint) && touches(joint, body)) {
-      if (freedom) {
-        return std::nullopt;
-      }
-      freedom = carried_body(mechanism, joint, body).freedom;
-    }
-  }
-  return freedom;
+  const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
+    return is_grounded(each) && touches(each, body);
+  });
+  return joint == mechanism.joints.end() ? std::nullopt
+                                         : std::optional(carried_body(mechanism, *joint, body).freedom);
 }
 
 GroupKind kind_of(const Mechanism& mechanism, const GroupItems& items, std::span<const Group> before) {

@@ -1,7 +1,9 @@
 #include "redundancy.hpp"
 
+#include "free_directions.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
+#include "higherpair/mechanism/plan.hpp"
 #include "numeric/product.hpp"
 
 #include <algorithm>
@@ -181,6 +183,27 @@ std::vector<Redundancy> find_redundancies(const SizedMechanism& sized, const Mec
     }
   }
   return found;
+}
+
+std::vector<int> repeated_rows(const Mechanism& mechanism, const std::vector<int>& order) {
+  const auto start = assemble_near_poses(mechanism, {});
+  if (!start) {
+    return {};
+  }
+  const Moves moves = explore({mechanism, size_of(mechanism)}, *start);
+  if (moves.real.cols() < moves.at_best.right.cols()) {
+    return {};
+  }
+  Eigen::MatrixXd left = moves.at_best.left;
+  std::vector<int> repeated;
+  for (auto row = order.rbegin(); row != order.rend() && left.cols() > 0; ++row) {
+    if (left.row(*row).norm() > kInvolved) {
+      repeated.push_back(*row);
+      // What is left are the dependences of the other rows.
+      left = product(left, null_spaces(left.row(*row)).right);
+    }
+  }
+  return repeated;
 }
 
 }  // namespace higherpair

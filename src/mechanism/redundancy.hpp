@@ -15,4 +15,9 @@ namespace higherpair {
                                                         const MechanismPosition& position,
                                                         const Eigen::MatrixXd& left);
 
+/// The rows of conditions_at() that others imply wherever the mechanism can go, as those of a second guide
+/// do. Of rows that imply each other the last in an order. \param order  rows of joints and contacts \return
+/// none where the mechanism cannot be assembled near its poses, or gives without going anywhere
+[[nodiscard]] std::vector<int> repeated_rows(const Mechanism& mechanism, const std::vector<int>& order);
+
 }  // namespace higherpair

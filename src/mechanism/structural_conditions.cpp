@@ -1,6 +1,7 @@
 #include "structural_conditions.hpp"
 
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -23,6 +24,17 @@ std::vector<int> by_name(const std::vector<T>& items) {
   return order;
 }
 
+// The first row of each item in conditions_at(), behind `rows` others, to which theirs are added.
+template <class T>
+std::vector<int> first_rows(const std::vector<T>& items, int& rows) {
+  std::vector<int> first;
+  for (const T& item : items) {
+    first.push_back(rows);
+    rows += row_count(item);
+  }
+  return first;
+}
+
 class Conditions {
 public:
   Conditions(const Mechanism& mechanism, const NameOrder& order)
@@ -38,16 +50,23 @@ public:
       const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
       add_driver(mechanism.joints[static_cast<std::size_t>(driver.joint)]);
     }
+    int rows = 0;
+    const std::vector<int> joint_rows = first_rows(mechanism.joints, rows);
     for (const int index : order.joints) {
+      const std::size_t added = conditions_.size();
       add_joint(mechanism.joints[static_cast<std::size_t>(index)]);
+      number_rows(added, joint_rows[static_cast<std::size_t>(index)]);
     }
+    const std::vector<int> contact_rows = first_rows(mechanism.contacts, rows);
     for (const int index : order.contacts) {
       add_contact(mechanism.contacts[static_cast<std::size_t>(index)]);
+      conditions_.back().row = contact_rows[static_cast<std::size_t>(index)];
     }
     for (const int index : order.contacts) {
       const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
       if (contact.rolling) {
         add_slip(contact);
+        conditions_.back().row = contact_rows[static_cast<std::size_t>(index)] + 1;
       }
     }
   }
@@ -55,6 +74,12 @@ public:
   [[nodiscard]] const std::vector<Condition>& all() const { return conditions_; }
 
 private:
+  void number_rows(std::size_t begin, int row) {
+    for (std::size_t i = begin; i < conditions_.size(); ++i) {
+      conditions_[i].row = row++;
+    }
+  }
+
   void choose_reference(const PointRef& ref) {
     auto& reference = reference_[static_cast<std::size_t>(ref.body)];
     if (!reference) {

@@ -19,6 +19,9 @@ enum class Coordinate { kX = 0, kY = 1, kAngle = 2 };
 struct Condition {
   std::vector<int> bodies;  // moving ones
   std::vector<int> variables;
+  int row = kNoRow;  // in conditions_at(), of joints and contacts
+
+  static constexpr int kNoRow = -1;
 };
 
 /// The items of a mechanism in the order of their names: the order of the description must not matter, not

@@ -1,5 +1,6 @@
 #include "structure.hpp"
 
+#include "redundancy.hpp"
 #include "structural_conditions.hpp"
 
 #include <algorithm>
@@ -98,13 +99,39 @@ std::vector<LooseBody> loose_bodies(const std::vector<int>& matched, std::size_t
   return loose;
 }
 
+bool contains_unmatched(const std::vector<int>& matched) {
+  return std::find(matched.begin(), matched.end(), kUnmatched) != matched.end();
+}
+
+// Takes the coordinates from conditions that others imply, so that these place nothing.
+void take_out_repeated(const Mechanism& mechanism, std::vector<Condition>& conditions) {
+  std::vector<int> order;
+  for (const Condition& condition : conditions) {
+    if (condition.row != Condition::kNoRow) {
+      order.push_back(condition.row);
+    }
+  }
+  const std::vector<int> repeated = repeated_rows(mechanism, order);
+  for (Condition& condition : conditions) {
+    if (std::find(repeated.begin(), repeated.end(), condition.row) != repeated.end()) {
+      condition.variables.clear();
+    }
+  }
+}
+
 }  // namespace
 
 Structure analyse_structure(const Mechanism& mechanism) {
   const NameOrder order(mechanism);
-  const std::vector<Condition> conditions = structural_conditions(mechanism, order);
+  std::vector<Condition> conditions = structural_conditions(mechanism, order);
   const std::size_t bodies = mechanism.bodies.size();
-  const std::vector<int> matched = Matching(conditions, 3 * bodies).partners();
+  std::vector<int> matched = Matching(conditions, 3 * bodies).partners();
+  if (contains_unmatched(matched)) {
+    // Which coordinates enter does not show that parallel guides, or cranks, repeat each other: bodies that
+    // move would count as placed.
+    take_out_repeated(mechanism, conditions);
+    matched = Matching(conditions, 3 * bodies).partners();
+  }
   const std::vector<int> component = components(conditions, matched, bodies);
 
   Structure structure;

@@ -28,7 +28,8 @@ struct Structure {
 };
 
 /// Matches conditions with coordinates (a maximum matching of the bipartite graph) and orders the strongly
-/// connected components of the bodies. A surplus condition (drivers come first, slip of rolling contacts
+/// connected components of the bodies. Where there are too many, conditions that others imply at an assembled
+/// position are left out first. A surplus condition (drivers come first, slip of rolling contacts
 /// last) counts to the last placed of its bodies.
 [[nodiscard]] Structure analyse_structure(const Mechanism& mechanism);
 

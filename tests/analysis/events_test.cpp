@@ -45,6 +45,19 @@ TEST(StrokeEnds, OfAFlatFaceOnAnEccentricDiscAreAQuarterTurnFromTheCentre) {
   }
 }
 
+TEST(StrokeEnds, OfATappetInTwoGuidesAreThoseOfOne) {
+  Mechanism tappet = shipped("flat_faced_translating").mechanism;
+  Joint second = tappet.joints.back();
+  ASSERT_EQ(second.type, JointType::kPrismatic);
+  second.name = "upper";
+  tappet.joints.push_back(second);
+  const auto events = events_of(tappet, EventType::kStrokeEnd, 7);
+  ASSERT_EQ(events.size(), 4U);  // of each guide
+  for (const RunEvent& event : events) {
+    EXPECT_NEAR(std::abs(event.driver - kPi), kPi / 2, 1e-14);
+  }
+}
+
 // A block on a line 20 mm beside the pivot slides on one 10 mm above it, at x = (10 cos θ - 20)/sin θ: to
 // infinity at 180° and from there back to where cos θ = 1/2. What was fast beside the pole does not make it
 // slow here.

@@ -138,6 +138,48 @@ start = 0.9
   }
 }
 
+// A piston in two guides, of which one would do.
+TEST(Redundant, APistonInTwoGuidesMovesAndDrivesAsInOne) {
+  Analysis press(R"([bodies.ground]
+points.O = [0, 0]
+points.G = [0, 0.4]
+points.H = [0.3, 0.4]
+[bodies.crank]
+points.O = [0, 0]
+points.P = [0.12, 0]
+[bodies.rod]
+pose = { x = 0.12, angle = 1.8 }
+points.P = [0, 0]
+points.Q = [0.45, 0]
+[bodies.piston]
+pose = { y = 0.45 }
+points.Q = [0, 0]
+points.R = [0.3, 0]
+[joints]
+O = { type = "revolute", between = ["ground.O", "crank.O"] }
+P = { type = "revolute", between = ["crank.P", "rod.P"] }
+Q = { type = "revolute", between = ["rod.Q", "piston.Q"] }
+G = { type = "prismatic", between = ["ground.G", "piston.Q"], direction = [0, 1] }
+H = { type = "prismatic", between = ["ground.H", "piston.R"], direction = [0, -1] }
+[driver]
+joint = "O"
+[loads]
+press = { body = "piston", point = "Q", force = [0, -100] }
+)");
+  for (const double theta : {0.0, 0.7, 2.5, 4.0}) {
+    const Reactions& reactions = press.at(theta, 2, 0);
+    ASSERT_EQ(press.run.row.status, RowStatus::kOk);
+    const double c = std::cos(theta), s = std::sin(theta);
+    const double along = std::sqrt(0.45 * 0.45 - 0.12 * 0.12 * c * c);
+    EXPECT_NEAR(press.run.row.bodies[press.body("piston")].X_WB.p_WB.y(), 0.12 * s + along, 1e-15);
+    const double rate = 0.12 * c + 0.12 * 0.12 * c * s / along;
+    EXPECT_NEAR(reactions.drivers[0].effort.value(), 100 * rate, 1e-12);
+    EXPECT_FALSE(reactions.joints[press.joint("G")].fx);
+    // All that stands between crank and load is known.
+    EXPECT_NEAR(reactions.joints[press.joint("Q")].fy.value(), 100, 1e-11);
+  }
+}
+
 TEST(Singular, RowsHaveNoReactions) {
   // The parallelogram is flat at 0: its branches cross.
   Analysis loop(R"([bodies.ground]

@@ -187,6 +187,40 @@ TEST(Plan, MeasuresByTheCoordinatesWhereAllPointsCoincide) {
   EXPECT_EQ(make_plan(b.mechanism)->size, 1);
 }
 
+// Without the driver the coordinates that enter would do to place what is joined twice to ground.
+TEST(Plan, DoesNotPlaceAYokeByTwoParallelGuides) {
+  for (const bool slot : {false, true}) {
+    Builder b;
+    const int crank = b.body("crank", {0, 0}, 0.3), rod = b.body("rod", {0.1, 0}, 0.2);
+    const int yoke = b.body("yoke", {0, 0.4}, 0);
+    b.drive(b.revolute(0, crank, {0, 0}));
+    b.revolute(crank, rod, {0.1, 0});
+    b.revolute(rod, yoke, {0, 0.4});
+    b.prismatic(0, yoke, {0, 0.4}, {0, 1}, 0);
+    slot ? b.slot(0, yoke, {0.3, 0.4}, {0, -1}, 0) : b.prismatic(0, yoke, {0.3, 0.4}, {0, -1}, 0);
+    EXPECT_THAT(groups_of(b.mechanism), ElementsAre("driven: crank", "coupled: rod yoke"));
+    EXPECT_EQ(make_plan(b.mechanism)->surplus, slot ? 1 : 2);
+  }
+}
+
+TEST(Plan, DoesNotPlaceThreeParallelCranksOnTheirOwn) {
+  Builder b;
+  const int crank = b.body("crank", {-3, 0}, 0.3), rod = b.body("rod", {-2.5, 0}, 0.2);
+  std::vector<int> cranks;
+  for (const double x : {0.0, 1.0, 3.0}) cranks.push_back(b.body(fmt::format("at{}", x), {x, 0}, 1));
+  const int coupler = b.body("coupler", {0.6, 0.8}, 0);
+  b.drive(b.revolute(0, crank, {-3, 0}));
+  b.revolute(crank, rod, {-2.5, 0});
+  for (const int index : cranks) {
+    const double x = b.mechanism.bodies[static_cast<std::size_t>(index)].guess_p_WB.x();
+    b.revolute(0, index, {x, 0});
+    b.revolute(index, coupler, {x + 0.6, 0.8});
+  }
+  b.revolute(rod, cranks[0], {0.6, 0.8});
+  EXPECT_THAT(groups_of(b.mechanism),
+              ElementsAre("driven: crank", "RRR: at0 rod", "RRR: at1 coupler", "coupled: at3"));
+}
+
 TEST(Plan, SaysWhatIsLoose) {
   Builder b;
   const int crank = b.body("crank", {0, 0}, 0.3), rod = b.body("rod", {0.1, 0.2}, 0);

@@ -149,7 +149,7 @@ struct Group {
 /// A body on a revolute or prismatic joint, seen from the body at the joint's other end.
 [[nodiscard]] CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int body);
 
-/// How a body moves on its revolute or prismatic joint to ground; none if it has no such joint, or several.
+/// How a body moves on its revolute or prismatic joint to ground, the first if it has several; none without.
 [[nodiscard]] std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body);
 
 /// The order of solution.
