@@ -50,7 +50,7 @@ public:
     data_.task = with_settings(std::move(data_.task), settings_, mistakes_);
     read_where();
     std::vector<const MeasuredColumn*> used = used_columns();
-    if (!mistakes_.empty()) return refuse();
+    if (!mistakes_.empty()) return wrong(std::move(mistakes_));
     if (auto settings = settings_of(used)) {
       data_.settings = *std::move(settings);
     } else {
@@ -61,12 +61,11 @@ public:
     apply_columns(data_, mistakes_);
     if (read) find_frames(data_, mistakes_);
     if (mistakes_.empty()) check_count(data_, table(), mistakes_);
-    if (!mistakes_.empty()) return refuse();
+    if (!mistakes_.empty()) return wrong(std::move(mistakes_));
     return std::move(data_);
   }
 
 private:
-  tl::unexpected<Error> refuse() { return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes_)}); }
   void fail(const Place& place, std::string message) { mistakes_.push_back({place, std::move(message)}); }
   [[nodiscard]] Place table() const { return {measured_.source, 0, 0}; }
 
@@ -228,17 +227,14 @@ std::string FitData::where_unit() const {
 }
 
 Result<FitData> fit_data(const Model& model, const MeasuredTable& measured, const FitSettings& settings) {
-  const auto refuse = [&](const std::string& reason) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, reason));
-  };
   if (!model.data().document) {
-    return refuse("was built and has no profile that fitted numbers could be written into");
+    return wrong(model, "was built and has no profile that fitted numbers could be written into");
   }
   if (model.profile().design == nullptr || model.profile().design->variables.empty()) {
-    return refuse(
-        "no [design.variables]: they say which numbers are to be found, NAME = { path = … } each, with min "
-        "and "
-        "max or without");
+    return wrong(model,
+                 "no [design.variables]: they say which numbers are to be found, NAME = { path = … } each, "
+                 "with min and "
+                 "max or without");
   }
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));

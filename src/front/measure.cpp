@@ -139,9 +139,6 @@ void add_once(const std::string& name, std::vector<std::string>& names) {
 
 Result<RunSettings> settings_for(const Model& model, std::span<const Measure> measures,
                                  RunSettings settings) {
-  const auto input_error = [](Diagnostics diagnostics) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(diagnostics)});
-  };
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
   }
@@ -150,7 +147,7 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
     return tl::unexpected(available.error());
   }
   if (Diagnostics mistakes = column_mistakes(*available, measures); !mistakes.empty()) {
-    return input_error(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   const auto schedule = schedule_of(model.data(), settings);
   if (!schedule) {
@@ -159,7 +156,7 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
   const bool own_units = !settings.units || *settings.units == model.units();
   if (Diagnostics mistakes = place_mistakes(*schedule, measures, settings.in_time);
       own_units && !mistakes.empty()) {
-    return input_error(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   add_once(where_column(model.mechanism(), settings.in_time), settings.columns);
   for (const Measure& measure : measures) {

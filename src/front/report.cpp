@@ -106,17 +106,14 @@ std::size_t page_row(const ReportData& data, std::int64_t row) {
 }
 
 Result<Report> report_of(const Model& model, const ReportSettings& settings) {
-  const auto wrong = [&](std::string message) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(message)));
-  };
   if (report_page().empty()) {
-    return wrong(
-        fmt::format("report: this program was built without the page of reports: {}; install nodejs "
-                    "and npm (tools/setup does) and build again with -DHIGHERPAIR_REPORT=ON",
-                    report_page_missing()));
+    return wrong(model,
+                 fmt::format("report: this program was built without the page of reports: {}; install nodejs "
+                             "and npm (tools/setup does) and build again with -DHIGHERPAIR_REPORT=ON",
+                             report_page_missing()));
   }
   if (settings.most_rows < 2) {
-    return wrong(fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
+    return wrong(model, fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
   }
   RunSettings run;
   run.in_time = settings.in_time;

@@ -16,10 +16,6 @@ Column number(std::string name, std::string unit = "1") {
   return {std::move(name), std::move(unit), {}};
 }
 
-tl::unexpected<Error> wrong(const Place& place, std::string message) {
-  return tl::unexpected(Error{ErrorKind::kInput, {Diagnostic{place, std::move(message)}}});
-}
-
 // Columns of forces and of the jerk are worked out only where a glob means nothing else.
 Result<RunSettings> settings_for_rows(const Model& model, const SweepTask& task, RunSettings settings) {
   if (auto refusal = refuse_to_start(model.data())) {
