@@ -3,6 +3,7 @@
 #include "analysis_impl.hpp"
 #include "fit_request.hpp"
 #include "higherpair/front/measure.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
@@ -94,15 +95,9 @@ private:
                          names.size() == 1 ? " and no `time`" : "", meant.empty() ? "" : "; " + meant));
         continue;
       }
-      const Dimension dimension =
-          data_.settings.in_time ? dimension::kTime : dimension_of_driver(mechanism, i);
+      const Dimension dimension = data_.settings.in_time ? dimension::kTime : driver_dimension(mechanism, i);
       read_place(*column, unit_text(dimension, data_.model.units()));
     }
-  }
-
-  static Dimension dimension_of_driver(const Mechanism& mechanism, std::size_t driver) {
-    const auto joint = static_cast<std::size_t>(mechanism.drivers[driver].joint);
-    return has_angle(mechanism.joints[joint].type) ? dimension::kAngle : dimension::kLength;
   }
 
   void read_place(const MeasuredColumn& column, const std::string& unit) {

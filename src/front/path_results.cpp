@@ -1,6 +1,7 @@
 #include "path_results.hpp"
 
 #include "check_parts.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
 
@@ -39,8 +40,7 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
   double rate = 0;
   const DriverSchedule& schedule = columns.drivers().schedule();
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const auto joint = static_cast<std::size_t>(columns.data().profile.mechanism.drivers[i].joint);
-    const bool turns = has_angle(columns.data().profile.mechanism.joints[joint].type);
+    const bool turns = has_angle(driven_joint(columns.data().profile.mechanism, i).type);
     for (const std::int64_t row : {std::int64_t{0}, schedule.size() / 2, schedule.size() - 1}) {
       const double velocity = std::abs(schedule.state(row, i).si.velocity);
       rate = std::max(rate, turns ? velocity : velocity / size);

@@ -1,6 +1,7 @@
 #include "higherpair/front/report.hpp"
 
 #include "higherpair/front/drawing.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "model_data.hpp"
@@ -22,12 +23,11 @@ constexpr std::string_view kDataMark = "@REPORT_DATA@";
 // Whether a driver is at another place in some row.
 bool moves(const Model& model, std::size_t driver, bool in_time) {
   const DriverProgram& program = model.profile().programs[driver];
-  const Joint& joint =
-      model.mechanism().joints[static_cast<std::size_t>(model.mechanism().drivers[driver].joint)];
   if (program.law) return true;
   if (in_time) return program.velocity != 0 || program.acceleration != 0;
   if (!program.positions.empty()) return program.positions.size() > 1;
-  return program.end ? *program.end != program.start : joint.type == JointType::kRevolute;
+  return program.end ? *program.end != program.start
+                     : has_angle(driven_joint(model.mechanism(), driver).type);
 }
 
 // The first one that moves, or the first of all.
