@@ -22,12 +22,6 @@ std::string where_column(const Mechanism& mechanism, bool in_time) {
   return in_time ? "time" : driver_name(mechanism.drivers.front());
 }
 
-std::size_t slot_of(const std::vector<Column>& columns, std::string_view name) {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
 // All columns that a run of the model could have, and for each what it takes to have it.
 struct Available {
   std::vector<Column> columns;
@@ -173,7 +167,7 @@ MeasureSet::MeasureSet(std::vector<Measure> measures, const std::vector<Column>&
   const auto is_driver = [](const Column& column) {
     return column.name == "driver" || column.name.starts_with("driver.");
   };
-  where_slot_ = slot_of(columns, "time");
+  where_slot_ = column_slot(columns, "time");
   if (where_slot_ == columns.size()) {
     where_slot_ =
         static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_driver) - columns.begin());
@@ -181,7 +175,7 @@ MeasureSet::MeasureSet(std::vector<Measure> measures, const std::vector<Column>&
   assert(where_slot_ < columns.size());
   where_unit_ = columns[where_slot_].unit;
   for (const Measure& measure : measures_) {
-    slots_.push_back(slot_of(columns, measure.column));
+    slots_.push_back(column_slot(columns, measure.column));
     assert(slots_.back() < columns.size());
     units_.push_back(columns[slots_.back()].unit);
   }

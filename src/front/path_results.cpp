@@ -6,7 +6,6 @@
 #include "numeric/peaks.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -51,13 +50,6 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
 }
 
 }  // namespace
-
-std::size_t column_slot(const std::vector<Column>& columns, std::string_view name) {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  assert(found != columns.end());
-  return static_cast<std::size_t>(found - columns.begin());
-}
 
 // One extreme of a column, as a largest value of sign times the column.
 struct PathResults::Extreme {

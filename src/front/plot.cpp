@@ -83,8 +83,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   if (!names) {
     return tl::unexpected(names.error());
   }
-  const auto is_x = [&](const Column& column) { return column.name == x_name; };
-  if (!std::find_if(analysis->columns().begin(), analysis->columns().end(), is_x)->words.empty()) {
+  if (!analysis->columns()[column_slot(analysis->columns(), x_name)].words.empty()) {
     return wrong(Place{"--x " + x_name}, "this column holds words; a plot needs numbers");
   }
   MotionPlot plot;

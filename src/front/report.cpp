@@ -1,5 +1,6 @@
 #include "higherpair/front/report.hpp"
 
+#include "column_set.hpp"
 #include "higherpair/front/drawing.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -38,12 +39,6 @@ std::size_t shown_driver(const Model& model, bool in_time) {
   return 0;
 }
 
-std::size_t driver_column(const std::vector<Column>& columns, const std::string& name) {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
 void note(std::vector<ColumnExtremes>& extremes, const Row& row, double driver) {
   for (std::size_t k = 0; k < extremes.size(); ++k) {
     const double value = row.values[k];
@@ -69,7 +64,7 @@ ReportData collect(const Model& model, Analysis& analysis, const ReportSettings&
   data.size = analysis.size();
   data.driver = shown_driver(model, settings.in_time);
   const std::int64_t stride = stride_of(data.size, settings);
-  const std::size_t driver = driver_column(data.columns, driver_name(model.mechanism().drivers[data.driver]));
+  const std::size_t driver = column_slot(data.columns, driver_name(model.mechanism().drivers[data.driver]));
   Row row;
   while (analysis.next(row)) {
     note(data.extremes, row, row.values[driver]);
