@@ -9,6 +9,7 @@
 #include "reach.hpp"
 #include "report_data.hpp"
 #include "report_page.hpp"
+#include "run_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,12 +111,8 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
   if (settings.most_rows < 2) {
     return wrong(model, fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
   }
-  RunSettings run;
-  run.in_time = settings.in_time;
-  run.samples = settings.samples;
-  run.tolerance = settings.tolerance;
+  RunSettings run = run_settings(settings, settings.in_time);
   run.forces = has_forces(model.mechanism());
-  run.stop = settings.stop;
   auto analysis = model.start(run);
   if (!analysis) {
     return tl::unexpected(std::move(analysis.error()));
