@@ -13,6 +13,10 @@
 namespace higherpair {
 namespace {
 
+Error input_error(Diagnostics mistakes) {
+  return {ErrorKind::kInput, std::move(mistakes)};
+}
+
 constexpr std::int64_t kSlipsLookedFor = 1000;  // positions at which a rolling pair is tried before the run
 std::string text_of(const Slip& slip, const Profile& profile) {
   const Dimension dimension = driver_dimension(profile.mechanism);
@@ -38,22 +42,18 @@ std::vector<double> some_positions(const DriverSchedule& schedule) {
 }  // namespace
 
 Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
-  const auto wrong = [&](std::string rule) {
-    return tl::unexpected(error_about(model, ErrorKind::kInput, "RunSettings::" + std::move(rule)));
-  };
+  const auto refuse = [&](const std::string& rule) { return wrong(model, "RunSettings::" + rule); };
   if (settings.derivatives && (*settings.derivatives < 3 || *settings.derivatives > kHighestDerivative)) {
-    return wrong(
+    return refuse(
         fmt::format("derivatives = {}: must be from 3 to {}", *settings.derivatives, kHighestDerivative));
   }
   if (!(settings.tolerance > 0) || !std::isfinite(settings.tolerance)) {
-    return wrong(fmt::format("tolerance = {}: must be > 0", settings.tolerance));
+    return refuse(fmt::format("tolerance = {}: must be > 0", settings.tolerance));
   }
   const auto made = [&](const Profile& profile) {
     return (settings.in_time ? DriverSchedule::step(profile, settings.samples)
                              : DriverSchedule::analyze(profile, settings.samples))
-        .map_error([](Diagnostics diagnostics) {
-          return Error{ErrorKind::kInput, std::move(diagnostics)};
-        });
+        .map_error(input_error);
   };
   if (settings.positions.empty()) {
     return made(model.profile);
@@ -61,7 +61,7 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
   const bool finite = std::all_of(settings.positions.begin(), settings.positions.end(),
                                   [](double position) { return std::abs(position) <= kLargestQuantity; });
   if (settings.in_time || model.profile.programs.size() != 1 || !finite) {
-    return wrong("positions: only for a single driver, not in time, and finite");
+    return refuse("positions: only for a single driver, not in time, and finite");
   }
   Profile other = model.profile;
   other.programs.front().positions = settings.positions;
@@ -108,7 +108,7 @@ Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settin
     add_derivative_columns(columns, mechanism, *settings.derivatives);
   }
   if (auto done = columns.finish(model.name); !done) {
-    return tl::unexpected(Error{ErrorKind::kInput, {std::move(done.error())}});
+    return wrong({std::move(done.error())});
   }
   return columns;
 }
@@ -130,9 +130,7 @@ Result<DriverSchedule> first_schedule(const Model::Data& model) {
   if (auto refusal = refuse_without_driver(model)) {
     return tl::unexpected(*std::move(refusal));
   }
-  return DriverSchedule::analyze(model.profile).map_error([](Diagnostics diagnostics) {
-    return Error{ErrorKind::kInput, std::move(diagnostics)};
-  });
+  return DriverSchedule::analyze(model.profile).map_error(input_error);
 }
 
 std::optional<Error> refuse_to_start(const Model::Data& model) {

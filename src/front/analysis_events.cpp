@@ -17,11 +17,6 @@ constexpr std::array kRates = {"position", "velocity", "acceleration"};
 
 }  // namespace
 
-Dimension driver_dimension(const Mechanism& mechanism) {
-  const auto joint = static_cast<std::size_t>(mechanism.drivers.front().joint);
-  return mechanism.joints[joint].type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
-}
-
 void Analysis::Impl::add_event(const RunEvent& what, double share) {
   const Mechanism& mechanism = model->profile.mechanism;
   Event event;
@@ -47,8 +42,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   event.cause = what.cause;
   if (what.joint && what.value) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(*what.joint)];
-    const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
-    event.value = from_si(of, units).apply(*what.value);
+    event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);
   }
   const bool at_end = (next == schedule.size() - 1 && share >= 1 - kAtEnd) || next == 0;
   const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
@@ -80,9 +74,8 @@ void Analysis::Impl::move() {
 void Analysis::Impl::add_law_jumps(std::size_t first) {
   const Profile& profile = model->profile;
   for (const DriverSchedule::LawJump& jump : schedule.law_jumps(next)) {
-    const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[jump.driver].joint);
-    Dimension dimension =
-        profile.mechanism.joints[joint].type == JointType::kRevolute ? dimension::kAngle : dimension::kLength;
+    const Joint& joint = driven_joint(profile.mechanism, jump.driver);
+    Dimension dimension = coordinate_dimension(joint);
     Event event;
     event.type = EventType::kLawJump;
     event.row = next;
@@ -90,8 +83,8 @@ void Analysis::Impl::add_law_jumps(std::size_t first) {
     event.driver = from_si(driver_dimension(profile.mechanism), units).apply(event.driver_si);
     event.time =
         from_si(dimension::kTime, units).apply(to_si(dimension::kTime, profile.units).apply(jump.time));
-    event.joint = static_cast<int>(joint);
-    event.item = profile.mechanism.joints[joint].name;
+    event.joint = profile.mechanism.drivers[jump.driver].joint;
+    event.item = joint.name;
     for (std::size_t k = 1; k <= 2; ++k) {
       dimension = dimension / dimension::kTime;
       if (jump.join.jumps(k)) {

@@ -3,6 +3,7 @@
 #include "column_set.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/contact_report.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "model_data.hpp"
 #include "row_scout.hpp"
 
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace higherpair {
-
-/// Of the first driver: an angle or a length.
-[[nodiscard]] Dimension driver_dimension(const Mechanism& mechanism);
 
 /// Why the mechanism cannot be run at all: no driver, or no order of solution.
 [[nodiscard]] std::optional<Error> refuse_to_start(const Model::Data& model);

@@ -4,6 +4,7 @@
 #include "higherpair/contact/boundary_enumeration.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -35,7 +36,7 @@ double position_of(double q, const Profile& profile, const ContactPlace& place) 
   const CarriedBody& follower = place.follower;
   const bool turns = follower.freedom.turns;
   const double own = q - place.carrier_angle;
-  const Scaling scaling = from_si(turns ? dimension::kAngle : dimension::kLength, profile.units);
+  const Scaling scaling = from_si(coordinate_dimension(turns), profile.units);
   return plus_zero(scaling.apply(follower.sign * (turns ? nearest_turn(own, place.posed) : own)));
 }
 
@@ -60,8 +61,7 @@ std::array<double, 2> position_interval(const std::array<double, 2>& q, double q
                                         const Profile& profile, const ContactPlace& place) {
   const double position = position_of(q_of_contact, profile, place);
   const double sign = place.follower.sign;
-  const Scaling scaling =
-      from_si(place.follower.freedom.turns ? dimension::kAngle : dimension::kLength, profile.units);
+  const Scaling scaling = from_si(coordinate_dimension(place.follower.freedom.turns), profile.units);
   // The position may be a turn away from q: the interval keeps its place about it.
   const auto bound = [&](double q_bound, double towards) {
     return std::nextafter(position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
@@ -73,7 +73,7 @@ std::array<double, 2> position_interval(const std::array<double, 2>& q, double q
 }
 
 std::string unit_of(const Profile& profile, bool turns) {
-  return unit_text(turns ? dimension::kAngle : dimension::kLength, profile.units);
+  return unit_text(coordinate_dimension(turns), profile.units);
 }
 
 // The joint of a follower on its carrier.
@@ -98,7 +98,7 @@ BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule,
   report.complete = branches.complete;
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const Driver& driver = mechanism.drivers[i];
-    const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    const bool turns = has_angle(driven_joint(mechanism, i).type);
     report.drivers +=
         fmt::format("{}driver{}{} = {} {}", i == 0 ? "" : ", ", driver.name.empty() ? "" : ".", driver.name,
                     schedule.state(0, i).profile.position, unit_of(profile, turns));
@@ -111,8 +111,7 @@ BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule,
     std::vector<double>& positions = report.assemblies.emplace_back();
     for (std::size_t i = 0; i < assembly.size(); ++i) {
       const bool turns = has_angle(mechanism.joints[i].type);
-      positions.push_back(plus_zero(
-          from_si(turns ? dimension::kAngle : dimension::kLength, profile.units).apply(assembly[i])));
+      positions.push_back(plus_zero(from_si(coordinate_dimension(turns), profile.units).apply(assembly[i])));
     }
   }
   return report;

@@ -1,6 +1,7 @@
 #include "chain_variants.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -88,8 +89,7 @@ std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::s
   }
   const Driver& driver = mechanism.drivers.front();
   const std::string prefix = driver_name(driver);
-  const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-  const Dimension dimension = turns ? dimension::kTorque : dimension::kForce;
+  const Dimension dimension = effort_dimension(has_angle(driven_joint(mechanism).type));
   if (name == prefix + ".effort") {
     return NamedColumn{{0, std::nullopt, Quantity::kEffort}, dimension};
   }

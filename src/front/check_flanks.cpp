@@ -2,6 +2,7 @@
 #include "check_parts.hpp"
 #include "higherpair/cam/sizing.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ bool drives(const Mechanism& mechanism, int body) {
   if (mechanism.drivers.size() != 1) {
     return false;
   }
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
+  const Joint& joint = driven_joint(mechanism);
   return (joint.first.body == 0 && joint.second.body == body) ||
          (joint.second.body == 0 && joint.first.body == body);
 }
@@ -173,7 +174,7 @@ private:
   }
 
   [[nodiscard]] std::string rest_text(double rest) const {
-    const Dimension& of = cam_.motion.follower.turns ? dimension::kAngle : dimension::kLength;
+    const Dimension of = coordinate_dimension(cam_.motion.follower.turns);
     return fmt::format(
         "the follower's pose {} by {:.10g} {}", cam_.motion.follower.turns ? "turned" : "moved",
         from_si(of, profile_.units).apply(rest - cam_.motion.follower_rest), unit_text(of, profile_.units));

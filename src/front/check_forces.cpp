@@ -3,6 +3,7 @@
 #include "higherpair/cam/hertz.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/io/coordinate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,8 +85,7 @@ public:
       if (peak) {
         figures.about(driver.name.empty() ? "driver" : "drivers." + driver.name);
         CheckFigure& figure = figures.add(
-            turns ? "driving_torque" : "driving_force", turns ? dimension::kTorque : dimension::kForce,
-            peak->value, peak->driver,
+            turns ? "driving_torque" : "driving_force", effort_dimension(turns), peak->value, peak->driver,
             figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),
             Bound::kMost);
         mark_growing(figure, *peak);

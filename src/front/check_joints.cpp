@@ -1,6 +1,7 @@
 // Accelerations and jerks of the bodies that move on ground.
 #include "check_parts.hpp"
 #include "higherpair/analysis/jerk.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ class DriverJerks {
 public:
   DriverJerks(const Profile& profile, const DriverSchedule& schedule) {
     for (std::size_t i = 0; i < profile.programs.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[i].joint);
-      const Dimension of = has_angle(profile.mechanism.joints[joint].type) ? kAngularJerk : kJerk;
+      const Dimension of = has_angle(driven_joint(profile.mechanism, i).type) ? kAngularJerk : kJerk;
       laws_.push_back({profile.programs[i].law, to_si(of, profile.units)});
       known_ = known_ && (!profile.programs[i].law || schedule.is_timed());
     }
@@ -121,9 +121,8 @@ private:
 double driver_rate(const CheckedPath& checked) {
   double rate = 0;
   for (std::size_t i = 0; i < checked.schedule.driver_count(); ++i) {
-    const auto joint = static_cast<std::size_t>(checked.start.mechanism().drivers[i].joint);
     const double velocity = std::abs(checked.schedule.state(0, i).si.velocity);
-    const bool turns = has_angle(checked.start.mechanism().joints[joint].type);
+    const bool turns = has_angle(driven_joint(checked.start.mechanism(), i).type);
     rate = std::max(rate, turns ? velocity : velocity / checked.start.plan().size);
   }
   return rate;

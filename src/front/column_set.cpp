@@ -125,6 +125,12 @@ std::string_view word_of(const Column& column, double value) {
   return is_word ? column.words[static_cast<std::size_t>(value)] : std::string_view();
 }
 
+std::size_t column_slot(const std::vector<Column>& columns, std::string_view name) {
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
 std::string csv_head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{}[{}]", column.name, column.unit);
 }

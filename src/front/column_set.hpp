@@ -100,6 +100,9 @@ void append_csv_cells(std::span<const Column> columns, std::span<const double> v
 /// A column's name with its unit, as in the header of CSV.
 [[nodiscard]] std::string csv_head(const Column& column);
 
+/// Which column has this name; columns.size(): none.
+[[nodiscard]] std::size_t column_slot(const std::vector<Column>& columns, std::string_view name);
+
 /// Appends a cell of text, in quotes where it has to be.
 void append_csv_text(std::string_view text, std::string& out);
 

@@ -51,8 +51,7 @@ std::string_view method_text(DesignMethod method, bool has_cost) {
 
 Result<DesignReport> design(const Model& model, const DesignSettings& settings) {
   if (!model.data().document) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
-                                      "was built and has no profile that a design could be written into"));
+    return wrong(model, "was built and has no profile that a design could be written into");
   }
   const auto setup = design_setup(model);
   if (!setup) {

@@ -1,5 +1,6 @@
 #include "design_direct.hpp"
 
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/row_path.hpp"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ int closure_parts(const DesignSetup& setup, std::span<const double> from, std::s
   const Mechanism& mechanism = setup.numbers.model().mechanism();
   double parts = 1;
   for (std::size_t i = 0; i < to.size(); ++i) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
+    const Joint& joint = driven_joint(mechanism, i);
     const double step = joint.type == JointType::kRevolute ? kGapStep : kGapSlide * setup.size;
     parts = std::max(parts, std::ceil(std::abs(to[i] - from[i]) / step - 1e-9));
   }

@@ -159,7 +159,7 @@ std::string figure_of(const Result<std::string>& picture, std::string_view capti
 
 Result<std::string> design_page(const Model& before, const DesignReport& report) {
   if (!before.data().document || !before.profile().design) {
-    return tl::unexpected(error_about(before.data(), ErrorKind::kInput, "is not the model of a design"));
+    return wrong(before, "is not the model of a design");
   }
   const auto after = Model::from_text(report.text, before.data().name, before.data().document->overrides());
   if (!after) {

@@ -106,9 +106,7 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
   }
   MeasureSet measures(setup.measures, analysis->columns());
   for (const Measure& one : setup.measures) {
-    const auto slot = std::find_if(analysis->columns().begin(), analysis->columns().end(),
-                                   [&](const Column& column) { return column.name == one.column; });
-    rows.table_slots.push_back(static_cast<std::size_t>(slot - analysis->columns().begin()));
+    rows.table_slots.push_back(column_slot(analysis->columns(), one.column));
   }
   rows.table_columns = analysis->columns().size();
   take_rows(*analysis, when_lost, reader, measures, rows);

@@ -106,16 +106,12 @@ RunSettings run_wanted_by(const DesignTask& task) {
 }  // namespace
 
 Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
-  const auto refuse = [](Diagnostics mistakes) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes)});
-  };
   const std::shared_ptr<const DesignTask>& task = model.profile().design;
   if (task == nullptr) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
-                                      "no [design]: it says which numbers may be chosen and for what"));
+    return wrong(model, "no [design]: it says which numbers may be chosen and for what");
   }
   if (Diagnostics mistakes = missing_in(*task); !mistakes.empty()) {
-    return refuse(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
@@ -130,7 +126,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
     return tl::unexpected(std::move(schedule.error()));
   }
   if (Diagnostics mistakes = mistakes_in(model, *task, *schedule); !mistakes.empty()) {
-    return refuse(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   auto setup = std::make_shared<DesignSetup>(DesignSetup{DesignNumbers(model, *task),
                                                          quantities_of(*task),
@@ -149,11 +145,11 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   }
   if (Diagnostics mistakes = complete_quantities(model, *task, setup->measures, table, setup->quantities);
       !mistakes.empty()) {
-    return refuse(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   set_scales(*setup);
   if (Diagnostics mistakes = idle_parts(*setup); !mistakes.empty()) {
-    return refuse(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   return setup;
 }

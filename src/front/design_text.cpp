@@ -70,7 +70,7 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
   }
   const auto written = [&]() -> Result<std::string> {
     auto text = model.document->text_with(values);
-    if (!text) return tl::unexpected(error_about(model, ErrorKind::kInput, std::move(text.error())));
+    if (!text) return wrong(model, std::move(text.error()));
     return *std::move(text);
   };
   const auto text = written();

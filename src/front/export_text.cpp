@@ -23,10 +23,8 @@ Result<double> tolerance_of(const Model& model, const ExportedCurve& curve, cons
       return fmt::format("{:.3g} {}", from_si(dimension::kLength, model.units()).apply(metres),
                          name_of(model.units().length));
     };
-    return tl::unexpected(
-        error_about(model.data(), ErrorKind::kInput,
-                    fmt::format("a tolerance of {} is finer than {} can be drawn: take at least {}",
-                                text(tolerance), curve.name, text(1.01 * least))));
+    return wrong(model, fmt::format("a tolerance of {} is finer than {} can be drawn: take at least {}",
+                                    text(tolerance), curve.name, text(1.01 * least)));
   }
   return tolerance;
 }

@@ -135,13 +135,13 @@ Result<FitReport> fit(const Model& model, const MeasuredTable& measured, const F
   }
   const FitProblem problem(*data, motion);
   if (Diagnostics suspicions = unit_suspicions(problem); !suspicions.empty()) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(suspicions)});
+    return wrong(std::move(suspicions));
   }
   const Eigen::VectorXd start = problem.start();
   std::vector<double> variables(start.data(), start.data() + data->variables->variables.size());
   motion.choose_derivatives(variables, std::vector<double>(data->where.size(), 0.0));
   if (Diagnostics mistakes = idle_variables(problem, start); !mistakes.empty()) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes)});
+    return wrong(std::move(mistakes));
   }
   const FitSolution solution = solve_fit(problem, settings);
   if (!solution.started) {

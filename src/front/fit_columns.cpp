@@ -1,5 +1,7 @@
 #include "fit_columns.hpp"
 
+#include "higherpair/io/coordinate.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -29,7 +31,7 @@ std::optional<Part> part_of(std::string_view ending) {
 }
 
 double scale_of(const Part& part, const Units& units) {
-  const Dimension of = part.axis == 2 ? dimension::kAngle : dimension::kLength;
+  const Dimension of = coordinate_dimension(part.axis == 2);
   return from_si({.length = of.length, .time = -part.order, .angle = of.angle}, units).apply(1);
 }
 
@@ -57,7 +59,7 @@ double angle_part(const BodyMotion& motion, int order) {
 }  // namespace
 
 bool driver_turns(const Mechanism& mechanism, std::size_t driver) {
-  return has_angle(mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)].type);
+  return has_angle(driven_joint(mechanism, driver).type);
 }
 
 FitColumns::FitColumns(const Mechanism& mechanism, const FitData& data) {

@@ -3,6 +3,7 @@
 #include "fit_statistics.hpp"
 #include "higherpair/geometry/boundary_fit.hpp"
 #include "higherpair/io/suggestion.hpp"
+#include "model_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,6 @@ namespace higherpair {
 namespace {
 
 constexpr double kDegrees = 180 / kPi;
-
-tl::unexpected<Error> refuse(Place place, std::string message) {
-  return tl::unexpected(Error{ErrorKind::kInput, {{std::move(place), std::move(message)}}});
-}
 
 // The column of that name, or the only one whose name ends in it.
 Result<const MeasuredColumn*> coordinate(const MeasuredTable& table, const std::string& name) {
@@ -32,9 +29,9 @@ Result<const MeasuredColumn*> coordinate(const MeasuredTable& table, const std::
     ++count;
   }
   if (count == 1) return found;
-  return refuse({table.source, 0, 0},
-                fmt::format("needs a column `{}`{}", name,
-                            count > 1 ? ": several names end in it" : "; " + suggestion(name, names)));
+  return wrong(Place{table.source},
+               fmt::format("needs a column `{}`{}", name,
+                           count > 1 ? ": several names end in it" : "; " + suggestion(name, names)));
 }
 
 BoundaryFitResult fitted(const std::vector<Vector2d>& points, FittedCurve curve) {
@@ -124,17 +121,17 @@ Result<PointColumns> point_columns(const MeasuredTable& points) {
     return tl::unexpected(x ? y.error() : x.error());
   }
   for (const MeasuredColumn* column : {*x, *y}) {
-    if (column->mistake) return refuse(column->mistake->place, column->mistake->message);
+    if (column->mistake) return wrong(column->mistake->place, column->mistake->message);
     const auto unit = find_unit(column->unit);
     if (!column->unit.empty() && !(unit && dimension_of(*unit) == dimension::kLength)) {
-      return refuse(column->place,
-                    fmt::format("{}[{}]: expected a unit of length, such as mm", column->name, column->unit));
+      return wrong(column->place,
+                   fmt::format("{}[{}]: expected a unit of length, such as mm", column->name, column->unit));
     }
   }
   if ((*x)->unit != (*y)->unit) {
-    return refuse((*y)->place, fmt::format("x is in {} and y in {}: both have to be in one unit",
-                                           (*x)->unit.empty() ? "no unit" : (*x)->unit,
-                                           (*y)->unit.empty() ? "no unit" : (*y)->unit));
+    return wrong((*y)->place, fmt::format("x is in {} and y in {}: both have to be in one unit",
+                                          (*x)->unit.empty() ? "no unit" : (*x)->unit,
+                                          (*y)->unit.empty() ? "no unit" : (*y)->unit));
   }
   return PointColumns{*x, *y, (*x)->unit.empty() ? "mm" : (*x)->unit};
 }
@@ -195,9 +192,9 @@ Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve,
         fit.error() == BoundaryFitError::kTooFew ? fmt::format(": at least {} are needed", least_count(curve))
         : fit.error() == BoundaryFitError::kOtherForm ? ": try --curve conic, or measure more of the curve"
                                                       : "";
-    return refuse({points.source, 0, 0}, fmt::format("no {} can be fitted: the {} points {}{}",
-                                                     fitted_curve_names()[static_cast<std::size_t>(curve)],
-                                                     places.size(), describe(fit.error()), more));
+    return wrong(Place{points.source}, fmt::format("no {} can be fitted: the {} points {}{}",
+                                                   fitted_curve_names()[static_cast<std::size_t>(curve)],
+                                                   places.size(), describe(fit.error()), more));
   }
   const Form form = form_of(*fit);
   report.type = form.type;

@@ -3,6 +3,7 @@
 #include "analysis_impl.hpp"
 #include "fit_request.hpp"
 #include "higherpair/front/measure.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/suggestion.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
@@ -50,7 +51,7 @@ public:
     data_.task = with_settings(std::move(data_.task), settings_, mistakes_);
     read_where();
     std::vector<const MeasuredColumn*> used = used_columns();
-    if (!mistakes_.empty()) return refuse();
+    if (!mistakes_.empty()) return wrong(std::move(mistakes_));
     if (auto settings = settings_of(used)) {
       data_.settings = *std::move(settings);
     } else {
@@ -61,12 +62,11 @@ public:
     apply_columns(data_, mistakes_);
     if (read) find_frames(data_, mistakes_);
     if (mistakes_.empty()) check_count(data_, table(), mistakes_);
-    if (!mistakes_.empty()) return refuse();
+    if (!mistakes_.empty()) return wrong(std::move(mistakes_));
     return std::move(data_);
   }
 
 private:
-  tl::unexpected<Error> refuse() { return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes_)}); }
   void fail(const Place& place, std::string message) { mistakes_.push_back({place, std::move(message)}); }
   [[nodiscard]] Place table() const { return {measured_.source, 0, 0}; }
 
@@ -95,15 +95,9 @@ private:
                          names.size() == 1 ? " and no `time`" : "", meant.empty() ? "" : "; " + meant));
         continue;
       }
-      const Dimension dimension =
-          data_.settings.in_time ? dimension::kTime : dimension_of_driver(mechanism, i);
+      const Dimension dimension = data_.settings.in_time ? dimension::kTime : driver_dimension(mechanism, i);
       read_place(*column, unit_text(dimension, data_.model.units()));
     }
-  }
-
-  static Dimension dimension_of_driver(const Mechanism& mechanism, std::size_t driver) {
-    const auto joint = static_cast<std::size_t>(mechanism.drivers[driver].joint);
-    return has_angle(mechanism.joints[joint].type) ? dimension::kAngle : dimension::kLength;
   }
 
   void read_place(const MeasuredColumn& column, const std::string& unit) {
@@ -228,17 +222,14 @@ std::string FitData::where_unit() const {
 }
 
 Result<FitData> fit_data(const Model& model, const MeasuredTable& measured, const FitSettings& settings) {
-  const auto refuse = [&](const std::string& reason) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, reason));
-  };
   if (!model.data().document) {
-    return refuse("was built and has no profile that fitted numbers could be written into");
+    return wrong(model, "was built and has no profile that fitted numbers could be written into");
   }
   if (model.profile().design == nullptr || model.profile().design->variables.empty()) {
-    return refuse(
-        "no [design.variables]: they say which numbers are to be found, NAME = { path = … } each, with min "
-        "and "
-        "max or without");
+    return wrong(model,
+                 "no [design.variables]: they say which numbers are to be found, NAME = { path = … } each, "
+                 "with min and "
+                 "max or without");
   }
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));

@@ -3,6 +3,7 @@
 #include "fit_candidate.hpp"
 #include "fit_columns.hpp"
 #include "higherpair/analysis/displaced.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -74,8 +75,7 @@ std::vector<DriverMotion> shift_of(const FitData& data, const std::vector<Driver
     }
   } else if (offset) {
     const bool turns = driver_turns(data.model.mechanism(), *offset);
-    by[*offset].position =
-        -to_si(turns ? dimension::kAngle : dimension::kLength, data.model.units()).apply(1);
+    by[*offset].position = -to_si(coordinate_dimension(turns), data.model.units()).apply(1);
   }
   return by;
 }

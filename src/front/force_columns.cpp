@@ -1,4 +1,5 @@
 #include "column_set.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
 #include <optional>
@@ -31,10 +32,8 @@ void add_force_columns(ColumnSet& set, const Mechanism& mechanism) {
             });
   }
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    const Driver& driver = mechanism.drivers[i];
-    const std::string name = driver_name(driver);
-    const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-    const Dimension dimension = turns ? dimension::kTorque : dimension::kForce;
+    const std::string name = driver_name(mechanism.drivers[i]);
+    const Dimension dimension = effort_dimension(has_angle(driven_joint(mechanism, i).type));
     set.add({{name + ".effort", dimension}, {name + ".effort_check", dimension}},
             [i](const RowSource& source, double* out) {
               put(source.reactions->drivers[i].effort, out);

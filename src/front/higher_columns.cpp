@@ -1,5 +1,6 @@
 // Columns of jerk and of higher derivatives. What all of them are made from is worked out by one block.
 #include "column_set.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
 #include <fmt/format.h>
@@ -48,9 +49,7 @@ void add_driver_jerks(ColumnSet& set, const Profile& profile) {
       continue;
     }
     const Driver& driver = profile.mechanism.drivers[i];
-    const bool turns =
-        profile.mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-    set.add({{driver_name(driver) + ".jerk", per_time(turns ? dimension::kAngle : dimension::kLength, 3)}},
+    set.add({{driver_name(driver) + ".jerk", per_time(driver_dimension(profile.mechanism, i), 3)}},
             [i](const RowSource& source, double* out) { *out = source.drivers[i].higher_si[0]; });
   }
 }

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/mapped_contacts.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/contact_map.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
@@ -159,9 +160,7 @@ std::optional<OwnBranch> own_of(const ContactMap& map, const MappedContact& mapp
 ContactMapReport map_report(const Profile& profile, const MappedContact& mapped, const ContactMap& map) {
   const Mechanism& mechanism = profile.mechanism;
   const Converter convert(profile, mapped);
-  const auto unit = [&](bool turns) {
-    return unit_text(turns ? dimension::kAngle : dimension::kLength, profile.units);
-  };
+  const auto unit = [&](bool turns) { return unit_text(coordinate_dimension(turns), profile.units); };
   ContactMapReport report;
   report.contact = mechanism.contacts[static_cast<std::size_t>(mapped.contact)].name;
   report.driver_joint = mechanism.joints[static_cast<std::size_t>(mapped.known_joint)].name;

@@ -22,12 +22,6 @@ std::string where_column(const Mechanism& mechanism, bool in_time) {
   return in_time ? "time" : driver_name(mechanism.drivers.front());
 }
 
-std::size_t slot_of(const std::vector<Column>& columns, std::string_view name) {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
 // All columns that a run of the model could have, and for each what it takes to have it.
 struct Available {
   std::vector<Column> columns;
@@ -139,9 +133,6 @@ void add_once(const std::string& name, std::vector<std::string>& names) {
 
 Result<RunSettings> settings_for(const Model& model, std::span<const Measure> measures,
                                  RunSettings settings) {
-  const auto input_error = [](Diagnostics diagnostics) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(diagnostics)});
-  };
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
   }
@@ -150,7 +141,7 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
     return tl::unexpected(available.error());
   }
   if (Diagnostics mistakes = column_mistakes(*available, measures); !mistakes.empty()) {
-    return input_error(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   const auto schedule = schedule_of(model.data(), settings);
   if (!schedule) {
@@ -159,7 +150,7 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
   const bool own_units = !settings.units || *settings.units == model.units();
   if (Diagnostics mistakes = place_mistakes(*schedule, measures, settings.in_time);
       own_units && !mistakes.empty()) {
-    return input_error(std::move(mistakes));
+    return wrong(std::move(mistakes));
   }
   add_once(where_column(model.mechanism(), settings.in_time), settings.columns);
   for (const Measure& measure : measures) {
@@ -176,7 +167,7 @@ MeasureSet::MeasureSet(std::vector<Measure> measures, const std::vector<Column>&
   const auto is_driver = [](const Column& column) {
     return column.name == "driver" || column.name.starts_with("driver.");
   };
-  where_slot_ = slot_of(columns, "time");
+  where_slot_ = column_slot(columns, "time");
   if (where_slot_ == columns.size()) {
     where_slot_ =
         static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_driver) - columns.begin());
@@ -184,7 +175,7 @@ MeasureSet::MeasureSet(std::vector<Measure> measures, const std::vector<Column>&
   assert(where_slot_ < columns.size());
   where_unit_ = columns[where_slot_].unit;
   for (const Measure& measure : measures_) {
-    slots_.push_back(slot_of(columns, measure.column));
+    slots_.push_back(column_slot(columns, measure.column));
     assert(slots_.back() < columns.size());
     units_.push_back(columns[slots_.back()].unit);
   }

@@ -61,7 +61,7 @@ Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
   const Mechanism& mechanism = data.profile.mechanism;
   const auto schedule = DriverSchedule::analyze(data.profile);
   if (!schedule) {
-    return tl::unexpected(Error{ErrorKind::kInput, schedule.error()});
+    return wrong(schedule.error());
   }
   MobilityQuestion question = question_of(*schedule);
   auto run = started(data, question.drivers, tolerance);

@@ -11,10 +11,6 @@
 namespace higherpair {
 namespace {
 
-tl::unexpected<Error> input_error(Diagnostics diagnostics) {
-  return tl::unexpected(Error{ErrorKind::kInput, std::move(diagnostics)});
-}
-
 template <class Items, class Same>
 bool alike(const Items& a, const Items& b, const Same& same) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
@@ -81,11 +77,11 @@ Result<std::shared_ptr<const Model::Data>> read(const ProfileDocument& document,
                                                 const Model::Data* like) {
   auto changed = document.with(overrides);
   if (!changed) {
-    return input_error(std::move(changed.error()));
+    return wrong(std::move(changed.error()));
   }
   auto profile = changed->read();
   if (!profile) {
-    return input_error(std::move(profile.error()));
+    return wrong(std::move(profile.error()));
   }
   std::string name = profile->source;
   return planned(std::move(name), *std::move(changed), *std::move(profile), like);
@@ -112,7 +108,19 @@ Error error_about(const Model::Data& model, ErrorKind kind, std::string message)
 }
 
 tl::unexpected<Error> wrong(const Model& model, std::string what) {
-  return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(what)));
+  return wrong(model.data(), std::move(what));
+}
+
+tl::unexpected<Error> wrong(const Model::Data& model, std::string what) {
+  return wrong({about(model.name, std::move(what))});
+}
+
+tl::unexpected<Error> wrong(Place place, std::string what) {
+  return wrong({{std::move(place), std::move(what)}});
+}
+
+tl::unexpected<Error> wrong(Diagnostics mistakes) {
+  return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes)});
 }
 
 Setting::Setting(std::string path_of_key, double number)
@@ -121,7 +129,7 @@ Setting::Setting(std::string path_of_key, double number)
 Result<Model> Model::open(const std::string& path, std::span<const std::string> overrides) {
   const auto document = ProfileDocument::open(path);
   if (!document) {
-    return input_error(document.error());
+    return wrong(document.error());
   }
   return read(*document, overrides, nullptr).map([](auto data) { return Model(std::move(data)); });
 }
@@ -130,7 +138,7 @@ Result<Model> Model::from_text(std::string_view text, const std::string& name,
                                std::span<const std::string> overrides) {
   const auto document = ProfileDocument::parse(text, name);
   if (!document) {
-    return input_error(document.error());
+    return wrong(document.error());
   }
   return read(*document, overrides, nullptr).map([](auto data) { return Model(std::move(data)); });
 }
@@ -138,7 +146,7 @@ Result<Model> Model::from_text(std::string_view text, const std::string& name,
 Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs) {
   const std::string name = mechanism.title.empty() ? "mechanism" : mechanism.title;
   if (std::string fault = fault_of(mechanism); !fault.empty()) {
-    return input_error({about(name, std::move(fault))});
+    return wrong({about(name, std::move(fault))});
   }
   if (programs.empty()) {
     for (const Driver& driver : mechanism.drivers) {
@@ -146,8 +154,8 @@ Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<D
     }
   }
   if (programs.size() != mechanism.drivers.size()) {
-    return input_error({about(name, fmt::format("{} programs for {} drivers: each driver needs its own",
-                                                programs.size(), mechanism.drivers.size()))});
+    return wrong({about(name, fmt::format("{} programs for {} drivers: each driver needs its own",
+                                          programs.size(), mechanism.drivers.size()))});
   }
   for (DriverProgram& program : programs) {
     program.place.source = name;
@@ -158,8 +166,7 @@ Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<D
 
 Result<Model> Model::with(std::span<const Setting> settings) const {
   if (!data_->document) {
-    return tl::unexpected(error_about(*data_, ErrorKind::kInput,
-                                      "was built and has no keys to set: change a copy of its mechanism()"));
+    return wrong(*data_, "was built and has no keys to set: change a copy of its mechanism()");
   }
   std::vector<std::string> overrides;
   for (const Setting& setting : settings) {
@@ -175,7 +182,7 @@ Result<Model> Model::with_mechanism(Mechanism mechanism) const {
                         data_->profile.programs.size());
   }
   if (!fault.empty()) {
-    return tl::unexpected(error_about(*data_, ErrorKind::kInput, std::move(fault)));
+    return wrong(*data_, std::move(fault));
   }
   return Model(
       planned(data_->name, std::nullopt,

@@ -36,8 +36,11 @@ struct Model::Data : std::enable_shared_from_this<Model::Data> {
 /// An error of one diagnostic about the model as a whole.
 [[nodiscard]] Error error_about(const Model::Data& model, ErrorKind kind, std::string message);
 
-/// The same of what a user has asked of a model.
+/// The same of what a user has asked of a model; then of what stands at a place, and of several mistakes.
 [[nodiscard]] tl::unexpected<Error> wrong(const Model& model, std::string what);
+[[nodiscard]] tl::unexpected<Error> wrong(const Model::Data& model, std::string what);
+[[nodiscard]] tl::unexpected<Error> wrong(Place place, std::string what);
+[[nodiscard]] tl::unexpected<Error> wrong(Diagnostics mistakes);
 
 /// The rows of `analyze`, of which the first counts. Fails where the mechanism has no driver.
 [[nodiscard]] Result<DriverSchedule> first_schedule(const Model::Data& model);

@@ -19,12 +19,11 @@ ModelVariants::~ModelVariants() = default;
 
 Result<ModelVariants> ModelVariants::of(const Model& model, std::span<const std::string> paths) {
   if (!model.data().document) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
-                                      "was built and has no keys to set: change a copy of its mechanism()"));
+    return wrong(model, "was built and has no keys to set: change a copy of its mechanism()");
   }
   auto profiles = ProfileVariants::of(*model.data().document, paths);
   if (!profiles) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(profiles.error())});
+    return wrong(std::move(profiles.error()));
   }
   return ModelVariants(std::make_unique<Impl>(Impl{model, *std::move(profiles)}));
 }
@@ -32,7 +31,7 @@ Result<ModelVariants> ModelVariants::of(const Model& model, std::span<const std:
 Result<Model> ModelVariants::with(std::span<const double> values) {
   auto profile = impl_->profiles.read(values);
   if (!profile) {
-    return tl::unexpected(Error{ErrorKind::kInput, std::move(profile.error())});
+    return wrong(std::move(profile.error()));
   }
   const Model::Data& like = impl_->like.data();
   return Model(planned(like.name, std::nullopt, *std::move(profile), &like));

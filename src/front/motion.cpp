@@ -1,6 +1,7 @@
 #include "higherpair/front/motion.hpp"
 
 #include "higherpair/io/suggestion.hpp"
+#include "model_data.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -35,9 +36,8 @@ Result<ColumnValues> Motion::find_column(std::string_view name) const& {
   for (const Column& column : columns_) {
     names.push_back(column.name);
   }
-  return tl::unexpected(Error{
-      ErrorKind::kInput,
-      {about("column " + std::string(name), "there is none of this name; " + suggestion(name, names))}});
+  return wrong(Place{"column " + std::string(name)},
+               "there is none of this name; " + suggestion(name, names));
 }
 
 ColumnValues Motion::column(std::string_view name) const& {

@@ -1,5 +1,6 @@
 #include "column_set.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -24,9 +25,9 @@ struct Coordinate {
   Dimension position, velocity, acceleration;
 };
 
-Coordinate coordinate_of(bool turns) {
-  return turns ? Coordinate{dimension::kAngle, dimension::kAngularVelocity, dimension::kAngularAcceleration}
-               : Coordinate{dimension::kLength, dimension::kVelocity, dimension::kAcceleration};
+Coordinate coordinate_of(const Joint& joint) {
+  const Dimension of = coordinate_dimension(joint);
+  return {of, of / dimension::kTime, of / dimension::kTime / dimension::kTime};
 }
 
 double* put_vector(const Vector2d& v, double* out) {
@@ -53,11 +54,8 @@ void add_time(ColumnSet& set, const Profile& profile, const Units& units) {
 void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
   const bool as_given = units == profile.units;  // the positions of the profile, digit by digit
   for (std::size_t i = 0; i < profile.mechanism.drivers.size(); ++i) {
-    const Driver& driver = profile.mechanism.drivers[i];
     const std::string name = driver_name(profile.mechanism.drivers[i]);
-    const bool turns =
-        profile.mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-    const Coordinate of = coordinate_of(turns);
+    const Coordinate of = coordinate_of(driven_joint(profile.mechanism, i));
     set.add(
         {{name, of.position, as_given},
          {name + ".velocity", of.velocity, as_given},
@@ -116,7 +114,7 @@ void add_body(ColumnSet& set, std::size_t index, const Body& body) {
 }
 
 void add_joint(ColumnSet& set, std::size_t index, const Joint& joint) {
-  const Coordinate of = coordinate_of(has_angle(joint.type));
+  const Coordinate of = coordinate_of(joint);
   set.add({{joint.name + ".position", of.position},
            {joint.name + ".velocity", of.velocity},
            {joint.name + ".acceleration", of.acceleration}},

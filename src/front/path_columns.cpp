@@ -1,5 +1,7 @@
 #include "path_columns.hpp"
 
+#include "higherpair/io/coordinate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,8 +21,7 @@ std::optional<std::int64_t> PathPlace::on_row() const {
 DriverPlaces::DriverPlaces(const Profile& profile, DriverSchedule schedule)
     : schedule_(std::move(schedule)), time_from_si_(from_si(dimension::kTime, profile.units)) {
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
-    const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[i].joint);
-    Dimension of = has_angle(profile.mechanism.joints[joint].type) ? dimension::kAngle : dimension::kLength;
+    Dimension of = driver_dimension(profile.mechanism, i);
     Scales scales;
     scales.position = of;
     scales.law = profile.programs[i].law;

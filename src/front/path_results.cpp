@@ -1,11 +1,11 @@
 #include "path_results.hpp"
 
 #include "check_parts.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -39,8 +39,7 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
   double rate = 0;
   const DriverSchedule& schedule = columns.drivers().schedule();
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const auto joint = static_cast<std::size_t>(columns.data().profile.mechanism.drivers[i].joint);
-    const bool turns = has_angle(columns.data().profile.mechanism.joints[joint].type);
+    const bool turns = has_angle(driven_joint(columns.data().profile.mechanism, i).type);
     for (const std::int64_t row : {std::int64_t{0}, schedule.size() / 2, schedule.size() - 1}) {
       const double velocity = std::abs(schedule.state(row, i).si.velocity);
       rate = std::max(rate, turns ? velocity : velocity / size);
@@ -51,13 +50,6 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
 }
 
 }  // namespace
-
-std::size_t column_slot(const std::vector<Column>& columns, std::string_view name) {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  assert(found != columns.end());
-  return static_cast<std::size_t>(found - columns.begin());
-}
 
 // One extreme of a column, as a largest value of sign times the column.
 struct PathResults::Extreme {

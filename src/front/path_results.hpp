@@ -65,7 +65,4 @@ private:
          kind == MeasureKind::kRange;
 }
 
-/// The place of a column among those of a run; it is there.
-[[nodiscard]] std::size_t column_slot(const std::vector<Column>& columns, std::string_view name);
-
 }  // namespace higherpair

@@ -2,6 +2,7 @@
 
 #include "column_set.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "model_data.hpp"
 #include "plot_marks.hpp"
 
 #include <algorithm>
@@ -12,10 +13,6 @@ namespace higherpair {
 namespace {
 
 using Names = std::vector<std::string>;
-
-tl::unexpected<Error> refuse(std::string place, std::string rule) {
-  return tl::unexpected(Error{ErrorKind::kInput, {about(std::move(place), std::move(rule))}});
-}
 
 // Errors of the run call the columns an option of their own.
 Error renamed(Error error, const std::string& x) {
@@ -57,7 +54,7 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
       if (std::find(names.begin(), names.end(), column.name) == names.end()) names.push_back(column.name);
     }
     if (!found) {
-      return refuse("--y " + glob, "this column holds words; a plot needs numbers");
+      return wrong(Place{"--y " + glob}, "this column holds words; a plot needs numbers");
     }
   }
   return names;
@@ -69,10 +66,10 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   const std::string driver_column = driver_name(model.mechanism().drivers.front());
   const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_column);
   if (settings.y.empty()) {
-    return refuse("--y", "names no column; expected at least one, such as --y 'driver.velocity'");
+    return wrong(Place{"--y"}, "names no column; expected at least one, such as --y 'driver.velocity'");
   }
   if (x_name.find_first_of("*?") != std::string::npos) {
-    return refuse("--x " + x_name, "expected the name of one column");
+    return wrong(Place{"--x " + x_name}, "expected the name of one column");
   }
   RunSettings run = settings.run;
   run.columns = settings.y;
@@ -86,9 +83,8 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   if (!names) {
     return tl::unexpected(names.error());
   }
-  const auto is_x = [&](const Column& column) { return column.name == x_name; };
-  if (!std::find_if(analysis->columns().begin(), analysis->columns().end(), is_x)->words.empty()) {
-    return refuse("--x " + x_name, "this column holds words; a plot needs numbers");
+  if (!analysis->columns()[column_slot(analysis->columns(), x_name)].words.empty()) {
+    return wrong(Place{"--x " + x_name}, "this column holds words; a plot needs numbers");
   }
   MotionPlot plot;
   plot.notes = analysis->notes();

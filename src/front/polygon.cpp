@@ -1,6 +1,7 @@
 #include "higherpair/front/polygon.hpp"
 
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "reach.hpp"
 
 #include <utility>
@@ -27,9 +28,7 @@ Result<Polygons> polygons_of(const Model& model, const PolygonSettings& wanted) 
   }
   const Run& run = reached->run;
   all.driver = reached->driver;
-  const auto joint = static_cast<std::size_t>(run.mechanism().drivers.front().joint);
-  all.driver_unit = unit_text(
-      has_angle(run.mechanism().joints[joint].type) ? dimension::kAngle : dimension::kLength, model.units());
+  all.driver_unit = unit_text(driver_dimension(run.mechanism()), model.units());
   all.polygons = {velocity_polygon(run.mechanism(), run.row), acceleration_polygon(run.mechanism(), run.row)};
   if (wanted.forces) {
     InverseDynamics dynamics(run);

@@ -1,12 +1,15 @@
 #include "higherpair/front/report.hpp"
 
+#include "column_set.hpp"
 #include "higherpair/front/drawing.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "model_data.hpp"
 #include "reach.hpp"
 #include "report_data.hpp"
 #include "report_page.hpp"
+#include "run_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +25,11 @@ constexpr std::string_view kDataMark = "@REPORT_DATA@";
 // Whether a driver is at another place in some row.
 bool moves(const Model& model, std::size_t driver, bool in_time) {
   const DriverProgram& program = model.profile().programs[driver];
-  const Joint& joint =
-      model.mechanism().joints[static_cast<std::size_t>(model.mechanism().drivers[driver].joint)];
   if (program.law) return true;
   if (in_time) return program.velocity != 0 || program.acceleration != 0;
   if (!program.positions.empty()) return program.positions.size() > 1;
-  return program.end ? *program.end != program.start : joint.type == JointType::kRevolute;
+  return program.end ? *program.end != program.start
+                     : has_angle(driven_joint(model.mechanism(), driver).type);
 }
 
 // The first one that moves, or the first of all.
@@ -36,12 +38,6 @@ std::size_t shown_driver(const Model& model, bool in_time) {
     if (moves(model, i, in_time)) return i;
   }
   return 0;
-}
-
-std::size_t driver_column(const std::vector<Column>& columns, const std::string& name) {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  return static_cast<std::size_t>(found - columns.begin());
 }
 
 void note(std::vector<ColumnExtremes>& extremes, const Row& row, double driver) {
@@ -69,7 +65,7 @@ ReportData collect(const Model& model, Analysis& analysis, const ReportSettings&
   data.size = analysis.size();
   data.driver = shown_driver(model, settings.in_time);
   const std::int64_t stride = stride_of(data.size, settings);
-  const std::size_t driver = driver_column(data.columns, driver_name(model.mechanism().drivers[data.driver]));
+  const std::size_t driver = column_slot(data.columns, driver_name(model.mechanism().drivers[data.driver]));
   Row row;
   while (analysis.next(row)) {
     note(data.extremes, row, row.values[driver]);
@@ -106,24 +102,17 @@ std::size_t page_row(const ReportData& data, std::int64_t row) {
 }
 
 Result<Report> report_of(const Model& model, const ReportSettings& settings) {
-  const auto wrong = [&](std::string message) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(message)));
-  };
   if (report_page().empty()) {
-    return wrong(
-        fmt::format("report: this program was built without the page of reports: {}; install nodejs "
-                    "and npm (tools/setup does) and build again with -DHIGHERPAIR_REPORT=ON",
-                    report_page_missing()));
+    return wrong(model,
+                 fmt::format("report: this program was built without the page of reports: {}; install nodejs "
+                             "and npm (tools/setup does) and build again with -DHIGHERPAIR_REPORT=ON",
+                             report_page_missing()));
   }
   if (settings.most_rows < 2) {
-    return wrong(fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
+    return wrong(model, fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
   }
-  RunSettings run;
-  run.in_time = settings.in_time;
-  run.samples = settings.samples;
-  run.tolerance = settings.tolerance;
+  RunSettings run = run_settings(settings, settings.in_time);
   run.forces = has_forces(model.mechanism());
-  run.stop = settings.stop;
   auto analysis = model.start(run);
   if (!analysis) {
     return tl::unexpected(std::move(analysis.error()));

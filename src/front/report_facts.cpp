@@ -1,4 +1,5 @@
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "report_data.hpp"
 
 #include <algorithm>
@@ -73,18 +74,13 @@ private:
   std::vector<Fact>& facts_;
 };
 
-bool is_driven(const Mechanism& mechanism, std::size_t joint) {
-  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                     [&](const Driver& driver) { return driver.joint == static_cast<int>(joint); });
-}
-
 // The joints by which the motion leaves the mechanism: on ground, and not driven.
 std::vector<const Joint*> outputs(const Mechanism& mechanism) {
   std::vector<const Joint*> joints;
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const Joint& joint = mechanism.joints[j];
     const bool on_ground = joint.first.body == 0 || joint.second.body == 0;
-    if (on_ground && can_be_driven(joint.type) && !is_driven(mechanism, j)) {
+    if (on_ground && can_be_driven(joint.type) && !is_driven(mechanism, static_cast<int>(j))) {
       joints.push_back(&joint);
     }
   }

@@ -1,5 +1,6 @@
 #include "higherpair/drawing/scene.hpp"
 #include "higherpair/front/version.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "packed_series.hpp"
@@ -48,7 +49,7 @@ void write_columns(JsonWriter& json, const ReportData& data) {
 void write_driver(JsonWriter& json, const Model& model, const ReportData& data) {
   const Mechanism& mechanism = model.mechanism();
   const Driver& driver = mechanism.drivers[data.driver];
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+  const Joint& joint = driven_joint(mechanism, data.driver);
   json.key("driver").open('{').key("joint").string(joint.name).key("column").string(driver_name(driver));
   json.key("body").integer(joint.second.body == 0 ? joint.first.body : joint.second.body).key("turn");
   if (joint.type == JointType::kRevolute) {
@@ -114,8 +115,8 @@ void write_events(JsonWriter& json, const Model& model, const ReportData& data) 
     json.key("row").integer(static_cast<long long>(page_row(data, event.row)));
     if (event.value && event.joint) {
       const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
-      const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
-      json.key("value").number(*event.value, kValueDigits).key("unit").string(unit_text(of, model.units()));
+      json.key("value").number(*event.value, kValueDigits);
+      json.key("unit").string(unit_text(coordinate_dimension(joint), model.units()));
     }
     json.key("item").string(event.item).key("cause").string(event.cause).close('}');
   }

@@ -1,3 +1,4 @@
+#include "column_set.hpp"
 #include "higherpair/front/map.hpp"
 #include "higherpair/front/plot.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -25,10 +26,8 @@ std::optional<std::size_t> column_of(const Model& model, const ReportData& data,
     if (mechanism.joints[static_cast<std::size_t>(driver.joint)].name != joint) continue;
     name = driver_name(driver);
   }
-  const auto found = std::find_if(data.columns.begin(), data.columns.end(),
-                                  [&](const Column& column) { return column.name == name; });
-  if (found == data.columns.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - data.columns.begin());
+  const std::size_t slot = column_slot(data.columns, name);
+  return slot < data.columns.size() ? std::optional(slot) : std::nullopt;
 }
 
 // Of a joint's coordinate in its unit; none of a slide.

@@ -8,6 +8,7 @@
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
 #include "path_results.hpp"
+#include "run_settings.hpp"
 #include "sensitivity_numbers.hpp"
 
 #include <algorithm>
@@ -215,12 +216,7 @@ Result<SensitivityReport> sensitivity(const Model& model, const SensitivitySetti
     result.slopes.resize(report.numbers.size());
   }
   report.in_time = wanted.in_time;
-  RunSettings run;
-  run.in_time = wanted.in_time;
-  run.samples = settings.samples;
-  run.tolerance = settings.tolerance;
-  run.stop = settings.stop;
-  const auto made = settings_for(model, measures, run);
+  const auto made = settings_for(model, measures, run_settings(settings, wanted.in_time));
   if (!made) {
     return tl::unexpected(made.error());
   }

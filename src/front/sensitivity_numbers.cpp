@@ -61,10 +61,8 @@ Result<std::vector<ProfileNumber>> chosen_by(const std::vector<std::string>& glo
       for (const auto& quantity : quantities) {
         if (!is_of_task(quantity.path)) paths.push_back(quantity.path);
       }
-      return tl::unexpected(Error{
-          ErrorKind::kInput,
-          {about("--by " + glob,
-                 fmt::format("no number of the profile has such a path; {}", suggestion(glob, paths)))}});
+      return wrong(Place{"--by " + glob},
+                   fmt::format("no number of the profile has such a path; {}", suggestion(glob, paths)));
     }
   }
   std::vector<ProfileNumber> numbers;
@@ -104,16 +102,11 @@ NamedMeasure named(const std::string& column, MeasureKind of) {
   return result;
 }
 
-Error measure_error(const std::string& text, std::string rule) {
-  return {ErrorKind::kInput, {about("--results " + text, std::move(rule))}};
-}
-
 }  // namespace
 
 Result<std::vector<ProfileNumber>> numbers_for(const Model& model, const std::vector<std::string>& by) {
   if (!model.data().document) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput,
-                                      "was built and has no keys to differentiate by: write a profile"));
+    return wrong(model, "was built and has no keys to differentiate by: write a profile");
   }
   const Quantities quantities = model.data().document->quantities();
   const Profile& profile = model.profile();
@@ -130,14 +123,12 @@ Result<std::vector<ProfileNumber>> numbers_for(const Model& model, const std::ve
 std::vector<NamedMeasure> default_results(const Model& model) {
   const Mechanism& mechanism = model.mechanism();
   std::vector<NamedMeasure> results;
-  const auto is_driven = [&](std::size_t joint) {
-    return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                       [&](const Driver& driver) { return driver.joint == static_cast<int>(joint); });
-  };
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
     const bool grounded = joint.first.body == 0 || joint.second.body == 0;
-    if (!grounded || is_driven(i) || couples_turning(joint.type) || joint.type == JointType::kSlot) continue;
+    if (!grounded || is_driven(mechanism, static_cast<int>(i)) || couples_turning(joint.type) ||
+        joint.type == JointType::kSlot)
+      continue;
     results.push_back(named(joint.name + ".position", MeasureKind::kRange));
     results.push_back(named(joint.name + ".acceleration", MeasureKind::kMaxAbs));
   }
@@ -154,34 +145,33 @@ std::vector<NamedMeasure> default_results(const Model& model) {
 }
 
 Result<NamedMeasure> measure_from(const std::string& text) {
+  const Place place{"--results " + text};
   const std::size_t colon = text.rfind(':');
   const std::vector<std::string> kinds(kMeasureNames.begin(), kMeasureNames.end());
   if (colon == std::string::npos || colon == 0) {
-    return tl::unexpected(measure_error(
-        text, fmt::format("expected COLUMN:OF, such as follower.alpha:maxabs; OF is one of {} (at=X)",
-                          fmt::join(kinds, ", "))));
+    return wrong(place,
+                 fmt::format("expected COLUMN:OF, such as follower.alpha:maxabs; OF is one of {} (at=X)",
+                             fmt::join(kinds, ", ")));
   }
   NamedMeasure result;
   result.name = text;
   result.measure.column = text.substr(0, colon);
-  result.measure.place.source = "--results " + text;
+  result.measure.place = place;
   std::string of = text.substr(colon + 1);
   const std::size_t equals = of.find('=');
   const std::string at = equals == std::string::npos ? "" : of.substr(equals + 1);
   of = of.substr(0, equals);
   const auto kind = std::find(kinds.begin(), kinds.end(), of);
   if (kind == kinds.end()) {
-    return tl::unexpected(
-        measure_error(text, fmt::format("`{}` is no measure of a column; {}", of, suggestion(of, kinds))));
+    return wrong(place, fmt::format("`{}` is no measure of a column; {}", of, suggestion(of, kinds)));
   }
   result.measure.of = static_cast<MeasureKind>(kind - kinds.begin());
   const bool is_at = result.measure.of == MeasureKind::kAt;
   const auto [end, status] = std::from_chars(at.data(), at.data() + at.size(), result.measure.at);
   const bool number = !at.empty() && status == std::errc() && end == at.data() + at.size();
   if (is_at != number || is_at == (equals == std::string::npos)) {
-    return tl::unexpected(
-        measure_error(text, is_at ? "expected COLUMN:at=X, X a position of the driver (in time: the time)"
-                                  : fmt::format("only `at` has a place: leave out `={}`", at)));
+    return wrong(place, is_at ? "expected COLUMN:at=X, X a position of the driver (in time: the time)"
+                              : fmt::format("only `at` has a place: leave out `={}`", at));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
+#include "run_settings.hpp"
 #include "sensitivity_numbers.hpp"
 
 #include <algorithm>
@@ -187,11 +188,7 @@ Result<SlopeTable> sensitivity_rows(const Model& model, const std::vector<std::s
   if (!numbers) {
     return tl::unexpected(numbers.error());
   }
-  RunSettings run;
-  run.in_time = results_for(model, settings).in_time;
-  run.samples = settings.samples;
-  run.tolerance = settings.tolerance;
-  run.stop = settings.stop;
+  RunSettings run = run_settings(settings, results_for(model, settings).in_time);
   run.columns = columns;
   if (!columns.empty()) {
     const Mechanism& mechanism = model.mechanism();

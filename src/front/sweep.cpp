@@ -232,14 +232,12 @@ std::optional<ChainRecipe> chain_of(const Sweep::Data& data) {
 }
 
 Result<void> check(const Model& model, const SweepSettings& settings) {
-  const auto wrong = [&](std::string rule) {
-    return tl::unexpected(error_about(model.data(), ErrorKind::kInput, std::move(rule)));
-  };
   if (!settings.task && !model.profile().sweep) {
-    return wrong("there is no [sweep]: it says which variants there are, and what is wanted of each");
+    return wrong(model, "there is no [sweep]: it says which variants there are, and what is wanted of each");
   }
   if (settings.parts < 1 || settings.part < 1 || settings.part > settings.parts) {
-    return wrong(fmt::format("part {} of {}: parts are counted from 1", settings.part, settings.parts));
+    return wrong(model,
+                 fmt::format("part {} of {}: parts are counted from 1", settings.part, settings.parts));
   }
   return {};
 }
@@ -259,11 +257,9 @@ Result<Sweep> Sweep::of(const Model& model, const SweepSettings& settings) {
   data->forecast = forecast_of(*data);
   const SweepForecast& forecast = data->forecast;
   if (forecast.tried > 0 && forecast.unreadable == forecast.tried) {
-    return tl::unexpected(Error{
-        ErrorKind::kInput,
-        {Diagnostic{data->task.place, fmt::format("sweep: not one variant of {} that were tried can be read; "
-                                                  "variant {}: {}",
-                                                  forecast.tried, forecast.variant, forecast.cause)}}});
+    return wrong(data->task.place,
+                 fmt::format("sweep: not one variant of {} that were tried can be read; variant {}: {}",
+                             forecast.tried, forecast.variant, forecast.cause));
   }
   data->chain = chain_of(*data);
   return Sweep(std::make_shared<const Data>(*std::move(data)));

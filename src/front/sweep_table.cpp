@@ -1,5 +1,6 @@
 // The columns of a sweep's table, and how its variants are run.
 #include "analysis_impl.hpp"
+#include "run_settings.hpp"
 #include "sweep_data.hpp"
 
 #include <algorithm>
@@ -14,10 +15,6 @@ constexpr int kEventTypes = static_cast<int>(EventType::kLawJump) + 1;
 
 Column number(std::string name, std::string unit = "1") {
   return {std::move(name), std::move(unit), {}};
-}
-
-tl::unexpected<Error> wrong(const Place& place, std::string message) {
-  return tl::unexpected(Error{ErrorKind::kInput, {Diagnostic{place, std::move(message)}}});
 }
 
 // Columns of forces and of the jerk are worked out only where a glob means nothing else.
@@ -108,11 +105,7 @@ Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& setting
   for (const SweepResult& result : task.results) {
     data.measures.push_back(result.measure);
   }
-  RunSettings run;
-  run.in_time = task.in_time;
-  run.samples = settings.samples;
-  run.tolerance = settings.tolerance;
-  run.stop = settings.stop;
+  const RunSettings run = run_settings(settings, task.in_time);
   auto made =
       data.writes_rows() ? settings_for_rows(model, task, run) : settings_for(model, data.measures, run);
   if (!made) {

@@ -3,6 +3,7 @@
 #include "higherpair/front/sweep.hpp"
 #include "higherpair/front/tolerance.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "run_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,12 +104,7 @@ struct Collected {
 Result<ToleranceVariants> tolerance_variants(const Model& model, const SensitivityReport& report,
                                              const ToleranceVariantSettings& settings) {
   const ToleranceTask& tolerances = *model.profile().tolerances;
-  RunSettings run;
-  run.in_time = report.in_time;
-  run.samples = settings.samples;
-  run.tolerance = settings.tolerance;
-  run.stop = settings.stop;
-  const auto by_rows = values_by_rows(model, report, run);
+  const auto by_rows = values_by_rows(model, report, run_settings(settings, report.in_time));
   if (!by_rows) {
     return tl::unexpected(by_rows.error());
   }
@@ -116,7 +112,7 @@ Result<ToleranceVariants> tolerance_variants(const Model& model, const Sensitivi
   of_sweep.tolerance = settings.tolerance;
   of_sweep.samples = settings.samples;
   of_sweep.stop = settings.stop;
-  of_sweep.task = task_of(tolerances, report, settings, run.in_time);
+  of_sweep.task = task_of(tolerances, report, settings, report.in_time);
   const auto sweep = Sweep::of(model, of_sweep);
   if (!sweep) {
     return tl::unexpected(sweep.error());

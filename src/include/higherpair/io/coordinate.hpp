@@ -1,0 +1,34 @@
+#pragma once
+
+#include "higherpair/io/units.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <cstddef>
+
+namespace higherpair {
+
+/// Of a coordinate: an angle where something turns, else a length.
+[[nodiscard]] constexpr Dimension coordinate_dimension(bool turns) {
+  return turns ? dimension::kAngle : dimension::kLength;
+}
+
+[[nodiscard]] constexpr Dimension coordinate_dimension(const Joint& joint) {
+  return coordinate_dimension(has_angle(joint.type));
+}
+
+/// Of what moves such a coordinate: a torque or a force.
+[[nodiscard]] constexpr Dimension effort_dimension(bool turns) {
+  return turns ? dimension::kTorque : dimension::kForce;
+}
+
+/// The joint that a driver moves.
+[[nodiscard]] inline const Joint& driven_joint(const Mechanism& mechanism, std::size_t driver = 0) {
+  return mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)];
+}
+
+/// Of a driver's position.
+[[nodiscard]] inline Dimension driver_dimension(const Mechanism& mechanism, std::size_t driver = 0) {
+  return coordinate_dimension(driven_joint(mechanism, driver));
+}
+
+}  // namespace higherpair
