@@ -150,8 +150,7 @@ private:
 
   [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place) {
     const std::size_t count = columns_->columns().size();
-    std::vector<double> differences =
-        runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kNoValue);
+    std::vector<double> differences = runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kNoValue);
     switch (slopes_[i]->state()) {
       case NumberSlopes::State::kNoInfluence:
         return std::vector<double>(count, 0.0);

@@ -245,7 +245,8 @@ TEST(Flanks, SayWhatIsWrong) {
 points.pivot = [-60, 0])";
   round_its_pivot.joint = R"(type = "revolute"
 between = ["ground.Q", "follower.pivot"])";
-  EXPECT_THAT(mistakes_in(round_its_pivot), HasSubstr("the follower turns about the centre of its own curve"));
+  EXPECT_THAT(mistakes_in(round_its_pivot),
+              HasSubstr("the follower turns about the centre of its own curve"));
   Parts along_its_guide;
   along_its_guide.follower = R"({ type = "line", point = [20, 0], normal = [-1, 0] })";
   EXPECT_THAT(mistakes_in(along_its_guide), HasSubstr("the follower slides along its own face"));
