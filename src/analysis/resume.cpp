@@ -25,7 +25,9 @@ constexpr int kFirstProbes = 4;       // before the first of these, each four ti
 constexpr double kMostProbes = 1e4;
 constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
-constexpr double kTooNearLimit = 1e-7;  // GroupState::sine there, of its lever
+// Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
+constexpr int kMostPoles = 16;
+constexpr double kTooNearLimit = 1e-6;  // GroupState::sine there, of its lever
 
 bool has_track(const Run& run) {
   return std::any_of(run.at.state.tracks.begin(), run.at.state.tracks.end(),
@@ -119,8 +121,9 @@ bool follow_to(Run& run, const std::vector<double>& drivers,
 }
 
 // Takes up the stretch that holds `at` where it begins, if that is before the drivers' positions, and goes on
-// to these; whether it arrives there.
-std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::vector<double>& drivers) {
+// to these; whether it arrives there. `poles` says how many other stretches may be looked for before it.
+std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::vector<double>& drivers,
+                            int poles = kMostPoles) {
   const std::vector<double> lost_at = run.at.lost.at;
   const double ahead = at[0] - lost_at[0];
   const auto back = found_again(run, at, lost_at);
@@ -129,8 +132,8 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
   if (back && !back->at.held) {
     // At a pole another stretch ends where this one begins.
     const double across = 2 * back->at.lost.at[0] - begin[0];
-    const bool is_new = (across - lost_at[0]) * ahead > 0 && (across - begin[0]) * ahead < 0;
-    if (const auto arrives = is_new ? take_up(run, {across}, drivers) : std::nullopt) {
+    const bool is_new = poles > 0 && (across - lost_at[0]) * ahead > 0 && (across - begin[0]) * ahead < 0;
+    if (const auto arrives = is_new ? take_up(run, {across}, drivers, poles - 1) : std::nullopt) {
       return arrives;
     }
   }
