@@ -70,9 +70,10 @@ bool is_beside_limit(const State& state) {
 }
 
 // The branch at a position of the drivers, if it is there, followed back on the way to `from`: to where this
-// stretch of it begins. run.work.trial is then at that position.
-std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from) {
-  if (!place_anew(run, at).complete || is_beside_limit(run.work.trial)) {
+// stretch of it begins. run.work.trial is then at that position. Only a row may be at the limit itself.
+std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from,
+                               bool is_row) {
+  if (!place_anew(run, at).complete || (!is_row && is_beside_limit(run.work.trial))) {
     return std::nullopt;
   }
   Run back = run;
@@ -126,7 +127,7 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
                             int poles = kMostPoles) {
   const std::vector<double> lost_at = run.at.lost.at;
   const double ahead = at[0] - lost_at[0];
-  const auto back = found_again(run, at, lost_at);
+  const auto back = found_again(run, at, lost_at, at == drivers);
   const std::vector<double> begin = back && !back->at.held ? back->at.lost.from : lost_at;
   const State found = run.work.trial;
   if (back && !back->at.held) {
@@ -228,7 +229,7 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
     return false;  // their branch beyond the limit has no label to ask for
   }
   if (drivers.size() > 1) {
-    const auto back = found_again(run, drivers, from);
+    const auto back = found_again(run, drivers, from, true);
     if (back) {
       go_on_from(run, *back, State(run.work.trial), drivers, from, drivers);
     }

@@ -2,6 +2,7 @@
 #include "linkage/slider_crank_profile.hpp"
 #include "run_testing.hpp"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -182,6 +183,35 @@ TEST(SingularStarts, AndEndsOfAStrokeAreRowsAndTheLimitIsSaidOnce) {
     ASSERT_EQ(motion.events().size(), 1U);
     EXPECT_NEAR(motion.events()[0].driver, 0.060, 1e-14);
     EXPECT_THAT(motion.events()[0].cause, HasSubstr("links are in line"));
+  }
+}
+
+// With a rod shorter than its crank the piston has two stretches, 40 to 20 and -20 to -40.
+TEST(SingularStarts, AndRowsAtBothEndsOfEachStretchAreSingular) {
+  const std::string profile = testing::slider_crank_profile(30, 10) + R"([driver]
+joint = "cylinder"
+start = 40
+end = -40
+)";
+  for (const int rows : {5, 9, 81}) {
+    const RunTable motion = analyze_text(profile.c_str(), {fmt::format("driver.samples={}", rows)});
+    ASSERT_EQ(motion.failure(), "");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      SCOPED_TRACE(fmt::format("row {} of {}", k, rows));
+      const double x = std::abs(motion.value(k, "driver"));
+      EXPECT_EQ(motion.status(k), x == 40 || x == 20 ? RowStatus::kSingular
+                                  : x < 20           ? RowStatus::kNotAssemblable
+                                                     : RowStatus::kOk);
+      if (x >= 20) {
+        const double cosine = (x * x + 900 - 100) / (60 * motion.value(k, "driver"));
+        EXPECT_NEAR(std::cos(motion.radians(k, "main.position")), cosine, 1e-13);
+      }
+    }
+    std::vector<double> limits;
+    for (const RunEvent& event : motion.events()) {
+      if (event.type == EventType::kLimitPosition) limits.push_back(event.driver);
+    }
+    EXPECT_THAT(limits, ::testing::Pointwise(::testing::DoubleNear(1e-14), {0.020, -0.020, -0.040})) << rows;
   }
 }
 
