@@ -28,6 +28,7 @@ constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limi
 // Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
 constexpr int kMostPoles = 16;
 constexpr double kTooNearLimit = 1e-6;  // GroupState::sine there, of its lever
+constexpr double kInside = 1e-3;        // of the driver's scale: from where a limit with a row is come to
 
 bool has_track(const Run& run) {
   return std::any_of(run.at.state.tracks.begin(), run.at.state.tracks.end(),
@@ -114,6 +115,27 @@ void go_on_from(Run& run, const Run& back, const State& state, const std::vector
   }
 }
 
+// For a row at the limit where a stretch begins: placed there, a position has half its digits only. It is
+// taken from the limit as it is solved for on the way from within the stretch, where run.at.state then
+// remains.
+bool come_to_begin(Run& run, const std::vector<double>& at, double ahead) {
+  if (!place_anew(run, at).complete || !is_beside_limit(run.work.trial)) {
+    return false;
+  }
+  const std::vector<double> within = {at[0] + std::copysign(kInside * driver_scale(run, 0), ahead)};
+  const auto inside = found_again(run, within, at, false);
+  if (!inside || !inside->at.held || !inside->at.beside) {
+    return false;
+  }
+  const State lost = run.at.state;
+  const State& begin = *inside->at.beside;
+  go_on_from(run, *inside, begin, inside->at.drivers, run.at.lost.at, at);
+  take_short_way(run, lost, begin);
+  run.at.beside = std::exchange(run.at.state, inside->at.state);
+  take_short_way(run, lost, begin);
+  return true;
+}
+
 bool follow_to(Run& run, const std::vector<double>& drivers,
                double first_step = std::numeric_limits<double>::infinity()) {
   Path path;
@@ -127,6 +149,9 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
                             int poles = kMostPoles) {
   const std::vector<double> lost_at = run.at.lost.at;
   const double ahead = at[0] - lost_at[0];
+  if (at == drivers && come_to_begin(run, at, ahead)) {
+    return true;
+  }
   const auto back = found_again(run, at, lost_at, at == drivers);
   const std::vector<double> begin = back && !back->at.held ? back->at.lost.from : lost_at;
   const State found = run.work.trial;

@@ -205,6 +205,9 @@ end = -40
       if (x >= 20) {
         const double cosine = (x * x + 900 - 100) / (60 * motion.value(k, "driver"));
         EXPECT_NEAR(std::cos(motion.radians(k, "main.position")), cosine, 1e-13);
+        if (x == 40 || x == 20) {
+          EXPECT_NEAR(std::sin(motion.radians(k, "main.position")), 0, 1e-15);
+        }
       }
     }
     std::vector<double> limits;
