@@ -9,12 +9,3 @@ set(HIGHERPAIR_PRECOMPILED
 function(higherpair_precompile target)
   target_precompile_headers(${target} PRIVATE ${HIGHERPAIR_PRECOMPILED} ${ARGN})
 endfunction()
-
-# Of a tool: those of the program, where that is built.
-function(higherpair_precompile_tool target)
-  if(TARGET higherpair-cli)
-    target_precompile_headers(${target} REUSE_FROM higherpair-cli)
-  else()
-    higherpair_precompile(${target})
-  endif()
-endfunction()

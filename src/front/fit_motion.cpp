@@ -33,16 +33,16 @@ DesignTask ranges_of(const DesignTask& task) {
 }
 
 // What a parameter of the fit changes: the mechanism, or where a driver is.
-struct Parameter {
+struct FitParameter {
   Sensitivity by;
   std::optional<std::size_t> offset;  // of this driver
 };
 
 // The variables, then the offsets that are free.
-std::optional<std::vector<Parameter>> parameters_of(const FitCandidate& candidate, const FitData& data,
-                                                    const DesignNumbers& numbers,
-                                                    std::span<const double> variables) {
-  std::vector<Parameter> parameters;
+std::optional<std::vector<FitParameter>> parameters_of(const FitCandidate& candidate, const FitData& data,
+                                                       const DesignNumbers& numbers,
+                                                       std::span<const double> variables) {
+  std::vector<FitParameter> parameters;
   const std::vector<double> at_rest(candidate.run.mechanism().drivers.size(), 0.0);
   const auto add = [&](const auto& derivative, std::optional<std::size_t> offset) {
     auto by = Sensitivity::at_start(candidate.run, derivative, at_rest);
