@@ -1,6 +1,6 @@
 #include "higherpair/drawing/polygon.hpp"
 #include "higherpair/dynamics/applied_loads.hpp"
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>

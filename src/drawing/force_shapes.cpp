@@ -1,5 +1,5 @@
 #include "higherpair/dynamics/tooth_force.hpp"
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "sketch.hpp"

@@ -1,6 +1,6 @@
 #include "higherpair/drawing/polygon.hpp"
 
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "polygon_nodes.hpp"
 

@@ -98,13 +98,13 @@ bool opens_at_singular(const ContactForces& forces, const std::vector<double>& w
   return false;
 }
 
-struct Terms {
+struct ForceTerms {
   double most = std::numeric_limits<double>::infinity();  // that the preload may be
   double weight = 1;                                      // in the sum
   double nothing = 0;  // what it adds to a contact force up to this is rounding
 };
 
-Terms terms_of(const Preload& preload, const Mechanism& mechanism, double size) {
+ForceTerms terms_of(const Preload& preload, const Mechanism& mechanism, double size) {
   const auto index = static_cast<std::size_t>(preload.index);
   const bool on_spring = preload.on == Preload::On::kSpring;
   const Spring* spring = on_spring ? &mechanism.springs[index] : nullptr;
@@ -112,11 +112,11 @@ Terms terms_of(const Preload& preload, const Mechanism& mechanism, double size) 
     return {spring->stiffness * spring->free, 1, 0};  // a free length of 0
   }
   const auto joint = on_spring ? static_cast<std::size_t>(*spring->joint) : index;
-  return {Terms().most, has_angle(mechanism.joints[joint].type) ? 1 / size : 1, 0};
+  return {ForceTerms().most, has_angle(mechanism.joints[joint].type) ? 1 / size : 1, 0};
 }
 
 // Exchange for some of the preloads: those in `used`.
-std::optional<std::vector<double>> exchange(const ContactForces& forces, const std::vector<Terms>& terms,
+std::optional<std::vector<double>> exchange(const ContactForces& forces, const std::vector<ForceTerms>& terms,
                                             const std::vector<std::size_t>& used,
                                             const PreloadRounding* rounding) {
   LeastSum programme;
@@ -198,7 +198,7 @@ std::vector<Preload> preloads_of(const Mechanism& mechanism, const Plan& plan) {
 
 std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces, const Mechanism& mechanism,
                                                      double size, const PreloadRounding* rounding) {
-  std::vector<Terms> terms;
+  std::vector<ForceTerms> terms;
   std::vector<std::size_t> all;
   for (const Preload& preload : forces.preloads) {
     all.push_back(terms.size());

@@ -2,7 +2,7 @@
 
 #include "higherpair/analysis/dyad_chain.hpp"
 #include "higherpair/front/measure.hpp"
-#include "higherpair/front/model_variants.hpp"
+#include "higherpair/front/model.hpp"
 #include "measure_series.hpp"
 
 #include <optional>

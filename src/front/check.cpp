@@ -1,7 +1,7 @@
 #include "higherpair/front/check.hpp"
 
 #include "check_parts.hpp"
-#include "higherpair/front/drawing.hpp"
+#include "higherpair/front/pictures.hpp"
 
 #include <algorithm>
 #include <cmath>

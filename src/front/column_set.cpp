@@ -1,7 +1,7 @@
 #include "column_set.hpp"
 
-#include "higherpair/front/row_blocks.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/front/motion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "number_texts.hpp"
 

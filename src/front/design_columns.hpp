@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/sensitivity.hpp"
-#include "higherpair/io/measure.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "higherpair/io/units.hpp"
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "design_candidates.hpp"
 #include "design_paths.hpp"
-#include "higherpair/design/problem.hpp"
+#include "higherpair/design/optimise.hpp"
 
 #include <memory>
 #include <optional>

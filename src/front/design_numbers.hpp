@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/boundary_derivatives.hpp"
-#include "higherpair/front/model_variants.hpp"
+#include "higherpair/front/model.hpp"
 #include "higherpair/io/design_task.hpp"
 #include "model_data.hpp"
 

@@ -1,7 +1,7 @@
 // A page that shows a design: the mechanism before and after, and what was asked and found.
 #include "higherpair/drawing/xml.hpp"
 #include "higherpair/front/design.hpp"
-#include "higherpair/front/drawing.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/design_task.hpp"
 #include "model_data.hpp"
 

@@ -1,7 +1,7 @@
 #include "design_quantities.hpp"
 
 #include "higherpair/front/check.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/loops.hpp"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
-#include "higherpair/front/drawing.hpp"
-
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/front/pictures.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
-#include "higherpair/io/suggestion.hpp"
 #include "model_data.hpp"
 #include "reach.hpp"
 

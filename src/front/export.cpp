@@ -2,7 +2,7 @@
 
 #include "higherpair/cam/cutter_path.hpp"
 #include "higherpair/geometry/support_chains.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>

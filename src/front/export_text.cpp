@@ -1,6 +1,6 @@
 #include "higherpair/drawing/outline_svg.hpp"
-#include "higherpair/front/drawing.hpp"
 #include "higherpair/front/export.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/geometry/arc_polyline.hpp"
 #include "higherpair/geometry/boundary_points.hpp"
 #include "higherpair/io/dxf_writer.hpp"

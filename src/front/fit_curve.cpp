@@ -1,8 +1,7 @@
-#include "higherpair/front/fit_curve.hpp"
-
 #include "fit_statistics.hpp"
+#include "higherpair/front/fit.hpp"
 #include "higherpair/geometry/boundary_fit.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>

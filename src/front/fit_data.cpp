@@ -4,7 +4,7 @@
 #include "fit_request.hpp"
 #include "higherpair/front/measure.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/io/fit_task.hpp"
+#include "higherpair/io/tasks.hpp"
 
 namespace higherpair {
 

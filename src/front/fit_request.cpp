@@ -2,7 +2,7 @@
 #include "fit_request.hpp"
 
 #include "column_set.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 
 #include <algorithm>
 #include <utility>

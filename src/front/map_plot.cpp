@@ -1,4 +1,4 @@
-#include "higherpair/front/plot.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "higherpair/front/measure.hpp"
 
 #include "analysis_impl.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "measure_series.hpp"

@@ -1,5 +1,4 @@
-#include "higherpair/front/model_variants.hpp"
-
+#include "higherpair/front/model.hpp"
 #include "higherpair/io/profile_variants.hpp"
 #include "model_data.hpp"
 

@@ -1,6 +1,6 @@
 #include "higherpair/front/motion.hpp"
 
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/sensitivity.hpp"
-#include "higherpair/front/model_variants.hpp"
+#include "higherpair/front/model.hpp"
 #include "higherpair/front/sensitivity.hpp"
 #include "path_columns.hpp"
 

@@ -1,6 +1,5 @@
-#include "higherpair/front/plot.hpp"
-
 #include "column_set.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "model_data.hpp"
 #include "plot_marks.hpp"

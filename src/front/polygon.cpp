@@ -1,6 +1,5 @@
-#include "higherpair/front/polygon.hpp"
-
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "reach.hpp"
 

@@ -1,7 +1,7 @@
 #include "higherpair/front/report.hpp"
 
 #include "column_set.hpp"
-#include "higherpair/front/drawing.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/stop.hpp"

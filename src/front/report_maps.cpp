@@ -1,6 +1,6 @@
 #include "column_set.hpp"
 #include "higherpair/front/map.hpp"
-#include "higherpair/front/plot.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"

@@ -1,4 +1,4 @@
-#include "higherpair/front/polygon.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"

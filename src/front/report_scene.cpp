@@ -1,5 +1,5 @@
 #include "higherpair/drawing/scene.hpp"
-#include "higherpair/front/drawing.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"

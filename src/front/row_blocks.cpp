@@ -3,10 +3,9 @@
 // together in their order: where a block ends otherwise than the next one has begun (a row on a change point,
 // to rounding), that one is worked out again from there. Analysis::next does the same with one block after
 // the other.
-#include "higherpair/front/row_blocks.hpp"
-
 #include "analysis_impl.hpp"
 #include "arena.hpp"
+#include "higherpair/front/motion.hpp"
 
 #include <algorithm>
 #include <atomic>

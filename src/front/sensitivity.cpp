@@ -3,7 +3,7 @@
 #include "arena.hpp"
 #include "difference_slope.hpp"
 #include "exact_slopes.hpp"
-#include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"

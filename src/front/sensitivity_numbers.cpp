@@ -1,11 +1,10 @@
 // By which numbers results are differentiated, and which results.
 #include "sensitivity_numbers.hpp"
 
-#include "higherpair/front/drawing.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/design_task.hpp"
-#include "higherpair/io/suggestion.hpp"
-#include "higherpair/io/sweep_task.hpp"
-#include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
 #include <algorithm>

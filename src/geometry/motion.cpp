@@ -1,4 +1,4 @@
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <cassert>
 

@@ -1,6 +1,6 @@
 #include "laws.hpp"
 
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 
 #include <algorithm>
 #include <utility>

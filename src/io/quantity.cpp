@@ -1,4 +1,4 @@
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/units.hpp"
 #include "names.hpp"
 #include "numeric/decimal.hpp"

@@ -32,7 +32,7 @@ std::optional<ChainPiece> read_piece(TableReader& table) {
   for (const PieceType& type : piece_types()) {
     names.push_back(type.name);
   }
-  const auto choice = table.need("type", "a kind of span, such as \"arc\"", as_choice, names);
+  const auto choice = table.need_type("a kind of span, such as \"arc\"", names);
   if (!choice) {
     return std::nullopt;
   }

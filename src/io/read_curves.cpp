@@ -1,4 +1,4 @@
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "read_boundary.hpp"
 #include "reading.hpp"
 
@@ -199,8 +199,7 @@ private:
   }
 
   void read_one(TableReader& table, std::size_t index) {
-    const auto choice =
-        table.need("type", "a kind of curve, such as \"circle\"", as_choice, curve_type_names());
+    const auto choice = table.need_type("a kind of curve, such as \"circle\"", curve_type_names());
     if (!choice) {
       states_[index] = State::kWrong;
       return;  // which keys belong here is unknown

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/io/design_task.hpp"
-#include "higherpair/io/fit_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "laws.hpp"
 #include "reading.hpp"
 

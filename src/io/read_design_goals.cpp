@@ -1,5 +1,5 @@
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
-#include "higherpair/io/suggestion.hpp"
 #include "laws.hpp"
 #include "read_design.hpp"
 #include "read_measure.hpp"

@@ -1,5 +1,5 @@
 // The path of a point as a design's objective.
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "named_file.hpp"
 #include "read_design.hpp"
 

@@ -1,5 +1,5 @@
 // The variables of a design.
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "read_design.hpp"
 
 #include <algorithm>

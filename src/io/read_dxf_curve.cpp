@@ -1,5 +1,5 @@
 #include "dxf.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "named_file.hpp"
 #include "read_boundary.hpp"
 

@@ -1,7 +1,7 @@
 #include "document_content.hpp"
-#include "higherpair/io/fit_task.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile_document.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"
 

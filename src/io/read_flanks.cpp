@@ -1,6 +1,6 @@
 #include "higherpair/cam/flank.hpp"
 #include "higherpair/cam/sizing.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "read_boundary.hpp"

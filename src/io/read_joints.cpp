@@ -9,8 +9,8 @@ constexpr std::array<JointType, 5> kJointTypes = {JointType::kRevolute, JointTyp
                                                   JointType::kSlot, JointType::kGears, JointType::kBelt};
 
 std::optional<JointType> read_type(TableReader& table) {
-  const auto choice = table.need("type", "revolute, prismatic, slot, gears or belt", as_choice,
-                                 {"revolute", "prismatic", "slot", "gears", "belt"});
+  const auto choice = table.need_type("revolute, prismatic, slot, gears or belt",
+                                      {"revolute", "prismatic", "slot", "gears", "belt"});
   return choice ? std::optional(kJointTypes[*choice]) : std::nullopt;
 }
 

@@ -1,5 +1,5 @@
-#include "higherpair/io/check_limits.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "reading.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/io/measure.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "table_reader.hpp"
 
 #include <optional>

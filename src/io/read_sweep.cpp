@@ -1,5 +1,5 @@
 // [sweep]: which variants there are, and what is wanted of each.
-#include "higherpair/io/sweep_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"

@@ -1,5 +1,5 @@
 // [tolerances]: which numbers of the profile scatter, and which results of the run are asked for.
-#include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"

@@ -1,4 +1,4 @@
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/io/sweep_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "table_reader.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "table_reader.hpp"
 
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "names.hpp"
 
 #include <algorithm>
@@ -38,6 +38,20 @@ std::optional<Item> TableReader::need(const std::string& key, std::string_view w
     reading_->mistakes.push_back({mark_, fmt::format("{} is missing: expected {}", path_of(key), what)});
   }
   return item;
+}
+
+std::optional<std::size_t> TableReader::need_type(std::string_view what,
+                                                  const std::vector<std::string>& names) {
+  if (const auto item = take("type")) return as_choice(*reading_, *item, names);
+  const auto meant = std::find_if(table_->begin(), table_->end(), [](const Entry& entry) {
+    return !did_you_mean(entry.key, {"type"}).empty();
+  });
+  if (meant == table_->end()) {
+    (void)need("type", what);
+  } else {
+    report_unknown(*meant);
+  }
+  return std::nullopt;
 }
 
 void TableReader::refuse(const std::string& key, std::string_view reason) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "typed_values.hpp"
 
 #include <algorithm>
@@ -50,6 +50,11 @@ public:
     const auto item = need(key, what);
     return item ? as(*reading_, *item, more...) : std::nullopt;
   }
+
+  /// Which of `names` the key `type` gives. What else a table holds depends on it, so that where it is absent
+  /// a key that may have been meant is reported instead.
+  [[nodiscard]] std::optional<std::size_t> need_type(std::string_view what,
+                                                     const std::vector<std::string>& names);
 
   /// Reports that the key is present, and why it must not be.
   void refuse(const std::string& key, std::string_view reason);

@@ -1,4 +1,4 @@
-#include "higherpair/sweep/distribution.hpp"
+#include "higherpair/sweep/variants.hpp"
 
 #include <algorithm>
 #include <cassert>

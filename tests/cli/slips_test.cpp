@@ -21,6 +21,7 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 class Slips : public ProgramTest {
 protected:
@@ -158,6 +159,30 @@ TEST_F(Slips, UnknownOptionsAndCommandsGetTheNearest) {
   EXPECT_EQ(
       message("simulate p.toml"),
       "higherpair: there is no command simulate; did you mean `analyze` or `step`?; see higherpair --help\n");
+}
+
+TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
+  const auto message = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  };
+  const std::string help = "; see higherpair analyze --help\n";
+  EXPECT_EQ(message("analyze p.toml --samples ten"), "higherpair: --samples ten: must be an integer" + help);
+  EXPECT_EQ(message("analyze p.toml --samples 3.5"), "higherpair: --samples 3.5: must be an integer" + help);
+  EXPECT_EQ(message("design p.toml --seed one"),
+            "higherpair: --seed one: must be an integer; see higherpair design --help\n");
+  EXPECT_EQ(message("analyze p.toml --csv"), "higherpair: --csv needs a value" + help);
+  EXPECT_EQ(message("analyze p.toml --csv a --csv b"), "higherpair: --csv is given more than once" + help);
+  EXPECT_EQ(message("analyze"), "higherpair: FILE is required" + help);
+  EXPECT_EQ(
+      message("p.toml"),
+      "higherpair: there is no command p.toml; did you mean `higherpair analyze p.toml`?; see higherpair "
+      "--help\n");
+  EXPECT_EQ(message("--verson"),
+            "higherpair: higherpair has no option --verson; did you mean `--version`?\n");
+  EXPECT_THAT(message(""), StartsWith("higherpair: a command is missing: one of analyze, step, "));
 }
 
 TEST_F(Slips, AStartThatCannotBeAssembledNamesThoseThatCan) {

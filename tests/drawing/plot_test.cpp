@@ -1,7 +1,6 @@
 // Plots are read back: lines, marks and shading are where the table and the events say.
-#include "higherpair/front/plot.hpp"
-
 #include "drawing/svg_reading.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // Polygons: their arrows are the table's, they close, and the picture shows them to scale.
-#include "higherpair/front/polygon.hpp"
-
 #include "drawing/svg_reading.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Paths of which only the form counts, without times: found again wherever they lie.
 #include "front/cam_profile.hpp"
-#include "higherpair/design/problem.hpp"
+#include "higherpair/design/optimise.hpp"
 
 #include <algorithm>
 #include <cmath>

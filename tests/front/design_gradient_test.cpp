@@ -1,6 +1,6 @@
 // The derivatives that a design is searched by, against differences of whole candidates.
 #include "front/cam_profile.hpp"
-#include "higherpair/design/problem.hpp"
+#include "higherpair/design/optimise.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,7 @@
 // Long runs in blocks on several threads: the rows, events and verdict of a run row by row, to the last bit,
 // and no event lost or doubled where a block begins.
-#include "higherpair/front/row_blocks.hpp"
-
 #include "front/cam_profile.hpp"
+#include "higherpair/front/motion.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "higherpair/geometry/motion.hpp"
-
 #include "geometry/geometry_testing.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 namespace higherpair {
 namespace {

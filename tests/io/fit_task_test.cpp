@@ -1,9 +1,8 @@
 // [fit] of a profile and the tables that it is fitted to.
-#include "higherpair/io/fit_task.hpp"
-
 #include "higherpair/io/measured_table.hpp"
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "higherpair/io/tasks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "higherpair/io/check_limits.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "io/profile_testing.hpp"
 
 #include <string>

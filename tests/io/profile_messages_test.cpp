@@ -1,6 +1,7 @@
 #include "higherpair/io/profile_reader.hpp"
 #include "io/profile_testing.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -444,6 +445,11 @@ TEST(ProfileMessages, EveryTypeOfJointHasItsKeys) {
   EXPECT_THAT(about_joint(between),
               ElementsAre("test.toml:12:1: joints.j.type is missing: expected revolute, prismatic, "
                           "slot, gears or belt"));
+  for (const char* misspelt : {"typ", "tpye", "kind"}) {
+    EXPECT_THAT(
+        about_joint(misspelt + (" = \"revolute\"\n" + between)),
+        ElementsAre(fmt::format("test.toml:13:1: joints.j.{}: unknown key; did you mean `type`?", misspelt)));
+  }
 }
 
 // A contact between two curves: one on ground and one on the crank; `between` is at line 18, column 11.

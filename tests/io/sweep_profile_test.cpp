@@ -1,5 +1,5 @@
 // What [sweep] of a profile says, and every message about it.
-#include "higherpair/io/sweep_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "io/only_message.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // What [tolerances] of a profile says, and every message about it; all quantities of a profile.
 #include "higherpair/io/profile_document.hpp"
-#include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "io/only_message.hpp"
 
 #include <algorithm>

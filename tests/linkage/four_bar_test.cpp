@@ -1,5 +1,5 @@
 
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "linkage/four_bar_motion.hpp"
 #include "linkage/linkage_testing.hpp"
 

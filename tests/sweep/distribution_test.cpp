@@ -1,5 +1,5 @@
 // Distributions: quantiles against closed forms and known values, moments by integration of the quantile.
-#include "higherpair/sweep/distribution.hpp"
+#include "higherpair/sweep/variants.hpp"
 
 #include <cmath>
 #include <functional>

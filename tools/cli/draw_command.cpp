@@ -1,7 +1,7 @@
 #include "draw_command.hpp"
 
 #include "higherpair/higherpair.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"

@@ -1,7 +1,7 @@
 #include "export_command.hpp"
 
 #include "higherpair/front/export.hpp"
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/front/fit.hpp"
-#include "higherpair/front/fit_curve.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "map_command.hpp"
 
-#include "higherpair/front/plot.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"

@@ -1,6 +1,6 @@
 #include "plot_command.hpp"
 
-#include "higherpair/front/plot.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"

@@ -1,6 +1,6 @@
 #include "polygon_command.hpp"
 
-#include "higherpair/front/polygon.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"

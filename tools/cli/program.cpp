@@ -1,5 +1,6 @@
 #include "program.hpp"
 
+#include "argument_error.hpp"
 #include "branches_command.hpp"
 #include "check_command.hpp"
 #include "design_command.hpp"
@@ -77,7 +78,7 @@ int run_program(int argc, char** argv) {
                      std::any_of(commands.begin(), commands.end(),
                                  [&](const Command& one) { return one.arguments->check_name(argv[1]); });
   if (!known) {
-    fmt::print(stderr, "higherpair: {}; see higherpair --help\n", unknown_command(app, argv[1]));
+    fmt::print(stderr, "higherpair: {}\n", unknown_command(app, argv[1]));
     return kExitInput;
   }
   try {
@@ -88,7 +89,11 @@ int run_program(int argc, char** argv) {
     }
     return kExitInput;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitOk : kExitInput;
+    if (error.get_exit_code() == 0) {  // --help, --version
+      return app.exit(error);
+    }
+    fmt::print(stderr, "higherpair: {}\n", argument_error(app, error));
+    return kExitInput;
   }
   return std::find_if(commands.begin(), commands.end(),
                       [](const Command& one) { return one.arguments->parsed(); })

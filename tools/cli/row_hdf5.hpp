@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hdf5_file.hpp"
-#include "higherpair/front/row_blocks.hpp"
+#include "higherpair/front/motion.hpp"
 #include "output_file.hpp"
 
 #include <memory>

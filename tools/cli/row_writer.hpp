@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/front/row_blocks.hpp"
+#include "higherpair/front/motion.hpp"
 #include "output_file.hpp"
 
 #include <memory>

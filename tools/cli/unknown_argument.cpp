@@ -1,6 +1,6 @@
 #include "unknown_argument.hpp"
 
-#include "higherpair/io/suggestion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -10,12 +10,32 @@
 
 namespace higherpair::cli {
 
-std::string unknown_command(const CLI::App& app, std::string_view name) {
+namespace {
+
+std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) {
     names.push_back(command->get_name());
   }
-  return fmt::format("there is no command {}; {}", name, suggestion(name, names));
+  return names;
+}
+
+bool is_profile(std::string_view name) {
+  constexpr std::string_view kEnd = ".toml";
+  return name.size() > kEnd.size() && name.substr(name.size() - kEnd.size()) == kEnd;
+}
+
+}  // namespace
+
+std::string unknown_command(const CLI::App& app, std::string_view name) {
+  const std::string remedy = is_profile(name) ? fmt::format("did you mean `higherpair analyze {}`?", name)
+                                              : suggestion(name, command_names(app));
+  return fmt::format("there is no command {}; {}; see higherpair --help", name, remedy);
+}
+
+std::string no_command(const CLI::App& app) {
+  return fmt::format("a command is missing: one of {}; see higherpair --help",
+                     fmt::join(command_names(app), ", "));
 }
 
 std::string unknown_argument(const CLI::App& command) {
@@ -41,8 +61,10 @@ std::string unknown_argument(const CLI::App& command) {
   for (std::size_t at = likely.find(" `"); at != std::string::npos; at = likely.find(" `", at + 1)) {
     likely.replace(at, 2, " `--");
   }
+  const CLI::App* const whole = command.get_parent();
+  const std::string name = (whole == nullptr ? "" : whole->get_name() + " ") + command.get_name();
   return fmt::format("{} has no option {}; {}", command.get_name(), given,
-                     likely.empty() ? "see higherpair " + command.get_name() + " --help" : likely);
+                     likely.empty() ? "see " + name + " --help" : likely);
 }
 
 }  // namespace higherpair::cli

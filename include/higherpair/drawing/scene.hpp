@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/analysis/row.hpp"
-#include "higherpair/drawing/looks.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/description.hpp"
 
@@ -12,6 +11,23 @@
 #include <vector>
 
 namespace higherpair {
+
+/// How a body, or a point or curve of it, is drawn where not as usual.
+struct Look {
+  std::string name;      ///< in the picture; empty: its own
+  std::string colour;    ///< "#rrggbb" or "#rgb": what fills it, of a point its trace; empty: the usual one
+  bool hide = false;     ///< not drawn; a point's name and trace
+  bool outline = false;  ///< a line, not filled
+};
+
+struct BodyLook {
+  Look body;
+  std::vector<Look> points;  ///< of Body::points
+  std::vector<Look> curves;  ///< of Body::curves
+};
+
+/// Of Mechanism::bodies; empty: all are drawn as usual.
+using Looks = std::vector<BodyLook>;
 
 /// Lengths of scenes are in millimetres: so many are a metre.
 inline constexpr double kMillimetres = 1000;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/front/model.hpp"
-#include "higherpair/io/check_limits.hpp"
+#include "higherpair/io/tasks.hpp"
 
 #include <atomic>
 #include <memory>

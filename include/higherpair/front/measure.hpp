@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/front/model.hpp"
-#include "higherpair/io/measure.hpp"
+#include "higherpair/io/tasks.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "higherpair/front/measure.hpp"
-#include "higherpair/front/model_variants.hpp"
-#include "higherpair/io/sweep_task.hpp"
+#include "higherpair/front/model.hpp"
+#include "higherpair/io/tasks.hpp"
 
 #include <atomic>
 #include <cstdint>

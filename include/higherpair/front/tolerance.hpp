@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/front/sensitivity.hpp"
-#include "higherpair/io/tolerance_task.hpp"
+#include "higherpair/io/tasks.hpp"
 
 #include <atomic>
 #include <cstdint>

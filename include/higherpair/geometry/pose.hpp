@@ -51,4 +51,43 @@ struct Pose {
   }
 };
 
+/// Motion of a point, expressed in ground W.
+struct PointMotion {
+  Vector2d p_W = Vector2d::Zero();  ///< position [m]
+  Vector2d v_W = Vector2d::Zero();  ///< velocity [m/s]
+  Vector2d a_W = Vector2d::Zero();  ///< acceleration [m/s²]
+};
+
+/// Motion of a rigid body B, expressed in ground W.
+struct BodyMotion {
+  Pose<double> X_WB;                 ///< pose of the body's frame
+  double theta = 0;                  ///< angle of the frame [rad], continuous over turns
+  Vector2d v_WB = Vector2d::Zero();  ///< velocity of the frame's origin [m/s]
+  double omega = 0;                  ///< angular velocity [rad/s]
+  Vector2d a_WB = Vector2d::Zero();  ///< acceleration of the frame's origin [m/s²]
+  double alpha = 0;                  ///< angular acceleration [rad/s²]
+};
+
+/// Motion of the point p_B (body frame, [m]) that is fixed in a moving body.
+/// v = v_o + ω ẑ×r, a = a_o + α ẑ×r - ω² r with r from the origin to the point.
+[[nodiscard]] inline PointMotion point_motion(const BodyMotion& body, const Vector2d& p_B) {
+  const Vector2d r_W = body.X_WB.R_WB * p_B;
+  return {body.X_WB.p_WB + r_W, body.v_WB + body.omega * perp(r_W),
+          body.a_WB + body.alpha * perp(r_W) - body.omega * body.omega * r_W};
+}
+
+/// Motion of the frame of a rigid body from the motions of two of its points A and B.
+/// \param p_A, p_B where the points are in the body's frame [m]; they must differ.
+/// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|. Used are the direction of b - a
+///                 and, of the relative velocity and acceleration, what a rigid body can have (the part along
+///                 ẑ×(b - a)).
+/// The angle is in (-π, π]. ω = (ẑ×r)·(v_b - v_a)/r², α = (ẑ×r)·(a_b - a_a)/r² with r = b - a.
+[[nodiscard]] BodyMotion body_motion_from_points(const Vector2d& p_A, const PointMotion& a,
+                                                 const Vector2d& p_B, const PointMotion& b);
+
+/// Motion in W of a body B that moves against a carrier C: X_WB = X_WC X_CB, with v = v_C + ω_C ẑ×r + R v_CB
+/// and a = a_C + α_C ẑ×r - ω_C² r + 2 ω_C ẑ×(R v_CB) + R a_CB, r = R p_CB.
+/// \param motion_CB  seen from C, in its frame
+[[nodiscard]] BodyMotion compose(const BodyMotion& motion_WC, const BodyMotion& motion_CB);
+
 }  // namespace higherpair

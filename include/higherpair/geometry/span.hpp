@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/geometry/curve.hpp"
-#include "higherpair/geometry/support_curve.hpp"
 
 #include <memory>
 #include <optional>

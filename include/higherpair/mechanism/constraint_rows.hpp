@@ -2,7 +2,7 @@
 
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/geometry/boundary.hpp"
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/description.hpp"
 
 #include <array>

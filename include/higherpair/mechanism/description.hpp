@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/cam/law_description.hpp"
+#include "higherpair/cam/motion_law.hpp"
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/support_curve.hpp"
+#include "higherpair/geometry/curve.hpp"
 
 #include <algorithm>
 

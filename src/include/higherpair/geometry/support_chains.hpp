@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/geometry/boundary.hpp"
-#include "higherpair/geometry/support_curve.hpp"
+#include "higherpair/geometry/curve.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/io/diagnostic.hpp"
-#include "higherpair/io/measure.hpp"
+#include "higherpair/io/tasks.hpp"
 #include "higherpair/linkage/grashof.hpp"
 #include "higherpair/mechanism/description.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/motion.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 #include "higherpair/mechanism/description.hpp"

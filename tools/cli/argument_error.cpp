@@ -1,0 +1,61 @@
+#include "argument_error.hpp"
+
+#include "unknown_argument.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace higherpair::cli {
+namespace {
+
+// What the parser says of a text that an option cannot take: "Could not convert: --samples = ten".
+constexpr std::string_view kNotConverted = "Could not convert: ";
+
+std::string kind_of_value(const CLI::App& command, const std::string& option) {
+  const CLI::Option* const known = command.get_option_no_throw(option);
+  const std::string type = known == nullptr ? "" : known->get_type_name();
+  return type.find("INT") != std::string::npos ? "an integer" : "a number";
+}
+
+std::string not_converted(const CLI::App& command, std::string_view text) {
+  text.remove_prefix(kNotConverted.size());
+  const std::size_t equals = text.find(" = ");
+  const std::string option(text.substr(0, equals));
+  if (equals == std::string_view::npos) {
+    return option + ": cannot be understood";
+  }
+  return fmt::format("{} {}: must be {}", option, text.substr(equals + 3), kind_of_value(command, option));
+}
+
+// "--csv: 1 required TEXT missing", "--csv: At Most 1 required but received 2".
+std::string wrong_count(const std::string& text) {
+  const std::string option = text.substr(0, text.find(':'));
+  return option + (text.find("missing") != std::string::npos ? " needs a value" : " is given more than once");
+}
+
+std::string sentence(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr &&
+      text.compare(0, kNotConverted.size(), kNotConverted) == 0) {
+    return not_converted(command, text);
+  }
+  return dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ? wrong_count(text) : text;
+}
+
+}  // namespace
+
+std::string argument_error(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  if (given.empty()) {
+    const std::string unknown = unknown_argument(app);
+    return unknown.empty() ? no_command(app) : unknown;
+  }
+  const CLI::App& command = *given.front();
+  return fmt::format("{}; see higherpair {} --help", sentence(command, error), command.get_name());
+}
+
+}  // namespace higherpair::cli
