@@ -3,11 +3,10 @@
 /// The library's front door: everything that a program needs to analyse a mechanism. See docs/library.md.
 
 #include "higherpair/cam/motion_law.hpp"     // IWYU pragma: export
-#include "higherpair/drawing/draw.hpp"       // IWYU pragma: export
+#include "higherpair/drawing/scene.hpp"      // IWYU pragma: export
 #include "higherpair/front/branches.hpp"     // IWYU pragma: export
 #include "higherpair/front/check.hpp"        // IWYU pragma: export
 #include "higherpair/front/design.hpp"       // IWYU pragma: export
-#include "higherpair/front/error.hpp"        // IWYU pragma: export
 #include "higherpair/front/export.hpp"       // IWYU pragma: export
 #include "higherpair/front/fit.hpp"          // IWYU pragma: export
 #include "higherpair/front/map.hpp"          // IWYU pragma: export
@@ -16,10 +15,7 @@
 #include "higherpair/front/model.hpp"        // IWYU pragma: export
 #include "higherpair/front/motion.hpp"       // IWYU pragma: export
 #include "higherpair/front/pictures.hpp"     // IWYU pragma: export
-#include "higherpair/front/report.hpp"       // IWYU pragma: export
 #include "higherpair/front/sensitivity.hpp"  // IWYU pragma: export
 #include "higherpair/front/sweep.hpp"        // IWYU pragma: export
-#include "higherpair/front/tolerance.hpp"    // IWYU pragma: export
-#include "higherpair/front/version.hpp"      // IWYU pragma: export
 #include "higherpair/io/diagnostic.hpp"      // IWYU pragma: export
 #include "higherpair/mechanism/build.hpp"    // IWYU pragma: export

@@ -1,6 +1,5 @@
-#include "higherpair/drawing/draw.hpp"
-
 #include "draw_foot.hpp"
+#include "higherpair/drawing/scene.hpp"
 #include "labels.hpp"
 #include "svg_writer.hpp"
 

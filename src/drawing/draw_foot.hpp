@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/drawing/draw.hpp"
+#include "higherpair/drawing/scene.hpp"
 #include "svg_writer.hpp"
 
 #include <span>

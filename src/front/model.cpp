@@ -89,15 +89,6 @@ Result<std::shared_ptr<const Model::Data>> read(const ProfileDocument& document,
 
 }  // namespace
 
-std::string to_string(const Error& error) {
-  std::string text;
-  for (const Diagnostic& diagnostic : error.diagnostics) {
-    text += text.empty() ? "" : "\n";
-    text += to_string(diagnostic);
-  }
-  return text;
-}
-
 RunModel run_model(const Model::Data& model) {
   const std::shared_ptr<const Model::Data> own = model.shared_from_this();
   return {{own, &own->profile.mechanism}, {own, &*own->plan}};

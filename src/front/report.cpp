@@ -1,5 +1,3 @@
-#include "higherpair/front/report.hpp"
-
 #include "column_set.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"

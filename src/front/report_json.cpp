@@ -1,5 +1,5 @@
 #include "higherpair/drawing/scene.hpp"
-#include "higherpair/front/version.hpp"
+#include "higherpair/front/model.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/stop.hpp"

@@ -1,4 +1,4 @@
-#include "higherpair/front/tolerance.hpp"
+#include "higherpair/front/sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Random variants within tolerances, beside what slopes say of them.
 #include "analysis_impl.hpp"
+#include "higherpair/front/sensitivity.hpp"
 #include "higherpair/front/sweep.hpp"
-#include "higherpair/front/tolerance.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "run_settings.hpp"
 

@@ -1,5 +1,4 @@
-#include "higherpair/geometry/span.hpp"
-
+#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "numeric/interval.hpp"

@@ -21,6 +21,15 @@ std::string to_string(const Diagnostic& diagnostic) {
   return fmt::format("{}:{}:{}: {}", place.source, place.line, place.column, diagnostic.message);
 }
 
+std::string to_string(const Error& error) {
+  std::string text;
+  for (const Diagnostic& diagnostic : error.diagnostics) {
+    text += text.empty() ? "" : "\n";
+    text += to_string(diagnostic);
+  }
+  return text;
+}
+
 std::string note_text(const Diagnostic& note) {
   return to_string({note.place, "note: " + note.message});
 }

@@ -18,7 +18,7 @@ namespace {
 
 using io_detail::DoubleDouble;
 using io_detail::UnitProduct;
-using Error = tl::unexpected<std::string>;
+using Refusal = tl::unexpected<std::string>;
 
 constexpr int kLargestPower = 9;
 
@@ -73,8 +73,8 @@ public:
 
   tl::expected<UnitProduct, std::string> parse() {
     while (!rest_.empty()) {
-      if (auto done = take_operator(); !done) return Error(done.error());
-      if (auto done = take_factor(); !done) return Error(done.error());
+      if (auto done = take_operator(); !done) return Refusal(done.error());
+      if (auto done = take_factor(); !done) return Refusal(done.error());
       rest_ = io_detail::trimmed(rest_);
     }
     return product_;
@@ -86,12 +86,12 @@ private:
   Step take_operator() {
     const bool is_first = !after_factor_;
     if (rest_.front() == '/') {
-      if (divides_) return Error("has more than one `/`: factors after the first one all divide");
+      if (divides_) return Refusal("has more than one `/`: factors after the first one all divide");
       divides_ = true;
     } else if (rest_.front() != '*') {
       return {};
     } else if (is_first) {
-      return Error("has a `*` without a unit before it");
+      return Refusal("has a `*` without a unit before it");
     }
     rest_ = io_detail::trimmed(rest_.substr(1));
     return {};
@@ -102,14 +102,14 @@ private:
     if (name.empty()) {
       for (const auto& [sign, spelled] : kSigns) {
         if (rest_.starts_with(sign)) {
-          return Error(fmt::format("has the sign {}: write {}", sign, spelled));
+          return Refusal(fmt::format("has the sign {}: write {}", sign, spelled));
         }
       }
-      return Error(rest_.empty() ? std::string("ends where a unit is expected")
-                                 : fmt::format("has `{}` where a unit is expected", rest_));
+      return Refusal(rest_.empty() ? std::string("ends where a unit is expected")
+                                   : fmt::format("has `{}` where a unit is expected", rest_));
     }
     const auto power = take_power();
-    if (!power) return Error(power.error());
+    if (!power) return Refusal(power.error());
     after_factor_ = true;
     return multiply(name, divides_ ? -*power : *power);
   }
@@ -135,7 +135,7 @@ private:
     int power = 0;
     const auto [end, status] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), power);
     if (status != std::errc() || std::abs(power) > kLargestPower) {
-      return Error(fmt::format("has a power that is no integer from -{0} to {0}", kLargestPower));
+      return Refusal(fmt::format("has a power that is no integer from -{0} to {0}", kLargestPower));
     }
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return power;
@@ -158,8 +158,8 @@ private:
     const auto unit = find_unit(name);
     if (!unit) {
       const std::string parts = with_space(name);
-      return Error(fmt::format("{} is no unit ({})", name,
-                               parts.empty() ? suggestion(name, all_unit_names()) : parts));
+      return Refusal(fmt::format("{} is no unit ({})", name,
+                                 parts.empty() ? suggestion(name, all_unit_names()) : parts));
     }
     product_ = times_power(product_, *unit, power);
     return {};
@@ -189,23 +189,23 @@ tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
   if (!digits.empty() && digits.front() == '+') {
     digits.remove_prefix(1);
     if (!digits.empty() && digits.front() == '-') {
-      return Error("does not begin with a number");
+      return Refusal("does not begin with a number");
     }
   }
   double number = 0;
   const auto [end, status] = read_decimal(digits.data(), digits.data() + digits.size(), number);
   if (status == std::errc::result_out_of_range) {
-    return Error("has a number out of the range of a double");
+    return Refusal("has a number out of the range of a double");
   }
   if (status != std::errc()) {
-    return Error("does not begin with a number");
+    return Refusal("does not begin with a number");
   }
   if (!std::isfinite(number)) {
-    return Error("must be a finite number");
+    return Refusal("must be a finite number");
   }
   const std::string_view rest = digits.substr(static_cast<std::size_t>(end - digits.data()));
   if (rest.size() > 1 && rest[0] == ',' && std::isdigit(static_cast<unsigned char>(rest[1])) != 0) {
-    return Error("has a comma: decimals are written with a point");
+    return Refusal("has a comma: decimals are written with a point");
   }
   return NumberAndRest{number, rest};
 }
@@ -226,25 +226,25 @@ tl::expected<Quantity, std::string> parse_quantity(std::string_view text, const 
                                                    const Units& units) {
   const auto number = take_number(io_detail::trimmed(text));
   if (!number) {
-    return Error(fmt::format("{}; {}", number.error(), example(expected, units)));
+    return Refusal(fmt::format("{}; {}", number.error(), example(expected, units)));
   }
   const std::string_view unit = io_detail::trimmed(number->rest);
   if (unit.empty() && expected != dimension::kNumber) {
-    return Error(fmt::format("has no unit; {}, or the number without quotes for {}", example(expected, units),
-                             unit_text(expected, units)));
+    return Refusal(fmt::format("has no unit; {}, or the number without quotes for {}",
+                               example(expected, units), unit_text(expected, units)));
   }
   const auto product = UnitParser(unit).parse();
   if (!product) {
-    return Error(fmt::format("{}; {}", product.error(), example(expected, units)));
+    return Refusal(fmt::format("{}; {}", product.error(), example(expected, units)));
   }
   if (without_force(product->dimension) != without_force(expected)) {
-    return Error(other_dimension(unit, product->dimension, expected, units));
+    return Refusal(other_dimension(unit, product->dimension, expected, units));
   }
   const UnitProduct profile_unit = io_detail::product_of(expected, units);
   const Quantity quantity = {number->number, io_detail::scaling(*product, {}).apply(number->number),
                              io_detail::scaling(*product, profile_unit).apply(number->number)};
   if (!std::isfinite(quantity.si) || !std::isfinite(quantity.profile)) {
-    return Error("is out of the range of a double");
+    return Refusal("is out of the range of a double");
   }
   return quantity;
 }

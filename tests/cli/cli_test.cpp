@@ -1,4 +1,4 @@
-#include "higherpair/front/version.hpp"
+#include "higherpair/front/model.hpp"
 #include "program_testing.hpp"
 
 #include <cmath>

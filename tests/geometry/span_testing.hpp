@@ -2,7 +2,6 @@
 
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/geometry/boundary.hpp"
-#include "higherpair/geometry/span.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "draw_command.hpp"
 #include "export_command.hpp"
 #include "fit_command.hpp"
-#include "higherpair/front/version.hpp"
+#include "higherpair/front/model.hpp"
 #include "map_command.hpp"
 #include "mobility_command.hpp"
 #include "plot_command.hpp"

@@ -1,6 +1,6 @@
 #include "report_command.hpp"
 
-#include "higherpair/front/report.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "progress.hpp"

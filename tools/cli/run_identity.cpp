@@ -1,7 +1,7 @@
 #include "run_identity.hpp"
 
 #include "checksum.hpp"
-#include "higherpair/front/version.hpp"
+#include "higherpair/front/model.hpp"
 
 #include <fstream>
 #include <sstream>

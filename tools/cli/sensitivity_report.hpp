@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/front/tolerance.hpp"
+#include "higherpair/front/sensitivity.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/geometry/pose.hpp"
-#include "higherpair/mechanism/constraint_rows.hpp"
 
 #include <optional>
 #include <string>

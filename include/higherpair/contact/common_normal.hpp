@@ -1,8 +1,10 @@
 #pragma once
 
+#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
 
+#include <array>
 #include <optional>
 
 namespace higherpair {
@@ -96,5 +98,15 @@ struct ContactRates {
 /// The same from the velocities of the bodies.
 [[nodiscard]] ContactRates contact_rates(const EquivalentLink& link, const CommonNormal& at,
                                          const BodyMotion& body1, const BodyMotion& body2);
+
+/// The state of a contact, seen from its first body: 1 is the first, 2 the second body of the file.
+struct ContactMotion {
+  CommonNormal at;
+  bool touches = true;  ///< false while a contact that may part is open: the rest means nothing
+  double phi = 0;       ///< angle of at.n_W, continuous [rad]
+  std::array<BoundaryPlace, 2> place;  ///< on both boundaries, of a contact by_boundary
+  ContactRates rates;                  ///< of the current velocities
+  double arc_difference = 0;           ///< rolling: arc of the first less arc of the second curve, held [m]
+};
 
 }  // namespace higherpair

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "higherpair/front/error.hpp"
 #include "higherpair/front/model.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/measured_table.hpp"
 #include "higherpair/io/tasks.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "higherpair/front/error.hpp"
 #include "higherpair/front/motion.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile.hpp"
 
 #include <initializer_list>
@@ -13,6 +13,9 @@
 #include <vector>
 
 namespace higherpair {
+
+/// The version of the library, as "1.2.3".
+[[nodiscard]] std::string_view version();
 
 /// A key of a profile and its new value: `path` as of the option --set
 /// ("bodies.cam.curves.disc.radius"; items of lists by number from 0, "bodies.crank.points.A.0"), a number in

@@ -2,7 +2,7 @@
 
 #include "higherpair/analysis/row.hpp"
 #include "higherpair/dynamics/reactions.hpp"
-#include "higherpair/front/error.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/units.hpp"
 
 #include <atomic>

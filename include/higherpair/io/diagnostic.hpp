@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 namespace higherpair {
 
 /// A place in the user's input.
@@ -42,5 +44,24 @@ using Diagnostics = std::vector<Diagnostic>;
 /// The end of a message about a name that does not exist: did_you_mean; if that is empty, a list of what
 /// exists; "there is none" without any.
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& existing);
+
+enum class ErrorKind {
+  kInput,      ///< the profile, a value or an option is wrong: nothing was tried
+  kMechanism,  ///< the mechanism cannot be started: its mobility, no assembly, no contact
+  kInternal,   ///< two ways of working the same out disagree: a fault of the library
+};
+
+/// Why something could not be done: what is wrong, where, and what would be right. At least one diagnostic;
+/// of a profile all mistakes of meaning at once.
+struct Error {
+  ErrorKind kind = ErrorKind::kInput;
+  Diagnostics diagnostics;
+};
+
+/// The diagnostics, one to a line, without a line end after the last.
+[[nodiscard]] std::string to_string(const Error& error);
+
+template <class T>
+using Result = tl::expected<T, Error>;
 
 }  // namespace higherpair

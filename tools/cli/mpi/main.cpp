@@ -1,5 +1,5 @@
 // `sweep` on many ranks of MPI, for clusters: a program of its own, so that `higherpair` needs no MPI.
-#include "higherpair/front/version.hpp"
+#include "higherpair/front/model.hpp"
 #include "mpi/dispatcher.hpp"
 #include "mpi/messages.hpp"
 #include "mpi/worker.hpp"

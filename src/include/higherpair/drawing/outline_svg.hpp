@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/drawing/draw.hpp"
+#include "higherpair/drawing/scene.hpp"
 #include "higherpair/geometry/arc_polyline.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/span.hpp"
+#include "higherpair/geometry/boundary.hpp"
 
 #include <optional>
 #include <vector>

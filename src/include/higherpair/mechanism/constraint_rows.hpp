@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/contact/common_normal.hpp"
-#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/description.hpp"
 
@@ -21,16 +20,6 @@ struct ConstraintRow {
   std::array<Eigen::Vector3d, 3> coefficient{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                              Eigen::Vector3d::Zero()};
   double value = 0;  ///< [m]
-};
-
-/// The state of a contact, seen from its first body: 1 is the first, 2 the second body of the file.
-struct ContactMotion {
-  CommonNormal at;
-  bool touches = true;  ///< false while a contact that may part is open: the rest means nothing
-  double phi = 0;       ///< angle of at.n_W, continuous [rad]
-  std::array<BoundaryPlace, 2> place;  ///< on both boundaries, of a contact by_boundary
-  ContactRates rates;                  ///< of the current velocities
-  double arc_difference = 0;           ///< rolling: arc of the first less arc of the second curve, held [m]
 };
 
 /// The equivalent link of a contact.
