@@ -182,5 +182,24 @@ TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
   }
 }
 
+// Of many turns between two rows; draw goes all the way to its position.
+TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
+  const std::string profile = "ellipse_cam_roller.toml --set driver.end=1e9 -o t.svg ";
+  for (const std::string signal : {"INT", "TERM"}) {
+    for (const std::string command :
+         {"plot --y follower.alpha --samples 2 ", "draw --at 1e9 ", "polygon --at 1e9 "}) {
+      const int status =
+          std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} 0.5 {} {} 2>err",
+                                  folder_.string(), signal, HIGHERPAIR_PROGRAM, command + profile)
+                          .c_str());
+      EXPECT_EQ(WEXITSTATUS(status), 130) << signal << " " << command;
+      EXPECT_THAT(file("err"), IsEmpty()) << command;
+      for (const auto& entry : fs::directory_iterator(folder_)) {
+        EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair::testing

@@ -74,6 +74,7 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
 }
 
 int draw_command(const DrawOptions& options) {
+  listen_to_signals();
   const auto layers = layers_of(options);
   if (!layers) {
     return report_error(layers.error());
@@ -89,9 +90,10 @@ int draw_command(const DrawOptions& options) {
   settings.traces = options.traces;
   settings.forces = std::find(layers->begin(), layers->end(), Role::kForce) != layers->end();
   settings.tolerance = options.tolerance;
+  settings.stop = &interruption();
   const auto scenes = scenes_of(*model, settings);
   if (!scenes) {
-    return report_error(scenes.error());
+    return exit_failed(scenes.error());
   }
   DrawSettings draw = draw_settings(model->units());
   draw.layers = *layers;
@@ -101,8 +103,9 @@ int draw_command(const DrawOptions& options) {
   }
   draw.strip = options.strip;
   draw.title = model->mechanism().title;
-  if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}})) {
-    return kExitMachine;
+  if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}},
+                   &interruption())) {
+    return exit_unwritten();
   }
   if (scenes->limit) {
     fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",

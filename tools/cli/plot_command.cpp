@@ -36,6 +36,7 @@ CLI::App* add_plot_command(CLI::App& app, PlotOptions& options) {
 }
 
 int plot_command(const PlotOptions& options) {
+  listen_to_signals();
   const auto model =
       open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
@@ -47,13 +48,18 @@ int plot_command(const PlotOptions& options) {
   settings.run.in_time = options.timed;
   settings.run.samples = options.samples;
   settings.run.tolerance = options.tolerance;
+  settings.run.stop = &interruption();
   const auto plot = plot_of(*model, settings);
   if (!plot) {
     return report_error(plot.error());
   }
   print_notes(plot->notes, options.quiet);
-  if (!write_files({{options.output, picture_for(options.output, plots_svg({plot->data}, options.width))}})) {
-    return kExitMachine;
+  if (plot->stopped) {
+    return kExitInterrupted;
+  }
+  if (!write_files({{options.output, picture_for(options.output, plots_svg({plot->data}, options.width))}},
+                   &interruption())) {
+    return exit_unwritten();
   }
   return plot->good ? kExitOk : kExitRows;
 }

@@ -39,6 +39,7 @@ CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
 }
 
 int polygon_command(const PolygonOptions& options) {
+  listen_to_signals();
   const auto model =
       open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
@@ -48,16 +49,18 @@ int polygon_command(const PolygonOptions& options) {
   settings.at = options.at;
   settings.forces = options.forces;
   settings.tolerance = options.tolerance;
+  settings.stop = &interruption();
   const auto found = polygons_of(*model, settings);
   if (!found) {
-    return report_error(found.error());
+    return exit_failed(found.error());
   }
   const std::string& name = model->mechanism().title;
   const std::string title = fmt::format("{}{}driver = {:.6g} {}", name, name.empty() ? "" : ", ",
                                         found->driver, found->driver_unit);
   if (!write_files({{options.output,
-                     picture_for(options.output, polygons_svg(found->polygons, title, options.width))}})) {
-    return kExitMachine;
+                     picture_for(options.output, polygons_svg(found->polygons, title, options.width))}},
+                   &interruption())) {
+    return exit_unwritten();
   }
   if (found->limit) {
     fmt::print(stderr,

@@ -231,6 +231,10 @@ int report_error(const Error& error) {
   return kExitMachine;
 }
 
+int exit_failed(const Error& error) {
+  return interrupted ? kExitInterrupted : report_error(error);
+}
+
 void print_notes(const Diagnostics& notes, bool quiet) {
   for (const Diagnostic& note : notes) {
     if (!quiet) fmt::print(stderr, "{}\n", note_text(note));

@@ -62,6 +62,9 @@ void listen_to_signals();
 /// The exit code where an output has not been written: because of interruption(), or by a failure.
 [[nodiscard]] int exit_unwritten();
 
+/// The exit code where a run has failed; prints the error, unless it comes from interruption().
+[[nodiscard]] int exit_failed(const Error& error);
+
 /// \name Add a command and its options.
 /// @{
 CLI::App* add_analyze_command(CLI::App& app, RunOptions& options);

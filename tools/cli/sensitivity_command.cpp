@@ -26,11 +26,6 @@ int refuse(const std::string& message) {
   return kExitInput;
 }
 
-// What is interrupted at its start fails too.
-int failure(const Error& error) {
-  return interruption() ? kExitInterrupted : report_error(error);
-}
-
 // The derivatives of columns as CSV, written as the rows come.
 class RowsFile {
 public:
@@ -89,7 +84,7 @@ std::optional<int> write_rows(const SensitivityOptions& options, const Model& mo
       model, columns_of_rows(options, report), settings, [&](const SlopeTable& made) { rows.begin(made); },
       [&](const RowSlopes& row) { return rows.take(row); });
   if (!table) {
-    return failure(table.error());
+    return exit_failed(table.error());
   }
   if (table->stopped) {
     return kExitInterrupted;
@@ -229,7 +224,7 @@ int sensitivity_command(const SensitivityOptions& options) {
   }
   auto report = sensitivity(*model, settings);
   if (!report) {
-    return failure(report.error());
+    return exit_failed(report.error());
   }
   if (report->stopped) {
     return kExitInterrupted;
@@ -244,7 +239,7 @@ int sensitivity_command(const SensitivityOptions& options) {
   if (options.variants) {
     auto variants = run_variants(options, *model, findings.report);
     if (!variants) {
-      return failure(variants.error());
+      return exit_failed(variants.error());
     }
     if (variants->stopped) {
       return kExitInterrupted;
