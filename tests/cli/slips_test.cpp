@@ -37,6 +37,34 @@ protected:
   std::string text_;
 };
 
+TEST_F(Slips, AnEmptyNameIsNoFile) {
+  for (const std::string arguments : {"analyze ''",
+                                      "analyze p.toml --csv ''",
+                                      "step p.toml --json ''",
+                                      "forces p.toml --events ''",
+                                      "branches ''",
+                                      "mobility p.toml --json ''",
+                                      "map p.toml -o ''",
+                                      "draw p.toml -o ''",
+                                      "export p.toml --curve a.b -o ''",
+                                      "plot p.toml --y driver -o ''",
+                                      "polygon p.toml --at 0 -o ''",
+                                      "report p.toml -o ''",
+                                      "check ''",
+                                      "sweep p.toml -o ''",
+                                      "sensitivity p.toml --rows ''",
+                                      "design p.toml -o ''",
+                                      "fit '' p.toml",
+                                      "fit p.toml p.csv -o ''",
+                                      "verify p.toml ''",
+                                      "verify --json ''"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(": is empty; see higherpair ")) << arguments;
+    EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+  }
+}
+
 TEST_F(Slips, AnOutputThatIsTheProfileIsRefused) {
   fs::create_symlink("p.toml", folder_ / "link");
   fs::create_symlink("link", folder_ / "link_to_link");
@@ -175,6 +203,12 @@ TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
             "higherpair: --seed one: must be an integer; see higherpair design --help\n");
   EXPECT_EQ(message("analyze p.toml --csv"), "higherpair: --csv needs a value" + help);
   EXPECT_EQ(message("analyze p.toml --csv a --csv b"), "higherpair: --csv is given more than once" + help);
+  EXPECT_EQ(message("analyze p.toml --csv --quiet"),
+            "higherpair: --csv: a value is missing before --quiet" + help);
+  EXPECT_EQ(message("draw p.toml --trace -o t.svg"),
+            "higherpair: --trace: a value is missing before -o; see higherpair draw --help\n");
+  EXPECT_EQ(message("analyze p.toml -- --csv"),
+            "higherpair: higherpair has no option --csv; see higherpair --help\n");
   EXPECT_EQ(message("analyze"), "higherpair: FILE is required" + help);
   EXPECT_EQ(
       message("p.toml"),

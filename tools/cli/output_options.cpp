@@ -23,7 +23,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
     return fs::is_regular_file(opened(a), code) && fs::equivalent(opened(a), opened(b), code);
   }
   const auto place = [&](const std::string& path) {
-    return fs::weakly_canonical(fs::absolute(opened(path)), code);
+    return fs::weakly_canonical(fs::absolute(opened(path), code), code);
   };
   return place(a) == place(b);
 }

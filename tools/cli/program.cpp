@@ -65,6 +65,20 @@ std::vector<Command> commands_of(CLI::App& app) {
   };
 }
 
+// An empty text comes from a variable of the shell that is not set; the parser takes the next option for a
+// value that has been left out.
+std::string missing_value(const CLI::App& command, const std::string& value) {
+  if (value.empty()) return "is empty";
+  const bool is_option = value.size() > 1 && value[0] == '-' && command.get_option_no_throw(value) != nullptr;
+  return is_option ? "a value is missing before " + value : "";
+}
+
+void refuse_missing_values(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    option->check([&command](const std::string& value) { return missing_value(command, value); });
+  }
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
@@ -73,7 +87,10 @@ int run_program(int argc, char** argv) {
   const std::vector<Command> commands = commands_of(app);
   const std::string version = "higherpair " + std::string(higherpair::version());
   app.set_version_flag("--version", version);
-  for (const Command& one : commands) one.arguments->set_version_flag("--version", version);
+  for (const Command& one : commands) {
+    refuse_missing_values(*one.arguments);
+    one.arguments->set_version_flag("--version", version);
+  }
   const bool known = argc < 2 || argv[1][0] == '-' ||
                      std::any_of(commands.begin(), commands.end(),
                                  [&](const Command& one) { return one.arguments->check_name(argv[1]); });
@@ -85,7 +102,8 @@ int run_program(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
     for (const CLI::App* one : app.get_subcommands()) {
-      fmt::print(stderr, "higherpair: {}\n", unknown_argument(*one));
+      const std::string unknown = unknown_argument(*one);
+      fmt::print(stderr, "higherpair: {}\n", unknown.empty() ? unknown_argument(app) : unknown);
     }
     return kExitInput;
   } catch (const CLI::ParseError& error) {
