@@ -39,6 +39,26 @@ std::string path_before(const SyntaxScan& scan) {
   return last.heading.empty() || last.key.empty() ? last.heading + last.key : last.heading + "." + last.key;
 }
 
+// 30,5 in a table in braces: its second half stands where a key is expected.
+Finding decimal_comma_in_table(const SyntaxScan& scan, std::size_t at) {
+  static const std::regex kWhole(R"((?:^|.*[^\w.+-])([+-]?\d+),)");
+  static const std::regex kDecimals(R"((\d+)\s*(?:[,}#A-Za-z°].*)?)");
+  if (!scan.in_table()) {
+    return std::nullopt;
+  }
+  const std::string_view before = scan.text.substr(scan.open.back(), at - scan.open.back());
+  const std::string_view behind = scan.line_from(at);
+  std::cmatch whole;
+  std::cmatch decimals;
+  if (!std::regex_match(before.data(), before.data() + before.size(), whole, kWhole) ||
+      !std::regex_match(behind.data(), behind.data() + behind.size(), decimals, kDecimals)) {
+    return std::nullopt;
+  }
+  return Found{
+      at - 1 - static_cast<std::size_t>(whole[1].length()),
+      fmt::format("a decimal number is written with a point: {}.{}", whole[1].str(), decimals[1].str())};
+}
+
 }  // namespace
 
 Finding redefinition(const SyntaxScan& scan, std::string_view message) {
@@ -142,6 +162,7 @@ Finding key_mistake(const SyntaxScan& scan) {
   for (const std::string_view comment : {"//", "/*", ";", "%", "--", "!", "'"}) {
     if (line.starts_with(comment)) return Found{at, "a comment begins with #"};
   }
+  if (auto comma = decimal_comma_in_table(scan, at)) return comma;
   const std::string_view key = line.substr(0, std::min(line.find_first_not_of(kKeyCharacters), line.size()));
   const std::string_view behind = trimmed(line.substr(key.size()));
   if (line.starts_with('=')) {

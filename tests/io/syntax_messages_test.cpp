@@ -57,6 +57,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Slip{"radius = 30,5\n", "1:10: a decimal number is written with a point: 30.5"},
         Slip{"radius = -0,25 # mm\n", "1:10: a decimal number is written with a point: -0.25"},
+        Slip{"roller = { center = [0, 0], radius = 30,5 }\n",
+             "1:38: a decimal number is written with a point: 30.5"},
+        Slip{"pose = { x = -1,25, y = 2 }\n", "1:14: a decimal number is written with a point: -1.25"},
+        Slip{"pose = { x = 1,5 mm }\n", "1:14: a decimal number is written with a point: 1.5"},
         Slip{"radius = 1,000.5\n", "1:10: digits are not grouped by commas: write 1000.5"},
         Slip{"radius = 30 mm\n", "1:10: a number with its unit is written in quotes: \"30 mm\""},
         Slip{"radius = 30mm # disc\n", "1:10: a number with its unit is written in quotes: \"30 mm\""},
