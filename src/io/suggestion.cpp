@@ -31,7 +31,8 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   for (const std::string& candidate : existing) {
     const int distance = edit_distance(name, candidate);
     const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a point is missing behind it
-    if (is_near(distance, name) || run_on || (name.size() == 1 && distance <= 1)) {
+    const bool cut_short = name.size() >= 3 && candidate.starts_with(name);
+    if (is_near(distance, name) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});
     }
   }
@@ -64,7 +65,7 @@ constexpr Synonyms kSynonyms[] = {
     {"springs", "dampers"},
     {"ground", "frame base fixed fixed_link earth world chassis global absolute"},
     // Bodies.
-    {"pose", "position placement location guess initial"},
+    {"pose", "position placement location guess initial x y theta phi orientation"},
     {"points", "pins nodes"},
     {"curves", "curve profile profiles shape shapes contour geometry"},
     {"mass", "weight m"},
@@ -77,7 +78,9 @@ constexpr Synonyms kSynonyms[] = {
     {"ellipse", "oval"},
     {"line", "flat face plane straight flat_face"},
     {"point", "knife knife_edge edge tip corner"},
-    {"center", "centre position origin middle"},
+    {"center", "centre position origin middle cx cy"},
+    {"chain", "polygon polyline rectangle contour outline composite"},
+    {"spline", "nurbs bezier freeform b_spline interpolation"},
     {"radius", "r rad diameter d dia"},
     {"semi_axes", "a b axes semiaxes semi_axis radii half_axes major minor"},
     {"rotation", "angle theta phi tilt orientation rot"},
@@ -97,7 +100,7 @@ constexpr Synonyms kSynonyms[] = {
     {"gears", "gear gear_pair gearing"},
     {"belt", "chain pulley pulleys toothed_belt belt_drive"},
     {"type", "kind joint_type"},
-    {"between", "bodies connects points links curves pair connect"},
+    {"between", "bodies connects points links curves pair connect a b body1 body2 from to"},
     {"direction", "axis dir along"},
     {"ratio", "i gear_ratio transmission"},
     {"rolling", "roll no_slip noslip"},
@@ -109,7 +112,7 @@ constexpr Synonyms kSynonyms[] = {
     {"start", "from begin first initial start_angle"},
     {"end", "to stop final last end_angle"},
     {"samples", "step steps n rows count increment resolution"},
-    {"positions", "angles values"},
+    {"positions", "angles values points list"},
     {"velocity", "speed omega rpm rate angular_velocity"},
     {"acceleration", "alpha acc accel angular_acceleration"},
     {"duration", "time t_end end_time total_time t"},
@@ -137,9 +140,9 @@ constexpr Synonyms kSynonyms[] = {
     {"torque", "moment"},
     {"body", "local moving on"},
     {"stiffness", "k c rate constant spring_constant spring_rate"},
-    {"damping", "d damper viscous damping_constant"},
-    {"free_length", "preload l0 length rest_length natural_length unstretched_length"},
-    {"free_angle", "preload rest_angle natural_angle"},
+    {"damping", "c d damper viscous damping_constant"},
+    {"free_length", "preload pretension prestress l0 length rest_length natural_length unstretched_length"},
+    {"free_angle", "preload pretension prestress rest_angle natural_angle"},
     // Commands and options.
     {"analyze", "run simulate motion kinematics positions"},
     {"step", "time simulate dynamics"},

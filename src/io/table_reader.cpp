@@ -57,8 +57,8 @@ std::optional<std::size_t> TableReader::need_type(std::string_view what,
 void TableReader::refuse(const std::string& key, std::string_view reason) {
   if (const Value* value = find(*table_, key)) {
     report(*reading_, {value, path_of(key)}, reason);
-    refused_.push_back(key);
   }
+  refused_.push_back(key);
 }
 
 double TableReader::quantity(const std::string& key, const Expected& expected, double otherwise) {
@@ -106,11 +106,14 @@ void TableReader::finish() const {
 
 void TableReader::report_unknown(const Entry& entry) const {
   const bool repeated = path_ == entry.key || path_.ends_with("." + entry.key);
-  const bool move_up = !path_.empty() && is_top_level(entry.key);
+  const bool is_table = std::holds_alternative<Table>(entry.value.content);
+  std::string own = is_table ? "" : did_you_mean(entry.key, known_);
+  if (own.empty()) own = did_you_mean(entry.key, refused_);
+  const bool move_up = !path_.empty() && is_top_level(entry.key) && own.empty();
   const std::string remedy =
       repeated  ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path_, entry.key)
       : move_up ? std::string(kMoveUp)
-                : suggestion(entry.key, known_);
+                : (own.empty() ? suggestion(entry.key, known_) : own);
   reading_->mistakes.push_back(
       {entry.key_mark, fmt::format("{}: unknown key; {}", path_of(entry.key), remedy)});
 }

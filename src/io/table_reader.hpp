@@ -82,7 +82,7 @@ private:
   Mark mark_;
   std::string path_;
   std::vector<std::string> known_;    ///< keys that were asked for
-  std::vector<std::string> refused_;  ///< keys that are present and must not be
+  std::vector<std::string> refused_;  ///< keys that must not be there
 };
 
 /// Notes a mistake, or something that is probably a slip, about a table as a whole.

@@ -135,6 +135,24 @@ TEST(ProfileMessages, WordsOfTheFieldGetOurs) {
           "did you mean `mm`?"));
 }
 
+TEST(ProfileMessages, ShortenedWordsAndCoordinatesGetOurKeys) {
+  const auto unknown = [](const std::string& place, const std::string& ours) {
+    return ElementsAre("test.toml:" + place + ": unknown key; did you mean " + ours + "?");
+  };
+  EXPECT_THAT(messages(crank_profile("", "[units]\nlen = \"mm\"\n")), unknown("2:1: units.len", "`length`"));
+  EXPECT_THAT(about("points = [1, 2]\n"), unknown("12:1: driver.points", "`positions`"));
+  const std::string spring = "[springs]\ns = { joint = \"pivot\", stiffness = 1, ";
+  EXPECT_THAT(about(spring + "free = 2 }\n"), unknown("13:39: springs.s.free", "`free_angle`"));
+  EXPECT_THAT(about(spring + "damp = 2 }\n"), unknown("13:39: springs.s.damp", "`damping`"));
+  EXPECT_THAT(about(spring + "c = 2 }\n"), unknown("13:39: springs.s.c", "`damping` or `stiffness`"));
+  EXPECT_THAT(about("[bodies.b]\nx = 1\n"), unknown("13:1: bodies.b.x", "`pose`"));
+  EXPECT_THAT(about("[bodies.x]\ncog = [0, 0]\n"), unknown("13:1: bodies.x.cog", "`center_of_mass`"));
+  const std::string joint = "[joints.j]\ntype = \"revolute\"\nbetween = [\"ground.B\", \"crank.P\"]\n";
+  EXPECT_THAT(about(joint + "body1 = \"crank\"\n"), unknown("15:1: joints.j.body1", "`between`"));
+  EXPECT_THAT(about(joint + "bodies = [\"ground\", \"crank\"]\n"),
+              unknown("15:1: joints.j.bodies", "`between`"));
+}
+
 TEST(ProfileMessages, AKeyThatRunsOnGetsTheTableThatItBeginsWith) {
   EXPECT_THAT(about("[bodies.x]\ncurvesoval = 3\n"),
               ElementsAre("test.toml:13:1: bodies.x.curvesoval: unknown key; did you mean `curves`?"));
@@ -513,7 +531,8 @@ TEST(ProfileMessages, ContactsAreBetweenCurves) {
           "test.toml:13:12: contacts.k.between.0 = \"ground.A\": this is a point, expected a curve",
           "test.toml:13:24: contacts.k.between.1 = \"crank.c\": there is no curve of `crank` `c`; there "
           "is none",
-          "test.toml:14:12: contacts.k.approach = \"near\": expected one of nearest, +, -",
+          "test.toml:14:12: contacts.k.approach = \"near\": expected one of nearest, +, -; did you mean "
+          "`nearest`?",
           "test.toml:15:11: contacts.k.rolling = 1: expected true or false, found an integer"));
 }
 
