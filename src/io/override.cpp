@@ -1,4 +1,5 @@
 #include "document.hpp"
+#include "encoding.hpp"
 #include "names.hpp"
 
 #include <algorithm>
@@ -97,6 +98,9 @@ tl::expected<Value, std::string> apply_override(Value document, std::string_view
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) {
     return tl::unexpected(std::string("expected PATH=VALUE, such as driver.samples=721"));
+  }
+  if (encoding_mistake(assignment)) {
+    return tl::unexpected(std::string("is not UTF-8, as all texts of a profile are"));
   }
   Value* target = &document;
   for (const std::string& part : split_path(assignment.substr(0, equals))) {

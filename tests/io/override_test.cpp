@@ -57,6 +57,12 @@ TEST(Override, ValuesThatAreNoTomlAreStrings) {
   EXPECT_EQ(read(kCamProfile, {"title=1\ntwo = 2"}).mechanism.title, "1\ntwo = 2");
 }
 
+TEST(Override, IsAText) {
+  EXPECT_THAT(messages(kCamProfile, {"title=N\xfcrnberg"}),
+              ElementsAre(HasSubstr("is not UTF-8, as all texts of a profile are")));
+  EXPECT_EQ(read(kCamProfile, {"title=Nürnberg"}).mechanism.title, "Nürnberg");
+}
+
 TEST(Override, IsThePlaceOfItsMistakes) {
   EXPECT_THAT(messages(kCamProfile, {"driver.samples=0"}),
               ElementsAre("--set driver.samples=0: driver.samples = 0: must be an integer from 1 to 2^53"));
