@@ -37,10 +37,11 @@ double outer_radius(const Curve& curve) {
   return is_conic(curve) ? std::max(semi_axes(curve)[0], semi_axes(curve)[1]) : 0;
 }
 
-// What touches a face is in front of it, with its centre too.
+// What touches a face is in front of it, with its centre too. Of a face that is drawn where it touches and
+// has its normal reversed the centre is behind it by as much as it should be in front.
 std::string behind_face(const PosedCurve& face, const PosedCurve& other, const Units& units) {
   const double behind = face.axis_W.dot(other.middle_W - face.middle_W);
-  const double reach = other.curve->q > 0 ? outer_radius(*other.curve) : 0;
+  const double reach = other.curve->q > 0 ? inner_radius(*other.curve) / 2 : 0;
   if (!(behind > reach) || !(behind > 1e-9 * (other.middle_W.norm() + face.middle_W.norm()))) {
     return "";
   }

@@ -122,6 +122,22 @@ TEST(Notes, AFaceWhoseNormalPointsAwayFromTheOtherBody) {
           "it if that side is meant"));
 }
 
+TEST(Notes, AFaceThatIsDrawnWhereItTouchesWithItsNormalReversed) {
+  const auto face = [](const std::string& normal) {
+    return notes(crank_profile(
+        "[bodies.crank.curves]\ndisc = { type = \"circle\", center = [8, 0], radius = 12 }\n"
+        "[bodies.tappet]\npose = { y = 12 }\npoints.P = [0, 0]\n"
+        "curves.face = { type = \"line\", point = [0, 0], normal = " +
+        normal +
+        " }\n[joints.guide]\ntype = \"prismatic\"\nbetween = [\"ground.A\", \"tappet.P\"]\ndirection = [0, "
+        "1]\n[contacts.touch]\nbetween = [\"crank.disc\", \"tappet.face\"]\n"));
+  };
+  EXPECT_THAT(face("[0, -1]"), IsEmpty());
+  EXPECT_THAT(face("[0, 1]"),
+              ElementsAre(HasSubstr("crank.disc lies behind the face tappet.face in the poses, "
+                                    "12 mm from it; the normal of a face points out")));
+}
+
 TEST(Notes, ADiscWithinADisc) {
   const auto discs = [](const std::string& side) {
     return notes(crank_profile(
