@@ -50,12 +50,13 @@ bool is_drawing(const Mechanism& mechanism) {
                      [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
 }
 
-// "65.835 to 294.16": few digits, and still within the range.
+// "from 65.835 to 294.16": few digits, and still within the range; "180" of one that has no width.
 std::string rounded_inwards(double low, double high) {
   const double unit = high > low ? std::pow(10, std::floor(std::log10(high - low)) - 3) : 0;
   const auto inside = [&](double x) { return unit > 0 && x >= low && x <= high ? x : (low + high) / 2; };
-  return fmt::format("{:.12g} to {:.12g}", inside(std::ceil(low / unit) * unit),
-                     inside(std::floor(high / unit) * unit));
+  const std::string from = fmt::format("{:.12g}", inside(std::ceil(low / unit) * unit));
+  const std::string to = fmt::format("{:.12g}", inside(std::floor(high / unit) * unit));
+  return from == to ? from : fmt::format("from {} to {}", from, to);
 }
 
 }  // namespace
@@ -100,8 +101,8 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   const Scaling scaling = from_si(dimension, profile.units);
   std::string text;
   for (const StartRange& range : *ranges) {
-    text += fmt::format("{}from {}", text.empty() ? "" : " or ",
-                        rounded_inwards(scaling.apply(range.low), scaling.apply(range.high)));
+    text +=
+        (text.empty() ? "" : " or ") + rounded_inwards(scaling.apply(range.low), scaling.apply(range.high));
   }
   return fmt::format("; it can be with {} {} {}", key, text, unit_text(dimension, profile.units));
 }

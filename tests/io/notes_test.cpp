@@ -239,6 +239,14 @@ TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {
   EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "");
 }
 
+// The coupler and the rocker reach the crank's pin where all links are in line, and nowhere else.
+TEST(StartAdvice, NamesTheOnePositionInWhichItCanBeAssembled) {
+  const std::vector<std::string> short_coupler = {"bodies.coupler.points.B=[1, 0]"};
+  const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml", short_coupler);
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "; it can be with driver.start 180 deg");
+}
+
 TEST(StartAdvice, SaysThatNoOtherStartWillDo) {
   const Profile profile = testing::read(R"([bodies.ground]
 points.A = [0, 0]
