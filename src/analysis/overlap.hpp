@@ -11,7 +11,7 @@ namespace higherpair {
 /// everywhere more curved than the ring about it.
 [[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
-/// Where a branch is taken up again: sets which bodies overlap in run.at.state.
+/// Where a run starts, or a branch is taken up again: sets which bodies overlap in run.at.state.
 void renew_overlaps(Run& run);
 
 /// Looks for overlaps of touching bodies elsewhere in run.work.trial, which is `h` of the path beyond

@@ -135,6 +135,7 @@ std::optional<int> set_out(Run& run) {
   if (const auto contact = leave_singular_start(run)) {
     return contact;
   }
+  renew_overlaps(run);
   run.row.bodies = run.at.state.bodies;
   run.row.contacts = run.at.state.contacts;
   run.row.arcs_hold.assign(run.mechanism().contacts.size(), true);

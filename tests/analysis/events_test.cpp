@@ -194,6 +194,40 @@ TEST(SecondContacts, ThatMayNotBeTakenAreOverlaps) {
   EXPECT_EQ(status_at(265), RowStatus::kOk);
 }
 
+// A ring is put on an ellipse of ground so that it cuts the ellipse elsewhere.
+TEST(Overlaps, ThatAreThereAtTheStartBeginInTheFirstRow) {
+  const Profile profile = testing::profile_of(R"([units]
+length = "m"
+angle = "rad"
+[bodies.ground]
+points = { P0 = [0, -0.83] }
+curves.C0 = { type = "ellipse", center = [0.06, -0.05], semi_axes = [0.6, 0.3], rotation = 2.4 }
+[bodies.b1]
+points = { P0 = [0, -0.83], P1 = [0.6, 0.06] }
+[bodies.b2]
+points = { P0 = [0.6, 0], P1 = [0.2, -0.3] }
+[bodies.b3]
+points = { P0 = [0.2, -0.3] }
+curves.C0 = { type = "circle", center = [0.4, 0.2], radius = 0.7, side = "outside" }
+[joints]
+j0 = { type = "prismatic", between = ["b1.P0", "ground.P0"], direction = 0 }
+j1 = { type = "revolute", between = ["b1.P1", "b2.P0"] }
+j2 = { type = "revolute", between = ["b3.P0", "b2.P1"] }
+[contacts]
+k0 = { between = ["b3.C0", "ground.C0"], rolling = true }
+[driver]
+joint = "j0"
+start = 0
+end = 0.8
+)");
+  auto run = start_run(profile.mechanism, {0}).value();
+  for (const double driver : {0.0, 1e-3}) {
+    move_to(run, {{driver, 1, 0}});
+    EXPECT_EQ(run.row.status, RowStatus::kOverlap) << driver;
+    EXPECT_TRUE(run.events.empty()) << driver;
+  }
+}
+
 // A parallelogram: crank 31, ground 70 [mm].
 std::string parallelogram(const std::string& driver) {
   return R"(
