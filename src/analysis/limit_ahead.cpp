@@ -1,5 +1,6 @@
 #include "limit_ahead.hpp"
 
+#include "group_kinds.hpp"
 #include "group_solver.hpp"
 #include "higherpair/contact/step_length.hpp"
 #include "limit_events.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kShareToLimit = 0.5;   // of what is left to a limit: the next step
 constexpr double kNearLimit = 1e-6;     // of the driver's scale: nearer, rates may be too inexact to go on
+constexpr double kFarAway = 100;        // of the size: a body that is farther may be on its way to infinity
 constexpr double kBesideLimit = 1e-12;  // of the driver's scale: as near before a limit a row needs no step
 
 // A row at a limit: in run.work.trial, with positions only; run.at.state remains short of it.
@@ -29,6 +31,26 @@ void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reducti
   }
   run.at.beside = run.work.trial;
   path.positions(s, run.at.drivers);
+}
+
+// How much of the path is left to where a group's bodies are at infinity; infinite if they are not far away
+// yet. What is left to the power of -p, p a multiple of 1/2, is how far they are; p + 1 that of their speed,
+// which knows nothing of where the distance is measured from.
+double way_to_infinity(const Run& run, std::size_t g) {
+  double farthest = kFarAway * run.plan().size;
+  double left = std::numeric_limits<double>::infinity();
+  for (const int index : run.plan().groups[g].bodies) {
+    const BodyMotion& body = body_in(run.at.state, index);
+    const double distance = body.X_WB.p_WB.norm();
+    if (distance > farthest) {
+      farthest = distance;
+      const double speed = body.v_WB.norm();
+      const double per_speed = body.v_WB.dot(body.a_WB) / (speed * speed);
+      const double p = std::round(2 / (distance * std::abs(per_speed) / speed - 1)) / 2;
+      left = (p + 1) / per_speed;
+    }
+  }
+  return left;
 }
 
 }  // namespace
@@ -81,8 +103,7 @@ bool LimitAhead::rests_before(double s) {
 }
 
 PathLimit LimitAhead::assumed(std::size_t g, double s) const {
-  const GroupState& group = run_.at.state.groups[g];
-  const double left = group.sine_rate == 0 ? 0 : -group.sine / group.sine_rate;
+  const double left = way_to_infinity(run_, g);
   const bool runs_off = std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0;
   const double shortest = shortest_step(scale_, driver_at(path_, s));
   return {g, s + (runs_off ? left : std::copysign(shortest, path_.length))};

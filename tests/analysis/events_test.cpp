@@ -94,6 +94,44 @@ end = 390
   }
 }
 
+// Three bodies in five joints, of which no dyad can be made; two of them run off to infinity where the slots
+// j2 and j3 come to be parallel.
+TEST(Poles, OfCoupledBodiesAreWhereTheirSlotsAreParallel) {
+  const Profile profile = testing::profile_of(R"([units]
+length = "m"
+angle = "rad"
+[bodies.ground]
+points = { P0 = [0.174, -0.0573157], P1 = [-0.7, -0.30286873059426345], P2 = [-0.3, 0.8] }
+[bodies.b1]
+points = { P0 = [0.2, -0.0573], P1 = [0.7265, -0.24], P2 = [-0.4, 0] }
+[bodies.b2]
+points = { P0 = [0, 0], P1 = [0, 0], P2 = [0, 0] }
+[bodies.b3]
+points = { P0 = [0, 0.6], P1 = [0, 0], P2 = [-0.3, 0] }
+[joints]
+j0 = { type = "revolute", between = ["ground.P0", "b1.P0"] }
+j1 = { type = "revolute", between = ["b3.P0", "b2.P0"] }
+j2 = { type = "slot", between = ["b1.P1", "b2.P1"], direction = -2 }
+j3 = { type = "slot", between = ["b2.P2", "ground.P1"], direction = 0 }
+j4 = { type = "slot", between = ["b3.P1", "b1.P2"], direction = -0.4 }
+j5 = { type = "slot", between = ["ground.P2", "b3.P2"], direction = 0 }
+[driver]
+joint = "j0"
+start = 0
+end = -2
+)");
+  for (const std::int64_t rows : {7, 13, 61, 601}) {
+    RunSettings settings;
+    settings.samples = rows;
+    const testing::RunTable motion(profile, settings);
+    const auto limit =
+        std::find_if(motion.events().begin(), motion.events().end(),
+                     [](const RunEvent& event) { return event.type == EventType::kLimitPosition; });
+    ASSERT_NE(limit, motion.events().end()) << rows;
+    EXPECT_NEAR(limit->driver, 2 - kPi, 1e-13) << rows;
+  }
+}
+
 // The pin comes into a slot just over its end: from whichever side, and wherever steps end.
 TEST(Engagements, OfAGenevaWheelAreSeenWhateverTheRowsAndTheSenseOfTurning) {
   for (const int rows : {2, 4, 7, 37, 61, 361}) {
