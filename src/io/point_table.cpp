@@ -1,6 +1,7 @@
 #include "point_table.hpp"
 
 #include "csv_fields.hpp"
+#include "encoding.hpp"
 #include "names.hpp"
 
 #include <algorithm>
@@ -149,7 +150,15 @@ tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view 
                                                                const Units& units) {
   PointReader reader(columns, units);
   for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
-  return reader.finish();
+  auto table = reader.finish();
+  // Comments may be in any encoding.
+  const auto encoding = table ? std::nullopt : encoding_mistake(text);
+  if (!encoding) {
+    return table;
+  }
+  const int line = encoding->mark.line;
+  return tl::unexpected(std::vector<std::string>{
+      line > 0 ? fmt::format("line {}: {}", line, encoding->message) : encoding->message});
 }
 
 }  // namespace higherpair::io_detail

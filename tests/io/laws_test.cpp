@@ -164,6 +164,14 @@ TEST_F(LawFiles, AreRefusedWithTheirLine) {
   EXPECT_THAT(messages_for("x,s\n"), ElementsAre(file + "has no points"));
   EXPECT_THAT(messages_for("0,0\n1,two\n2,3\n"), ElementsAre(file + "line 2: `two` is no number"));
   EXPECT_THAT(messages_for("0,0\n1,nan\n2,3\n3,1\n"), ElementsAre(file + "line 2: `nan` is no number"));
+  EXPECT_THAT(messages_for(std::string("\xff\xfe"
+                                       "0\0,\0"
+                                       "0\0\n\0",
+                                       10)),
+              ElementsAre(HasSubstr("this file is in UTF-16 or UTF-32; save it as UTF-8")));
+  EXPECT_THAT(messages_for("x,s[\xb5m]\n0,0\n1,2\n"),
+              ElementsAre(HasSubstr("line 1: the byte 0xB5 is not UTF-8: the file seems to be in Latin-1")));
+  EXPECT_THAT(messages_for("# N\xfcrnberg\n0,0\n1,two\n"), ElementsAre(HasSubstr("line 1: the byte 0xFC")));
   EXPECT_THAT(
       messages_for("0;0\n1;2,5\n2;3\n3;1\n"),
       ElementsAre(file + "line 2: `2,5` is no number: decimals are written with a point, not a comma"));
