@@ -65,6 +65,18 @@ TEST_F(Slips, AnEmptyNameIsNoFile) {
   }
 }
 
+// A search would be over before its result could not be written.
+TEST_F(Slips, AFolderThatIsMissingIsSaidBeforeTheWork) {
+  for (const std::string arguments :
+       {"sensitivity p.toml --csv none/t", "sensitivity p.toml --rows none/t", "fit p.toml m.csv -o none/t",
+        "fit p.toml m.csv -o t.toml --json none/t", "fit --curve circle m.csv --csv none/t"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("none/t: there is no folder none; make it first (mkdir -p)"))
+        << arguments;
+  }
+}
+
 TEST_F(Slips, AnOutputThatIsTheProfileIsRefused) {
   fs::create_symlink("p.toml", folder_ / "link");
   fs::create_symlink("link", folder_ / "link_to_link");

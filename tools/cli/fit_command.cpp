@@ -41,6 +41,7 @@ void check_files(const FitCommandOptions& options) {
   std::vector<NamedFile> inputs = {{"FILE", options.input}};
   if (!options.measured.empty()) inputs.push_back({"MEASURED", options.measured});
   refuse_shared_files(inputs, outputs_of(options));
+  for (const NamedFile& output : outputs_of(options)) refuse_missing_folder(output);
 }
 
 void refuse_with_curve(const FitCommandOptions& options) {

@@ -130,6 +130,7 @@ void check_outputs(const SensitivityOptions& options) {
   std::vector<NamedFile> outputs = outputs_of(options);
   if (!options.csv && !options.json && options.rows != "-") outputs.push_back({"standard output", "-"});
   refuse_shared_files({{"FILE", options.profile}}, outputs);
+  for (const NamedFile& output : outputs) refuse_missing_folder(output);
   if (!options.rows && !options.columns.empty()) {
     throw CLI::ValidationError("--columns", "only --rows writes columns: add --rows FILE");
   }
