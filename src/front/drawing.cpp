@@ -93,7 +93,11 @@ Result<Scenes> scenes_every(const Model& model, RunSettings settings, double ste
   Scenes scenes;
   for (std::size_t i = 0; i < rows->rows.size(); ++i) {
     const Reactions* reactions = settings.forces ? &rows->reactions[i] : nullptr;
-    if (has_place(rows->rows[i])) scenes.scenes.push_back(maker.at(rows->rows[i], reactions));
+    if (has_place(rows->rows[i])) {
+      scenes.scenes.push_back(maker.at(rows->rows[i], reactions));
+    } else {
+      scenes.left_out.push_back(rows->drivers[i]);
+    }
   }
   return scenes;
 }
@@ -158,7 +162,7 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
   if (settings.at) {
     return scene_at(model, alone, *settings.at, maker);
   }
-  return Scenes{{maker.scene()}, std::nullopt, ""};  // of the first row that has a place
+  return Scenes{{maker.scene()}, std::nullopt, "", {}};  // of the first row that has a place
 }
 
 }  // namespace higherpair

@@ -40,6 +40,18 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
   return *std::move(best);
 }
 
+std::optional<Error> out_of_range(const Model& model, double at) {
+  const int joint = model.mechanism().drivers.front().joint;
+  const bool turns = model.mechanism().joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
+  const double si = to_si(turns ? dimension::kAngle : dimension::kLength, model.units()).apply(at);
+  if (turns ? is_sharp_angle(si) : std::abs(si) <= kLargestQuantity) {
+    return std::nullopt;
+  }
+  return error_about(
+      model.data(), ErrorKind::kInput,
+      fmt::format("driver = {}: expected a position of at most {}", at, turns ? "1e9 turns" : "1e50 m"));
+}
+
 // The run after its last row, and the first limit position on the path.
 Result<Reached> go_to(const Model& model, RunSettings settings, double from, double at) {
   settings.positions = {from, at};
@@ -83,6 +95,9 @@ Result<Reached> reach(const Model& model, const RunSettings& settings, double at
   const auto schedule = first_schedule(model.data());
   if (!schedule) {
     return tl::unexpected(schedule.error());
+  }
+  if (auto error = out_of_range(model, at)) {
+    return tl::unexpected(*std::move(error));
   }
   const double from = schedule->state(0).profile.position;
   auto reached = go_to(model, settings, from, at);

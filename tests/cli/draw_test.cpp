@@ -44,6 +44,28 @@ TEST_F(Draw, SaysWhereThePositionCannotBeReached) {
   EXPECT_TRUE(fs::exists(folder_ / "l.svg"));
 }
 
+TEST_F(Draw, SaysWhichOfSeveralPositionsAreLeftOut) {
+  const Outcome outcome = run("lock_up.toml -o l.svg --every 60");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("positions that cannot be reached are left out: driver = 120, 180, 240\n"));
+  EXPECT_TRUE(fs::exists(folder_ / "l.svg"));
+}
+
+TEST_F(Draw, RefusesPositionsAndWidthsWithoutAPlace) {
+  const auto message = [&](const std::string& arguments) {
+    const Outcome outcome = run("four_bar.toml -o w.svg " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "w.svg")) << arguments;
+    return outcome.err;
+  };
+  EXPECT_THAT(message("--at nan"), HasSubstr("--at: 'nan' is no number"));
+  EXPECT_THAT(message("--at 1e20"), HasSubstr("driver = 1e+20: expected a position of at most 1e9 turns"));
+  EXPECT_THAT(message("--at 1e300"), HasSubstr("expected a position of at most 1e9 turns"));
+  EXPECT_THAT(message("--width 1e300"), HasSubstr("--width: Value 1e300 not in range 50"));
+  EXPECT_THAT(message("--strip"), HasSubstr("--strip requires --every"));
+}
+
 TEST_F(Draw, DrawsRowsThatAreNotToBeTrusted) {
   const Outcome outcome =
       run("ellipse_cam_roller.toml -o r.svg --quiet --set 'driver.positions=[77]' --tolerance 1e-30");

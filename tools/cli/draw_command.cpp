@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace higherpair::cli {
 namespace {
@@ -47,10 +48,12 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
   command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
   add_picture_option(*command, options.output);
   add_set_option(*command, options.overrides);
-  auto* at = command->add_option("--at", options.at, "position of the driver; otherwise the first");
-  command->add_option("--every", options.every, "draw every so much of the driver, all in one picture")
-      ->excludes(at);
-  command->add_flag("--strip", options.strip, "with --every: side by side");
+  auto* at = command->add_option("--at", options.at, "position of the driver; otherwise the first")
+                 ->check(finite_number());
+  auto* every =
+      command->add_option("--every", options.every, "draw every so much of the driver, all in one picture")
+          ->excludes(at);
+  command->add_flag("--strip", options.strip, "with --every: side by side")->needs(every);
   command
       ->add_option(
           "--layers", options.layers,
@@ -63,7 +66,7 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
   command->add_flag("--linkage", options.linkage, "the equivalent linkage alone");
   command
       ->add_option("--width", options.width, "width in px; otherwise 900, or less where the picture is high")
-      ->check(positive_number());
+      ->check(CLI::Range(50.0, 10'000.0));
   add_tolerance_option(*command, options.tolerance);
   command->add_flag("--quiet", options.quiet, "no notes on standard error");
   command->final_callback([&options] {
@@ -110,6 +113,11 @@ int draw_command(const DrawOptions& options) {
   if (scenes->limit) {
     fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
                *options.at, *scenes->limit, scenes->cause);
+    return kExitRows;
+  }
+  if (!scenes->left_out.empty()) {
+    fmt::print(stderr, "higherpair: positions that cannot be reached are left out: driver = {:.9g}\n",
+               fmt::join(scenes->left_out, ", "));
     return kExitRows;
   }
   return kExitOk;

@@ -4,9 +4,8 @@
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
-
-#include <cmath>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,11 +19,7 @@ CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
   add_picture_option(*command, options.output);
   command->add_option("--at", options.at, "position of the driver, in the profile's unit")
       ->required()
-      ->check([](const std::string& text) -> std::string {
-        double value = 0;
-        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-        return good ? "" : "'" + text + "' is no number";
-      });
+      ->check(finite_number());
   command->add_flag("--forces", options.forces, "also the force polygon of every body");
   add_set_option(*command, options.overrides);
   add_tolerance_option(*command, options.tolerance);

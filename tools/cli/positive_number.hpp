@@ -17,4 +17,14 @@ namespace higherpair::cli {
   return {objection, "POSITIVE"};
 }
 
+/// Whether an option is a number, and neither nan nor infinite.
+[[nodiscard]] inline CLI::Validator finite_number() {
+  const auto objection = [](const std::string& text) -> std::string {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return good ? "" : "'" + text + "' is no number";
+  };
+  return {objection, ""};
+}
+
 }  // namespace higherpair::cli

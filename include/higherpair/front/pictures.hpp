@@ -31,6 +31,8 @@ struct Scenes {
   /// Where `at` cannot be reached: the limit position before it, in the driver's unit, which the scene shows.
   std::optional<double> limit;
   std::string cause;  ///< of the limit, a sentence
+  /// Positions of `every` that cannot be assembled and are left out, in the driver's unit.
+  std::vector<double> left_out;
 };
 
 /// How a picture is drawn in these units.
