@@ -12,7 +12,8 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr double kEarth = 9.80665;  // [m/s²]
+constexpr double kEarth = 9.80665;   // [m/s²]
+constexpr double kRoundedPi = 4e-3;  // what a quarter turn in radians loses by two decimals, up to 6.28
 
 // A number that is written without a unit of its own.
 std::optional<double> plain_number(const Value* value) {
@@ -198,7 +199,7 @@ private:
     const bool could_be_degrees = std::abs(*number) >= least && is_whole(*number / (least == 90 ? 90 : 15));
     const double quarters = *number / (kPi / 2);
     const bool could_be_radians = std::abs(quarters) >= 0.5 &&
-                                  std::abs(*number - std::round(quarters) * kPi / 2) <= 1e-3 &&
+                                  std::abs(*number - std::round(quarters) * kPi / 2) <= kRoundedPi &&
                                   std::abs(quarters) < 9;
     const double turns = to_si(dimension::kAngle, profile_.units).apply(*number) / (2 * kPi);
     if (unit != Unit::kDegree && could_be_degrees) {

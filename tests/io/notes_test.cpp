@@ -70,6 +70,11 @@ TEST(Notes, DegreesInAProfileInRadiansAndTheOtherWayRound) {
       notes(crank_profile("end = 6.283\n")),
       ElementsAre("test.toml:12:7: note: driver.end = 6.283: 0.0175 turns, for angles here are in deg; write "
                   "\"6.283 rad\" if that is meant"));
+  for (const std::string end : {"6.28", "3.14", "-1.57"}) {
+    EXPECT_THAT(notes(crank_profile("end = " + end + "\n")),
+                ElementsAre(HasSubstr("for angles here are in deg; write \"" + end + " rad\"")));
+  }
+  EXPECT_THAT(notes(crank_profile("end = 6.3\n")), IsEmpty());
   EXPECT_THAT(
       notes(crank_profile("[bodies.crank.pose]\nangle = 90\n", "[units]\nangle = \"rad\"\n")),
       ElementsAre(
