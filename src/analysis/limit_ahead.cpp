@@ -36,7 +36,7 @@ void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reducti
 // How much of the path is left to where a group's bodies are at infinity; infinite if they are not far away
 // yet. What is left to the power of -p, p a multiple of 1/2, is how far they are; p + 1 that of their speed,
 // which knows nothing of where the distance is measured from.
-double way_to_infinity(const Run& run, std::size_t g) {
+double left_to_infinity(const Run& run, std::size_t g) {
   double farthest = kFarAway * run.plan().size;
   double left = std::numeric_limits<double>::infinity();
   for (const int index : run.plan().groups[g].bodies) {
@@ -103,7 +103,7 @@ bool LimitAhead::rests_before(double s) {
 }
 
 PathLimit LimitAhead::assumed(std::size_t g, double s) const {
-  const double left = way_to_infinity(run_, g);
+  const double left = left_to_infinity(run_, g);
   const bool runs_off = std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0;
   const double shortest = shortest_step(scale_, driver_at(path_, s));
   return {g, s + (runs_off ? left : std::copysign(shortest, path_.length))};

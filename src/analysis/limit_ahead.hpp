@@ -46,8 +46,8 @@ public:
   [[nodiscard]] bool rests_before(double s);
 
   /// The limit of group g where none is found although no step from s is left. Where bodies run off to
-  /// infinity there is no last position; how fast they are says how far it is. At an end of a curve or a guide
-  /// nothing is left but the shortest step.
+  /// infinity there is no last position; how fast they are says how far it is. At an end of a curve or a
+  /// guide nothing is left but the shortest step.
   [[nodiscard]] PathLimit assumed(std::size_t g, double s) const;
 
 private:
