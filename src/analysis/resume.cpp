@@ -70,11 +70,11 @@ bool is_beside_limit(const State& state) {
   });
 }
 
-// The branch at a position of the drivers, if it is there, followed back on the way to `from`: to where this
-// stretch of it begins. run.work.trial is then at that position. Only a row may be at the limit itself.
-std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from,
-                               bool is_row) {
-  if (!place_anew(run, at).complete || (!is_row && is_beside_limit(run.work.trial))) {
+// The branch at a position of the drivers, where run.work.trial has been placed, followed back on the way to
+// `from`: to where this stretch of it begins. Only a row may be at the limit itself.
+std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
+                                 const std::vector<double>& from, bool is_row) {
+  if (!is_row && is_beside_limit(run.work.trial)) {
     return std::nullopt;
   }
   Run back = run;
@@ -89,6 +89,12 @@ std::optional<Run> found_again(Run& run, const std::vector<double>& at, const st
     return std::nullopt;  // without a limit on the way it is a contact that the follower cannot have come to
   }
   return back;
+}
+
+// The same, if the branch is there.
+std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from,
+                               bool is_row) {
+  return place_anew(run, at).complete ? followed_back(run, at, from, is_row) : std::nullopt;
 }
 
 // Goes on from a state of that stretch; an event says where it begins, on the way from `from` to `to`.
@@ -115,13 +121,10 @@ void go_on_from(Run& run, const Run& back, const State& state, const std::vector
   }
 }
 
-// For a row at the limit where a stretch begins: placed there, a position has half its digits only. It is
+// For a row beside the limit where a stretch begins: placed there, a position has half its digits only. It is
 // taken from the limit as it is solved for on the way from within the stretch, where run.at.state then
 // remains.
 bool come_to_begin(Run& run, const std::vector<double>& at, double ahead) {
-  if (!place_anew(run, at).complete || !is_beside_limit(run.work.trial)) {
-    return false;
-  }
   const std::vector<double> within = {at[0] + std::copysign(kInside * driver_scale(run, 0), ahead)};
   const auto inside = found_again(run, within, at, false);
   if (!inside || !inside->at.held || !inside->at.beside) {
@@ -149,10 +152,17 @@ std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::
                             int poles = kMostPoles) {
   const std::vector<double> lost_at = run.at.lost.at;
   const double ahead = at[0] - lost_at[0];
-  if (at == drivers && come_to_begin(run, at, ahead)) {
-    return true;
+  if (!place_anew(run, at).complete) {
+    return std::nullopt;
   }
-  const auto back = found_again(run, at, lost_at, at == drivers);
+  const bool is_row = at == drivers;
+  if (is_row && is_beside_limit(run.work.trial)) {
+    if (come_to_begin(run, at, ahead)) {
+      return true;
+    }
+    (void)place_anew(run, at);
+  }
+  const auto back = followed_back(run, at, lost_at, is_row);
   const std::vector<double> begin = back && !back->at.held ? back->at.lost.from : lost_at;
   const State found = run.work.trial;
   if (back && !back->at.held) {
