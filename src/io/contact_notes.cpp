@@ -64,7 +64,7 @@ bool is_solid_outline(const Curve& curve) {
 }  // namespace
 
 std::string contact_note(const Mechanism& mechanism, const Contact& contact, const Units& units) {
-  if (const std::string teeth = tooth_note(mechanism, contact, units); !teeth.empty()) {
+  if (std::string teeth = tooth_note(mechanism, contact, units); !teeth.empty()) {
     return teeth;
   }
   const PosedCurve first = posed_curve(mechanism, contact.first);

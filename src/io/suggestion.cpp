@@ -251,7 +251,7 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ex
   if (existing.empty()) {
     return "there is none";
   }
-  const std::string likely = did_you_mean(name, existing);
+  std::string likely = did_you_mean(name, existing);
   if (!likely.empty()) {
     return likely;
   }
