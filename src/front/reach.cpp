@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/drawing/scene.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "model_data.hpp"
 
@@ -40,10 +41,11 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
   return *std::move(best);
 }
 
+// Positions are bounded as those of a profile.
 std::optional<Error> out_of_range(const Model& model, double at) {
-  const int joint = model.mechanism().drivers.front().joint;
-  const bool turns = model.mechanism().joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
-  const double si = to_si(turns ? dimension::kAngle : dimension::kLength, model.units()).apply(at);
+  const Dimension of_driver = driver_dimension(model.mechanism());
+  const bool turns = of_driver == dimension::kAngle;
+  const double si = to_si(of_driver, model.units()).apply(at);
   if (turns ? is_sharp_angle(si) : std::abs(si) <= kLargestQuantity) {
     return std::nullopt;
   }
