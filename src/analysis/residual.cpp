@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -96,6 +97,16 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
   errors.add(error2(0), rates ? error2(1) : 0);
 }
 
+// Squared, of the points of contact. Far out on open curves a rounding of the common normal shifts them along
+// the tangent, which is no error of the position.
+double apart2(const CommonNormal& at) {
+  constexpr double kNormalRounding = 4 * std::numeric_limits<double>::epsilon();
+  const double radii = std::abs(at.rho1) + std::abs(at.rho2);
+  const double shift = std::isfinite(radii) ? kNormalRounding * radii : 0;
+  const Vector2d apart = at.p2_W - at.p1_W;
+  return square(apart.dot(at.n_W)) + square(std::max(0.0, std::abs(cross(at.n_W, apart)) - shift));
+}
+
 // Tangency is built in: both points are those with the common normal.
 void add_contact(const Run& run, const Contact& contact, const ContactMotion& motion, Errors& errors) {
   const MotionRow& row = run.row;
@@ -111,9 +122,7 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
   errors.compare((v + v1).squaredNorm());
   const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
   const double along_normal = v.dot(motion.at.n_W);
-  errors.add((motion.at.p2_W - motion.at.p1_W).squaredNorm(), !rates            ? 0
-                                                              : contact.rolling ? v.squaredNorm()
-                                                                                : square(along_normal));
+  errors.add(apart2(motion.at), !rates ? 0 : contact.rolling ? v.squaredNorm() : square(along_normal));
 }
 
 }  // namespace

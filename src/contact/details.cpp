@@ -100,8 +100,11 @@ void add_linkage(const ContactBody& body1, const ContactBody& body2, ContactDeta
 
 double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W, const Vector2d& n_W,
                    double normal_angle) {
-  return is_line(curve) ? perp(n_W).dot(p_W - body.X_WB * anchor(curve))
-                        : arc_to_normal(curve, normal_angle - body.theta);
+  if (is_line(curve)) {
+    return perp(n_W).dot(p_W - body.X_WB * anchor(curve));
+  }
+  return is_conic(curve) && curve.q <= 0 ? arc_to_point(curve, body.X_WB.inverse_times(p_W))
+                                         : arc_to_normal(curve, normal_angle - body.theta);
 }
 
 ContactDetails details_of(const ContactBody& body1, const ContactBody& body2, const CommonNormal& at,

@@ -211,4 +211,10 @@ double arc_to_normal(const Curve& curve, double phi_B) {
   return inside ? arc : -arc;
 }
 
+double arc_to_point(const Curve& curve, const Vector2d& p_B) {
+  const Vector2d d = p_B - curve.vertex_B;
+  const double arc = open_arc_length(curve.semi_latus, curve.q, d.dot(curve.axis_B), cross(d, curve.axis_B));
+  return curve.side == Side::kInside ? arc : -arc;
+}
+
 }  // namespace higherpair

@@ -140,7 +140,12 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
   };
   append_along(touch.n_W, touch.gap());
   if (contact.rolling) {
-    append_along(perp(touch.n_W), arc_difference(mechanism, contact, motion, bodies) - motion.arc_difference);
+    // With the distance of the points along t what is left of the normal's error makes none of the arcs.
+    const Vector2d t_W = perp(touch.n_W);
+    const bool flat =
+        is_line(curve_of(mechanism, contact.first)) || is_line(curve_of(mechanism, contact.second));
+    const double apart = flat ? 0 : t_W.dot(touch.p2_W - touch.p1_W);
+    append_along(t_W, arc_difference(mechanism, contact, motion, bodies) + apart - motion.arc_difference);
   }
 }
 

@@ -47,14 +47,14 @@ template <class T>
 // To the normal turned by the angle of cosine c and sine s, |angle| <= π/2, from R_F and R_D of (c², 1, w²)
 // by duplication (DLMF 19.26.18, 19.26.20), which takes the same square roots for both, until the arguments
 // differ by 1 %: what the series leave out is below 1e-16 then. \pre c >= 0: it is itself the first square
-// root, whose derivative at c = 0 would be lost.
+// root, whose derivative at c = 0 would be lost. \param w2  w² = c² + q s²
 template <class T>
-[[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s) {
+[[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s, const T& w2) {
   using std::sqrt;
   constexpr double kNearlyEqual = 0.01;
   T x = c * c;
   T y(1.0);
-  T z = c * c + q * s * s;
+  T z = w2;
   assert(z > T(0.0));
   T root_x = c;
   T sum(0.0);
@@ -77,6 +77,11 @@ template <class T>
   }
   const T rd = 3.0 * sum + quarter_power * rd_series(x, y, z);
   return semi_latus * s * (rf_series(x, y, z) + (1.0 - q) / 3.0 * s * s * rd);
+}
+
+template <class T>
+[[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s) {
+  return arc_from_vertex(semi_latus, q, c, s, T(c * c + q * s * s));
 }
 
 }  // namespace detail
@@ -116,6 +121,24 @@ template <class T>
   const T arc = detail::arc_from_vertex(semi_latus, q, c, s);
   return half_turns == 0 ? arc
                          : arc + 2 * half_turns * detail::arc_from_vertex(semi_latus, q, T(0.0), T(1.0));
+}
+
+/// The same of a parabola or hyperbola from where its point is: x along the axis and y along the normal at
+/// the vertex turned +90°, from the vertex [m]. Far out, where a rounding of ψ is a length, this one keeps
+/// its digits, with Y = y/ℓ = sin ψ/w or, of the longer coordinate, Y² = (2x - q x²/ℓ)/ℓ:
+///     sin²ψ = Y²/(1 + (1 - q) Y²),   w² = 1/(1 + (1 - q) Y²).
+/// \pre q <= 0
+template <class T>
+[[nodiscard]] T open_arc_length(const T& semi_latus, const T& q, const T& x, const T& y) {
+  using std::sqrt;
+  T Y = y / semi_latus;
+  if (T(x * x) > T(y * y)) {
+    const T longer = sqrt(T((2.0 * x - q * x * x / semi_latus) / semi_latus));
+    Y = y > T(0.0) ? longer : T(-longer);
+  }
+  const T per_w2 = 1.0 + (1.0 - q) * Y * Y;
+  const T cosine = sqrt(T((1.0 - q * Y * Y) / per_w2));
+  return detail::arc_from_vertex(semi_latus, q, cosine, T(Y / sqrt(per_w2)), T(1.0 / per_w2));
 }
 
 /// The same of a curve; lines and points: 0.

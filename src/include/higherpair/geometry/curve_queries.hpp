@@ -58,4 +58,7 @@ struct NormalArc {
 /// \param phi_B  continuous over turns [rad]
 [[nodiscard]] double arc_to_normal(const Curve& curve, double phi_B);
 
+/// The same of a parabola or hyperbola from the point itself, which keeps its digits far out.
+[[nodiscard]] double arc_to_point(const Curve& curve, const Vector2d& p_B);
+
 }  // namespace higherpair

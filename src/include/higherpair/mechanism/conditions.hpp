@@ -182,26 +182,32 @@ template <class T, class D>
   return at;
 }
 
-/// Arc of a conic at ψ, with the sign of its side, from its derivative ρ [m].
+/// Arc of a conic at ψ, with the sign of its side, from its derivative ρ [m]. \param x, y  of the point, as
+/// open_arc_length takes them [m]
 template <class T, class D>
-[[nodiscard]] T arc_along(const CurveDimensions<D>& curve, const T& psi, const T& rho) {
+[[nodiscard]] T arc_along(const CurveDimensions<D>& curve, const T& psi, const T& x, const T& y,
+                          const T& rho) {
   if constexpr (std::is_same_v<T, D>) {
-    return curve.side * conic_arc_length(curve.semi_latus, curve.q, psi);
+    return curve.side * (curve.q > D(0) ? conic_arc_length(curve.semi_latus, curve.q, psi)
+                                        : open_arc_length(curve.semi_latus, curve.q, x, y));
   } else {
-    return integrated(arc_along(curve, psi.c[0], rho.c[0]), rho, psi);
+    return integrated(arc_along(curve, psi.c[0], x.c[0], y.c[0], rho.c[0]), rho, psi);
   }
 }
 
-/// Arc coordinate of a conic's point with the outward normal angle ψ, growing with it [m]; 0 for points.
-/// \param body_theta  angle of the body \param rho  radius of curvature there
+/// Arc coordinate of a conic's point p with the outward normal angle ψ, growing with it [m]; 0 for points.
+/// \param rho  radius of curvature there
 template <class T, class D>
-[[nodiscard]] T conic_arc(const CurveDimensions<D>& curve, const T& body_theta, const T& normal_angle,
-                          const T& rho) {
+[[nodiscard]] T conic_arc(const CurveDimensions<D>& curve, const BodyAt<T>& body, const Vector2<T>& p_W,
+                          const T& normal_angle, const T& rho) {
   if (curve.kind == CurveKind::kPoint) {
     return T(0);
   }
-  const T psi = normal_angle - body_theta - angle_of(Vector2<D>(-curve.axis_B)) - (curve.side > 0 ? 0 : kPi);
-  return arc_along(curve, curve.q > D(0) ? psi : without_turns(psi), rho);
+  const T psi = normal_angle - body.theta - angle_of(Vector2<D>(-curve.axis_B)) - (curve.side > 0 ? 0 : kPi);
+  const Vector2<T> axis_W = body.vector(curve.axis_B);
+  const Vector2<T> d = p_W - body.point(curve.vertex_B);
+  return arc_along(curve, curve.q > D(0) ? psi : without_turns(psi), T(d.dot(axis_W)), T(cross(d, axis_W)),
+                   rho);
 }
 
 /// Arc of the contact point on the first curve less that on the second, both along t = n turned +90°, as if
@@ -217,10 +223,10 @@ template <class T, class D>
     difference += apart;
   }
   if (curve1.kind != CurveKind::kLine) {
-    difference += conic_arc(curve1, body1.theta, at.phi, at.rho1);
+    difference += conic_arc(curve1, body1, at.p1_W, at.phi, at.rho1);
   }
   if (curve2.kind != CurveKind::kLine) {
-    difference += conic_arc(curve2, body2.theta, T(at.phi + kPi), at.rho2);
+    difference += conic_arc(curve2, body2, at.p2_W, T(at.phi + kPi), at.rho2);
   }
   return difference;
 }
