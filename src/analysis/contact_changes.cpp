@@ -54,10 +54,7 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
 }  // namespace
 
 OnPath::OnPath(Run& run_on_it, const Path& its_path)
-    : run(run_on_it),
-      path(its_path),
-      scale(path.is_single() ? driver_scale(run, 0) : 1),
-      open(has_open_contact(run.at.state)) {}
+    : run(run_on_it), path(its_path), scale(unit_of(run, path)), open(has_open_contact(run.at.state)) {}
 
 void advance(OnPath& at, double x) {
   note_events(at.run, at.path, at.s, x);

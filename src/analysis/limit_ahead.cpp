@@ -2,7 +2,9 @@
 
 #include "group_kinds.hpp"
 #include "group_solver.hpp"
+#include "higherpair/contact/critical_positions.hpp"
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "limit_events.hpp"
 #include "reduction.hpp"
 #include "step.hpp"
@@ -16,6 +18,7 @@ namespace {
 
 constexpr double kShareToLimit = 0.5;   // of what is left to a limit: the next step
 constexpr double kNearLimit = 1e-6;     // of the driver's scale: nearer, rates may be too inexact to go on
+constexpr double kNearPole = 1e-3;      // the same of a pole, of which nothing but its place is needed
 constexpr double kFarAway = 100;        // of the size: a body that is farther may be on its way to infinity
 constexpr double kBesideLimit = 1e-12;  // of the driver's scale: as near before a limit a row needs no step
 
@@ -33,24 +36,93 @@ void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reducti
   path.positions(s, run.at.drivers);
 }
 
-// How much of the path is left to where a group's bodies are at infinity; infinite if they are not far away
-// yet. What is left to the power of -p, p a multiple of 1/2, is how far they are; p + 1 that of their speed,
-// which knows nothing of where the distance is measured from.
-double left_to_infinity(const Run& run, std::size_t g) {
-  double farthest = kFarAway * run.plan().size;
+// How much of the path is left to where something runs off to infinity, and how much is too much for that to
+// be right to within rounding.
+struct Rest {
   double left = std::numeric_limits<double>::infinity();
+  double most = 0;  // of the driver's scale
+};
+
+// What is left to the power of -p, p a multiple of 1/2, is how far a group's bodies are, if they are far away
+// already; p + 1 that of their speed.
+Rest left_to_infinity(const Run& run, std::size_t g) {
+  double farthest = kFarAway * run.plan().size;
+  Rest rest;
   for (const int index : run.plan().groups[g].bodies) {
     const BodyMotion& body = body_in(run.at.state, index);
     const double distance = body.X_WB.p_WB.norm();
-    if (distance > farthest) {
-      farthest = distance;
-      const double speed = body.v_WB.norm();
-      const double per_speed = body.v_WB.dot(body.a_WB) / (speed * speed);
-      const double p = std::round(2 / (distance * std::abs(per_speed) / speed - 1)) / 2;
-      left = (p + 1) / per_speed;
+    if (!(distance > farthest)) {
+      continue;
+    }
+    farthest = distance;
+    const double speed = body.v_WB.norm();
+    const double per_speed = body.v_WB.dot(body.a_WB) / (speed * speed);
+    const double p = std::round(2 / (distance * std::abs(per_speed) / speed - 1)) / 2;
+    if (p != std::round(p)) {
+      // The speed knows nothing of where the distance is measured from.
+      rest = {(p + 1) / per_speed, kNearLimit};
+      continue;
+    }
+    // y^(-1/p), y the distance along the path, is smooth: the root of its Taylor polynomial.
+    const Vector2d direction = body.v_WB / speed;
+    const double y = body.X_WB.p_WB.dot(direction);
+    const double slope = speed / y / p;
+    const double bend = (1 / p + 1) * p * slope * slope - body.a_WB.dot(direction) / y / p;
+    rest = {2 / (slope + std::copysign(std::sqrt(slope * slope - 2 * bend), slope)), kNearPole};
+  }
+  return rest;
+}
+
+// A line fixed in a body: the asymptote of its curve that a point far out is nearest to.
+struct Asymptote {
+  const BodyMotion* body = nullptr;
+  Opening opening;
+};
+
+std::optional<Asymptote> asymptote_near(const Run& run, const CurveRef& ref, const Vector2d& p_W) {
+  const BodyMotion& body = body_in(run.at.state, ref.body);
+  std::optional<Asymptote> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Opening& opening : openings_of(curve_of(run.mechanism(), ref))) {
+    const double off =
+        std::abs(cross(opening.direction_B, Vector2d(body.X_WB.inverse_times(p_W) - opening.point_B)));
+    if (opening.has_asymptote && off < least) {
+      best = Asymptote{&body, opening};
+      least = off;
     }
   }
-  return left;
+  return best;
+}
+
+// Where the asymptotes of both curves coincide their contact is at infinity: w, the distance between them,
+// falls to 0 like a power of what is left, with p = 1/2 where the bodies' angles alone decide on it.
+Rest left_to_asymptotes(const Run& run, std::size_t g) {
+  for (const int index : run.plan().groups[g].contacts) {
+    const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
+    const ContactMotion& motion = run.at.state.contacts[static_cast<std::size_t>(index)];
+    const Vector2d p_W = motion.at.p_W();
+    if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
+      continue;
+    }
+    const auto one = asymptote_near(run, contact.first, p_W);
+    const auto two = asymptote_near(run, contact.second, p_W);
+    if (!one || !two) {
+      continue;
+    }
+    const Vector2d n = perp(Vector2d(one->body->X_WB.R_WB * one->opening.direction_B));
+    const PointMotion from = point_motion(*one->body, one->opening.point_B);
+    const PointMotion to = point_motion(*two->body, two->opening.point_B);
+    const Vector2d d = to.p_W - from.p_W, v = to.v_W - from.v_W, a = to.a_W - from.a_W;
+    const double omega = one->body->omega;
+    const Vector2d n_dot = omega * perp(n);
+    const Vector2d n_ddot = one->body->alpha * perp(n) - omega * omega * n;
+    const double w = n.dot(d);
+    const double w_dot = n.dot(v) + n_dot.dot(d);
+    const double w_ddot = n.dot(a) + 2 * n_dot.dot(v) + n_ddot.dot(d);
+    const double p = w * w_ddot / (w_dot * w_dot) < -0.5 ? 0.5 : 1;
+    return {-p * w / w_dot, kNearLimit};
+  }
+  return {};
 }
 
 }  // namespace
@@ -81,7 +153,7 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
     return false;
   }
   const double at = s + found->ahead;
-  if (std::abs(path_.length - at) <= kOnLimit * (scale_ + std::abs(driver_at(path_, at)))) {
+  if (std::abs(path_.length - at) <= kOnLimit * (scale_ + size_at(run_, path_, at))) {
     report_limit(run_, path_, limit_event(run_, g, path_, path_.length));
     stop_at_limit(run_, path_, g, reduction, *found, s);
     return true;
@@ -103,10 +175,16 @@ bool LimitAhead::rests_before(double s) {
 }
 
 PathLimit LimitAhead::assumed(std::size_t g, double s) const {
-  const double left = left_to_infinity(run_, g);
-  const bool runs_off = std::abs(left) <= kNearLimit * scale_ && left * path_.length > 0;
-  const double shortest = shortest_step(scale_, driver_at(path_, s));
-  return {g, s + (runs_off ? left : std::copysign(shortest, path_.length))};
+  const Rest infinity = left_to_infinity(run_, g);
+  if (std::abs(infinity.left) <= infinity.most * scale_ && infinity.left * path_.length > 0) {
+    return {g, s + infinity.left};
+  }
+  // Steps may lead over asymptotes that coincide, by a rounding of the contact's place.
+  const Rest asymptotes = left_to_asymptotes(run_, g);
+  if (std::abs(asymptotes.left) <= asymptotes.most * scale_) {
+    return {g, s + asymptotes.left};
+  }
+  return {g, s + std::copysign(shortest_step(scale_, size_at(run_, path_, s)), path_.length)};
 }
 
 }  // namespace higherpair

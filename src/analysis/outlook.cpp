@@ -10,7 +10,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kNudge = 1e-4;            // of the way between two positions: what is a little ahead
-constexpr double kShortestStretch = 1e-9;  // of the driver's scale
+constexpr double kShortestStretch = 1e-9;  // of the leading driver's scale
 
 // Whether more can be placed between two positions than at both: the one with more has yet more inwards.
 bool has_hill(const Outlook& a, const Outlook& b) {
@@ -33,10 +33,10 @@ double highest_between(const Outlook& a, const Outlook& b) {
 }
 
 // Climbs a hill between two positions at which the branch cannot be placed, up to where it can.
-std::optional<double> placed_on_hill(Run& run, Outlook a, Outlook b) {
-  const double shortest = kShortestStretch * driver_scale(run, 0);
+std::optional<double> placed_on_hill(Run& run, const LineAhead& line, Outlook a, Outlook b) {
+  const double shortest = kShortestStretch * line.scale();
   while (has_hill(a, b) && std::abs(b.x - a.x) > shortest && highest_between(a, b) >= 0 && !is_stopped(run)) {
-    const Outlook middle = outlook_at(run, (a.x + b.x) / 2, b.x - a.x);
+    const Outlook middle = outlook_at(run, line, (a.x + b.x) / 2, b.x - a.x);
     if (middle.placing.complete) {
       return middle.x;
     }
@@ -56,52 +56,53 @@ std::optional<double> top_of_cubic(const Outlook& a, const Outlook& b) {
 }
 
 // Where the branch can be placed between two positions at which it cannot and the same condition fails.
-std::optional<double> placed_within(Run& run, const Outlook& a, const Outlook& b) {
+std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlook& a, const Outlook& b) {
   if (has_hill(a, b)) {
-    return placed_on_hill(run, a, b);
+    return placed_on_hill(run, line, a, b);
   }
   const auto top = top_of_cubic(a, b);
   if (!top) {
     return std::nullopt;
   }
-  const Outlook there = outlook_at(run, *top, b.x - a.x);
+  const Outlook there = outlook_at(run, line, *top, b.x - a.x);
   if (there.placing.complete) {
     return there.x;
   }
-  const auto before = placed_on_hill(run, a, there);
-  return before ? before : placed_on_hill(run, there, b);
+  const auto before = placed_on_hill(run, line, a, there);
+  return before ? before : placed_on_hill(run, line, there, b);
 }
 
 }  // namespace
 
-Outlook outlook_at(Run& run, double x, double spacing) {
+Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing) {
   const double nudge = kNudge * spacing;
-  const Placeable here = place_anew(run, {x});
+  const Placeable here = place_anew(run, line.at(x));
   if (here.complete || !std::isfinite(here.room)) {
     return {x, here, 0, std::numeric_limits<double>::quiet_NaN()};
   }
-  const Placeable ahead = place_anew(run, {x + nudge});
+  const Placeable ahead = place_anew(run, line.at(x + nudge));
   const bool alike = here.conditions == ahead.conditions && std::isfinite(ahead.room);
   const int rises = here < ahead ? 1 : ahead < here ? -1 : 0;
   return {x, here, rises,
           alike ? (ahead.room - here.room) / nudge : std::numeric_limits<double>::quiet_NaN()};
 }
 
-std::optional<double> placed_between(Run& run, const Outlook& a, const Outlook& b) {
+std::optional<double> placed_between(Run& run, const LineAhead& line, const Outlook& a, const Outlook& b) {
   if (a.placing.conditions == b.placing.conditions) {
-    return placed_within(run, a, b);
+    return placed_within(run, line, a, b);
   }
-  const double shortest = kShortestStretch * driver_scale(run, 0);
+  const double shortest = kShortestStretch * line.scale();
   Outlook low = a, high = b;
   while (std::abs(high.x - low.x) > shortest && !is_stopped(run)) {
-    const Outlook middle = outlook_at(run, (low.x + high.x) / 2, high.x - low.x);
+    const Outlook middle = outlook_at(run, line, (low.x + high.x) / 2, high.x - low.x);
     if (middle.placing.complete) {
       return middle.x;
     }
     (middle.placing.conditions == a.placing.conditions ? low : high) = middle;
   }
-  const auto before = placed_within(run, a, low);
-  return before || high.placing.conditions != b.placing.conditions ? before : placed_within(run, high, b);
+  const auto before = placed_within(run, line, a, low);
+  return before || high.placing.conditions != b.placing.conditions ? before
+                                                                   : placed_within(run, line, high, b);
 }
 
 }  // namespace higherpair

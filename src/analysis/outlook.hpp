@@ -1,14 +1,15 @@
 #pragma once
 
+#include "line_ahead.hpp"
 #include "step.hpp"
 
 #include <optional>
 
-// What lies between positions of a single driver at which a branch that was lost cannot be placed.
+// What lies between positions on a line of the drivers at which a branch that was lost cannot be placed.
 
 namespace higherpair {
 
-/// How much can be placed at a position of the driver, and whether that is less (-1) or more (1) than a
+/// How much can be placed at a position on the line, and whether that is less (-1) or more (1) than a
 /// little ahead; 0: as much, or nothing is known of it.
 struct Outlook {
   double x = 0;
@@ -18,10 +19,11 @@ struct Outlook {
 };
 
 /// Uses run.work.trial. \param spacing  to the next position that is looked at
-[[nodiscard]] Outlook outlook_at(Run& run, double x, double spacing);
+[[nodiscard]] Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing);
 
 /// Where the branch can be placed between two positions at which it cannot: between conditions that fail, or
 /// where one fails least.
-[[nodiscard]] std::optional<double> placed_between(Run& run, const Outlook& a, const Outlook& b);
+[[nodiscard]] std::optional<double> placed_between(Run& run, const LineAhead& line, const Outlook& a,
+                                                   const Outlook& b);
 
 }  // namespace higherpair

@@ -79,7 +79,7 @@ private:
         path_(path),
         largest_(std::abs(path.length) / parts),
         at_(run, path),
-        near_(kCrossingReach * unit_of(run, path)),
+        near_(kCrossingReach * at_.scale),
         length_(largest_),
         limit_(run, path, at_.scale),
         steps_left_(kMostSteps + 4 * parts) {
@@ -202,7 +202,7 @@ private:
     if (++refused_ % kHalvingsToLimit == 0 && limit_.look_for(g, at_.s, step_)) {
       return Outcome::kArrived;
     }
-    if (length_.value() < shortest_step(at_.scale, driver_at(path_, at_.s))) {
+    if (length_.value() < shortest_step(at_.scale, size_at(run_, path_, at_.s))) {
       if (exhausted && limit_.rests_before(at_.s)) {
         return Outcome::kArrived;
       }
@@ -241,8 +241,12 @@ private:
       return Outcome::kGoesOn;
     }
     run_.at.lost.event = limit_event(run_, limit.group, path_, limit.s);
-    path_.positions(at_.s, run_.at.lost.from);
+    // A limit at infinity may have been passed by a rounding.
+    const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
+    const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
+    path_.positions(is_ahead ? at_.s : limit.s - least, run_.at.lost.from);
     path_.positions(limit.s, run_.at.lost.at);
+    run_.at.lost.looked_to.reset();
     report_limit(run_, path_, run_.at.lost.event);
     run_.at.held = false;
     run_.at.drivers = path_.to;

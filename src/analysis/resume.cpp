@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/vector.hpp"
 #include "limit_events.hpp"
+#include "line_ahead.hpp"
 #include "outlook.hpp"
 #include "overlap.hpp"
 #include "path.hpp"
@@ -20,8 +21,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kProbe = kPi / 144;  // of the driver's scale: where a branch that was lost is looked for
-constexpr int kFirstProbes = 4;       // before the first of these, each four times as far from the limit
+constexpr double kProbe =
+    kPi / 144;                   // of the leading driver's scale: where a branch that was lost is looked for
+constexpr int kFirstProbes = 4;  // before the first of these, each four times as far from the limit
 constexpr double kMostProbes = 1e4;
 constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
@@ -30,9 +32,18 @@ constexpr int kMostPoles = 16;
 constexpr double kTooNearLimit = 1e-6;  // GroupState::sine there, of its lever
 constexpr double kInside = 1e-3;        // of the driver's scale: from where a limit with a row is come to
 
-bool has_track(const Run& run) {
-  return std::any_of(run.at.state.tracks.begin(), run.at.state.tracks.end(),
-                     [](const PairTrack& track) { return std::holds_alternative<ContactTrack>(track); });
+// Whether some contact is found again from a list of all, of which more than one may be on the branch.
+bool has_listed_contact(const Run& run) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+    const bool stands_on_conics =
+        touching != nullptr &&
+        !run.mechanism().contacts[static_cast<std::size_t>(touching->contact)].by_boundary;
+    if (stands_on_conics || std::holds_alternative<ContactTrack>(run.at.state.tracks[g])) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Whether the drivers are at the limit, to within half of what a row there may be off, or back from it, as
@@ -47,18 +58,44 @@ bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   return beyond <= 0;
 }
 
-// Back from the limit the motion goes on from where it was lost.
-bool come_back(Run& run, const std::vector<double>& drivers) {
+// Where drivers on the way from the row before to this one are: the share of that way.
+double share_of(const Run& run, const std::vector<double>& drivers) {
+  const std::vector<double>& from = run.work.row_before;
+  const std::vector<double>& to = run.at.targets;
+  std::size_t leading = 0;
+  const auto way = [&](std::size_t i) { return std::abs(to[i] - from[i]) / driver_scale(run, i); };
+  for (std::size_t i = 1; i < to.size(); ++i) {
+    leading = way(i) > way(leading) ? i : leading;
+  }
+  const double whole = to[leading] - from[leading];
+  return whole == 0 ? 1 : (drivers[leading] - from[leading]) / whole;
+}
+
+// A part of the way between rows, on the line that they are on.
+Path part_of_way(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
   Path path;
-  set_path(path, run.at.lost.from, drivers);
+  set_path(path, from, to);
+  path.share_from = share_of(run, from);
+  path.share_to = share_of(run, to);
+  return path;
+}
+
+// Follows it from run.at.state, whose rates may be those of another path.
+bool follow_part(Run& run, const Path& path, double first_step = std::numeric_limits<double>::infinity()) {
   if (!path.is_single()) {
     path.motions(0, run.work.motions);
     set_rates(run, run.work.motions, run.at.state);
   }
+  return follow(run, path, first_step);
+}
+
+// Back from the limit the motion goes on from where it was lost.
+bool come_back(Run& run, const std::vector<double>& drivers) {
+  const Path path = part_of_way(run, run.at.lost.from, drivers);
   renew_overlaps(run);
   run.at.held = true;
   report_limit(run, path, run.at.lost.event);
-  return follow(run, path);
+  return follow_part(run, path);
 }
 
 // Whether a group is so near to its limit that its place is known to half its digits only. Beside a limit
@@ -83,9 +120,7 @@ std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
   back.at.held = true;
   back.at.beside.reset();
   back.at.drivers = at;
-  Path path;
-  set_path(path, at, from);
-  if (follow(back, path) && has_track(run)) {
+  if (follow_part(back, part_of_way(run, at, from)) && has_listed_contact(run)) {
     return std::nullopt;  // without a limit on the way it is a contact that the follower cannot have come to
   }
   return back;
@@ -97,123 +132,153 @@ std::optional<Run> found_again(Run& run, const std::vector<double>& at, const st
   return place_anew(run, at).complete ? followed_back(run, at, from, is_row) : std::nullopt;
 }
 
-// Goes on from a state of that stretch; an event says where it begins, on the way from `from` to `to`.
-void go_on_from(Run& run, const Run& back, const State& state, const std::vector<double>& drivers,
-                const std::vector<double>& from, const std::vector<double>& to) {
-  const State lost = std::exchange(run.at.state, state);
-  renew_overlaps(run);
-  run.at.held = true;
-  run.at.beside.reset();
-  run.at.drivers = drivers;
-  Path path;
-  set_path(path, from, to);
+enum class Taken {
+  kNot,      // no stretch is there that the motion could be on
+  kNotYet,   // the stretch begins behind the row
+  kArrived,  // at the row
+  kLost,     // again, before the row
+};
+
+// Looks for a branch on a line, and takes it up where it is found.
+class StretchSearch {
+public:
+  /// \param drivers  of the row, to which the line leads
+  StretchSearch(Run& run, const LineAhead& line, const std::vector<double>& drivers)
+      : run_(run), line_(line), drivers_(drivers), to_(line.x_of(drivers)) {}
+
+  /// Takes up the stretch that holds x where it begins, if that is before the row, and goes on to this.
+  /// `poles` says how many other stretches may be looked for before it.
+  Taken take_up(double x, int poles = kMostPoles);
+
+  /// The same with the stretch that is found first behind `from`, then with that of the row itself.
+  Taken take_up_first(double from);
+
+private:
+  [[nodiscard]] bool is_before(double a, double b) const { return (b - a) * line_.sense() > 0; }
+  [[nodiscard]] std::vector<double> drivers_at(double x) const { return x == to_ ? drivers_ : line_.at(x); }
+  [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return line_.x_of(drivers); }
+
+  bool come_to_begin(double x);
+  void go_on_from(const Run& back, const State& state, double from);
+  bool follow_from(double from, double first_step);
+
+  Run& run_;
+  const LineAhead& line_;
+  const std::vector<double>& drivers_;
+  double to_;  // x of the row
+};
+
+// Goes on from a state of that stretch, which is at `from`; an event says where it begins.
+void StretchSearch::go_on_from(const Run& back, const State& state, double from) {
+  const State lost = std::exchange(run_.at.state, state);
+  renew_overlaps(run_);
+  run_.at.held = true;
+  run_.at.beside.reset();
+  run_.at.drivers = drivers_at(from);
+  const Path path = part_of_way(run_, line_.begin(), drivers_);
   for (const RunEvent& event : back.events) {
     // Where a curve ends the motion may have gone on over the edge.
     const bool is_last = &event == &back.events.back();
     if (event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last)) {
-      RunEvent begin = event;
-      begin.share = 1 - event.share;
-      report_limit(run, path, std::move(begin));
+      report_limit(run_, path, event);
     }
   }
   if (!back.at.held) {
-    take_short_way(run, lost, back.at.state);
+    take_short_way(run_, lost, back.at.state);
   }
 }
 
 // For a row beside the limit where a stretch begins: placed there, a position has half its digits only. It is
 // taken from the limit as it is solved for on the way from within the stretch, where run.at.state then
 // remains.
-bool come_to_begin(Run& run, const std::vector<double>& at, double ahead) {
-  const std::vector<double> within = {at[0] + std::copysign(kInside * driver_scale(run, 0), ahead)};
-  const auto inside = found_again(run, within, at, false);
+bool StretchSearch::come_to_begin(double x) {
+  const double within = x + line_.sense() * kInside * line_.scale();
+  const auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
   if (!inside || !inside->at.held || !inside->at.beside) {
     return false;
   }
-  const State lost = run.at.state;
+  const State lost = run_.at.state;
   const State& begin = *inside->at.beside;
-  go_on_from(run, *inside, begin, inside->at.drivers, run.at.lost.at, at);
-  take_short_way(run, lost, begin);
-  run.at.beside = std::exchange(run.at.state, inside->at.state);
-  take_short_way(run, lost, begin);
+  go_on_from(*inside, begin, x);
+  run_.at.drivers = inside->at.drivers;
+  take_short_way(run_, lost, begin);
+  run_.at.beside = std::exchange(run_.at.state, inside->at.state);
+  take_short_way(run_, lost, begin);
   return true;
 }
 
-bool follow_to(Run& run, const std::vector<double>& drivers,
-               double first_step = std::numeric_limits<double>::infinity()) {
-  Path path;
-  set_path(path, run.at.drivers, drivers);
-  return follow(run, path, first_step);
+// \param first_step  in x
+bool StretchSearch::follow_from(double from, double first_step) {
+  const Path path = part_of_way(run_, drivers_at(from), drivers_);
+  const double per_x = path.is_single() ? 1 : path.length / std::abs(to_ - from);
+  return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
 }
 
-// Takes up the stretch that holds `at` where it begins, if that is before the drivers' positions, and goes on
-// to these; whether it arrives there. `poles` says how many other stretches may be looked for before it.
-std::optional<bool> take_up(Run& run, const std::vector<double>& at, const std::vector<double>& drivers,
-                            int poles = kMostPoles) {
-  const std::vector<double> lost_at = run.at.lost.at;
-  const double ahead = at[0] - lost_at[0];
-  if (!place_anew(run, at).complete) {
-    return std::nullopt;
+Taken StretchSearch::take_up(double x, int poles) {
+  if (!place_anew(run_, drivers_at(x)).complete) {
+    return Taken::kNot;
   }
-  const bool is_row = at == drivers;
-  if (is_row && is_beside_limit(run.work.trial)) {
-    if (come_to_begin(run, at, ahead)) {
-      return true;
+  const bool is_row = x == to_;
+  if (is_row && is_beside_limit(run_.work.trial)) {
+    if (come_to_begin(x)) {
+      return Taken::kArrived;
     }
-    (void)place_anew(run, at);
+    (void)place_anew(run_, drivers_at(x));
   }
-  const auto back = followed_back(run, at, lost_at, is_row);
-  const std::vector<double> begin = back && !back->at.held ? back->at.lost.from : lost_at;
-  const State found = run.work.trial;
+  const auto back = followed_back(run_, drivers_at(x), line_.begin(), is_row);
+  const double limit = x_of(line_.begin());
+  const double begin = back && !back->at.held ? x_of(back->at.lost.from) : limit;
+  const State found = run_.work.trial;
   if (back && !back->at.held) {
     // At a pole another stretch ends where this one begins.
-    const double across = 2 * back->at.lost.at[0] - begin[0];
-    const bool is_new = poles > 0 && (across - lost_at[0]) * ahead > 0 && (across - begin[0]) * ahead < 0;
-    if (const auto arrives = is_new ? take_up(run, {across}, drivers, poles - 1) : std::nullopt) {
-      return arrives;
+    const double across = 2 * x_of(back->at.lost.at) - begin;
+    const bool is_new = poles > 0 && is_before(limit, across) && is_before(across, begin);
+    const Taken taken = is_new ? take_up(across, poles - 1) : Taken::kNot;
+    if (taken == Taken::kArrived || taken == Taken::kLost) {
+      return taken;
     }
   }
-  if (!back || (drivers[0] - begin[0]) * ahead < 0) {
-    return std::nullopt;
+  if (!back || is_before(to_, begin)) {
+    return back ? Taken::kNotYet : Taken::kNot;
   }
-  const Standing before = run.at;
-  const std::size_t events = run.events.size();
-  go_on_from(run, *back, back->at.state, begin, lost_at, drivers);
-  const double to_limit = back->at.held ? std::numeric_limits<double>::infinity()
-                                        : std::max(std::abs(back->at.lost.at[0] - begin[0]),
-                                                   kNearestBegin * driver_scale(run, 0));
-  if (follow_to(run, drivers, to_limit)) {
-    return true;
+  const Standing before = run_.at;
+  const std::size_t events = run_.events.size();
+  go_on_from(*back, back->at.state, begin);
+  const double to_limit =
+      back->at.held ? std::numeric_limits<double>::infinity()
+                    : std::max(std::abs(x_of(back->at.lost.at) - begin), kNearestBegin * line_.scale());
+  if (follow_from(begin, to_limit)) {
+    return Taken::kArrived;
   }
-  if ((run.at.lost.at[0] - at[0]) * ahead >= 0) {
-    return false;
+  if (!is_before(x_of(run_.at.lost.at), x)) {
+    return Taken::kLost;
   }
   // From its very begin it cannot be followed.
-  run.at = before;
-  run.events.resize(events);
-  if ((drivers[0] - at[0]) * ahead < 0) {
-    return std::nullopt;
+  run_.at = before;
+  run_.events.resize(events);
+  if (is_before(to_, x)) {
+    return Taken::kNotYet;
   }
-  go_on_from(run, *back, found, at, lost_at, drivers);
-  return follow_to(run, drivers);
+  go_on_from(*back, found, x);
+  return follow_from(x, std::numeric_limits<double>::infinity()) ? Taken::kArrived : Taken::kLost;
 }
 
-// Positions of the driver at which a branch that was lost is looked for: the limit, close behind it, and then
+// Positions on a line at which a branch that was lost is looked for: the limit, close behind it, and then
 // every kProbe. They are the same whatever the rows, so that what is found at them is.
 class Probes {
 public:
-  Probes(const Run& run, double to)
-      : limit_(run.at.lost.at[0]), step_(std::copysign(kProbe * driver_scale(run, 0), to - limit_)) {}
+  explicit Probes(const LineAhead& line)
+      : limit_(line.x_of(line.begin())), step_(line.sense() * kProbe * line.scale()) {}
 
   [[nodiscard]] double at(double k) const {
     return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
            : k > 0          ? limit_ + std::pow(4, k - kFirstProbes) / 4 * step_
                             : limit_;
   }
-  /// The first one that is not before a position; at least 1.
-  [[nodiscard]] double first_from(double driver) const {
-    double k = std::max(1.0, std::ceil((driver - limit_) / step_) + kFirstProbes);
-    while (k > 1 && (at(k - 1) - driver) * step_ >= 0) {
+  /// The first one that is not before x; at least 1.
+  [[nodiscard]] double first_from(double x) const {
+    double k = std::max(1.0, std::ceil((x - limit_) / step_) + kFirstProbes);
+    while (k > 1 && (at(k - 1) - x) * step_ >= 0) {
       --k;
     }
     return k;
@@ -223,32 +288,40 @@ private:
   double limit_, step_;
 };
 
-// Goes on where the branch is found first behind `from`, up to the positions of the only driver.
-bool resume_ahead(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
-  const Probes probes(run, drivers[0]);
-  const double first = probes.first_from(from[0]);
-  const double beyond = std::min(probes.first_from(drivers[0]), first + kMostProbes);
+Taken StretchSearch::take_up_first(double from) {
+  const Probes probes(line_);
+  std::optional<double>& looked_to = run_.at.lost.looked_to;
+  double first = probes.first_from(from);
+  if (looked_to && line_.is_from_limit()) {
+    first = std::max(first, probes.first_from(*looked_to) + 1);
+  }
+  const double beyond = std::min(probes.first_from(to_), first + kMostProbes);
   const auto outlook = [&](double k) {
-    return outlook_at(run, probes.at(k), probes.at(k + 1) - probes.at(k));
+    return outlook_at(run_, line_, probes.at(k), probes.at(k + 1) - probes.at(k));
   };
   std::optional<Outlook> before;
-  for (double k = first; k <= beyond && !is_stopped(run); ++k) {
+  bool in_vain = line_.is_from_limit();
+  for (double k = first; k <= beyond && !is_stopped(run_); ++k) {
     const Outlook here = outlook(k);
-    std::optional<double> at;
+    std::optional<double> x;
     if (here.placing.complete) {
-      at = here.x;
+      x = here.x;
     } else if (std::isfinite(here.placing.room)) {
       // What a contact lacks has no number, and beside its limit it takes long to see that it cannot be
       // placed.
-      at = placed_between(run, before ? *before : outlook(k - 1), here);
+      x = placed_between(run_, line_, before ? *before : outlook(k - 1), here);
     }
-    if (const auto arrives = at ? take_up(run, {*at}, drivers) : std::nullopt) {
-      return *arrives || resume(run, drivers, run.at.lost.at);
+    const Taken taken = x ? take_up(*x) : Taken::kNot;
+    if (taken == Taken::kArrived || taken == Taken::kLost) {
+      return taken;
+    }
+    in_vain = in_vain && taken == Taken::kNot;
+    if (in_vain) {
+      looked_to = here.x;
     }
     before = here;
   }
-  const auto arrives = is_stopped(run) ? std::nullopt : take_up(run, drivers, drivers);
-  return arrives && (*arrives || resume(run, drivers, run.at.lost.at));
+  return is_stopped(run_) ? Taken::kNot : take_up(to_);
 }
 
 }  // namespace
@@ -263,14 +336,9 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
   if (run.plan().couples) {
     return false;  // their branch beyond the limit has no label to ask for
   }
-  if (drivers.size() > 1) {
-    const auto back = found_again(run, drivers, from, true);
-    if (back) {
-      go_on_from(run, *back, State(run.work.trial), drivers, from, drivers);
-    }
-    return back.has_value();
-  }
-  return resume_ahead(run, drivers, from);
+  const LineAhead line(run, from, drivers);
+  const Taken taken = StretchSearch(run, line, drivers).take_up_first(line.x_of(from));
+  return taken == Taken::kArrived || (taken == Taken::kLost && resume(run, drivers, run.at.lost.at));
 }
 
 }  // namespace higherpair

@@ -6,6 +6,7 @@
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
+#include "limit_events.hpp"
 #include "overlap.hpp"
 #include "path.hpp"
 #include "residual.hpp"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -120,6 +122,25 @@ bool may_be_free(const Run& run) {
   return false;
 }
 
+constexpr double kRoundingOfGap = 1e-10;  // of the size: more than what gaps are closed to
+
+// A group at whose limit the row is, a contact so far out that its gap is a matter of rounding.
+std::optional<std::size_t> group_at_infinity(const Run& run) {
+  if (run.row.status != RowStatus::kNotConverged) {
+    return std::nullopt;
+  }
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    for (const int index : run.plan().groups[g].contacts) {
+      const ContactMotion& contact = run.row.contacts[static_cast<std::size_t>(index)];
+      const double rounding = std::numeric_limits<double>::epsilon() * contact.at.p_W().norm();
+      if (contact.touches && rounding > kRoundingOfGap * run.plan().size) {
+        return g;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // From a position that is assembled: all that a run needs. A contact that is at a limit, from where
 // the continuation is not determined.
 std::optional<int> set_out(Run& run) {
@@ -144,13 +165,12 @@ std::optional<int> set_out(Run& run) {
 }
 
 // Of a single driver events say by its coordinate where they are, on whatever path they have been found.
-void set_shares(Run& run, double from) {
+void set_shares(Run& run) {
+  const double from = run.work.row_before[0];
   const double length = run.at.targets[0] - from;
-  if (run.at.targets.size() > 1 || length == 0) {
-    return;
-  }
+  const bool by_driver = run.at.targets.size() == 1 && length != 0;
   for (RunEvent& event : run.events) {
-    event.share = std::clamp((event.driver - from) / length, 0.0, 1.0);
+    event.share = std::clamp(by_driver ? (event.driver - from) / length : event.share, 0.0, 1.0);
   }
 }
 
@@ -217,7 +237,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (run.at.limit_here || run.at.limit_before) {
     run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
   }
-  const double from = run.at.targets[0];
+  run.work.row_before = run.at.targets;
   // The row before once more, where run.at.state is short of it.
   bool held = run.at.held && run.at.beside.has_value();
   for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -238,12 +258,16 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       set_rates(run, run.work.motions, run.at.state);
     }
     // The branch may be there again at the end of a path on which it is lost.
-    held = follow(run, run.work.path) ||
-           resume(run, run.at.targets, run.work.path.is_single() ? run.at.lost.at : run.work.path.from);
+    held = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
   }
-  set_shares(run, from);
+  set_shares(run);
   if (held) {
     fill_row(run, drivers);
+    if (const auto g = group_at_infinity(run)) {
+      set_path(run.work.path, run.at.drivers, run.at.targets);
+      report_limit(run, run.work.path, limit_event(run, *g, run.work.path, run.work.path.length));
+      run.row.status = RowStatus::kNotAssemblable;
+    }
   } else {
     run.row.status = RowStatus::kNotAssemblable;
     run.row.residual = 0;

@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "joint_ends.hpp"
 #include "reduction.hpp"
+#include "straight_path.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -201,6 +202,17 @@ double unit_of(const Run& run, const Path& path) {
     fastest = std::max(fastest, std::abs(path.to[i] - path.from[i]) / driver_scale(run, i));
   }
   return 1 / fastest;
+}
+
+double size_at(const Run& run, const Path& path, double s) {
+  if (path.is_single()) {
+    return std::abs(driver_at(path, s));
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < path.from.size(); ++i) {
+    largest = std::max(largest, std::abs(std::lerp(path.from[i], path.to[i], s)) / driver_scale(run, i));
+  }
+  return largest * unit_of(run, path);
 }
 
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {

@@ -60,6 +60,10 @@ struct StepResult {
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);
 
+/// The largest of the drivers' coordinates at s, in the path's coordinate: what a rounding of these is a
+/// rounding of.
+[[nodiscard]] double size_at(const Run& run, const Path& path, double s);
+
 /// Places all groups and sets their rates in run.work.trial, `x` beyond run.at.state, which is at s; in
 /// the modes of run.at.state and without asking whether they agree with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);

@@ -1,5 +1,7 @@
 #include "straight_path.hpp"
 
+#include <cmath>
+
 namespace higherpair {
 
 void name_item(const Run& run, std::size_t g, RunEvent& event) {
@@ -21,7 +23,8 @@ RunEvent event_at(EventType type, const Path& path, double s, std::string_view c
 
 void set_place(RunEvent& event, const Path& path, double s) {
   event.driver = driver_at(path, s);
-  event.share = path.length == 0 ? 1 : s / path.length;
+  const double share = path.length == 0 ? 1 : s / path.length;
+  event.share = std::lerp(path.share_from, path.share_to, share);
 }
 
 double driver_at(const Path& path, double s) {
@@ -50,7 +53,9 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
     path.from[i] = from[i];
     path.to[i] = to[i];
   }
-  path.length = path.is_single() ? to[0] - from[0] : 1;
+  path.length = path.is_single() ? to[0] - from[0] : from == to ? 0 : 1;
+  path.share_from = 0;
+  path.share_to = 1;
 }
 
 }  // namespace higherpair

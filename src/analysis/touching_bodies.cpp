@@ -1,5 +1,6 @@
 #include "contact_states.hpp"
 #include "higherpair/contact/extreme_gap.hpp"
+#include "higherpair/contact/finder.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -60,6 +61,15 @@ void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std:
   group.lever = velocity_per_q(pair.motion2, found.at.p2_W).norm() +
                 (pair.motion2.turns ? kLeastLever * model.plan.size : 0);
   group.noise = kGapQIsZero * group.lever;
+}
+
+// \param phi  of the normal, near which it is
+void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPair& pair,
+                    const ContactPosition& at, double phi, State& to) {
+  to.contacts[static_cast<std::size_t>(touching.contact)] =
+      contact_motion(at, nearest_turn(angle_of(at.n_W), phi), touching.follower_is_second);
+  body_in(to, touching.follower.body) = motion_at(pair.motion2, at.q, 0, 0);
+  set_sine(pair, at, to.groups[g]);
 }
 
 GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
@@ -131,31 +141,20 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   if (result.status != ContactStatus::kOk) {
     return status_of(result.status);
   }
-  const ContactPosition& at = result.at;
   const double phi_before = before.phi + (touching.follower_is_second ? 0 : -kPi);
-  const double phi = nearest_turn(angle_of(at.n_W), phi_before + h * before.rates.phi_dot);
-  to.contacts[static_cast<std::size_t>(touching.contact)] =
-      contact_motion(at, phi, touching.follower_is_second);
-  body_in(to, follower.body) = motion_at(placed.pair.motion2, at.q, 0, 0);
-  set_sine(placed.pair, at, to.groups[g]);
+  hold_on_conics(touching, g, placed.pair, result.at, phi_before + h * before.rates.phi_dot, to);
   return GroupStatus::kOk;
 }
 
-GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
-                                const State& from, State& to) {
-  const GroupStatus status = place_touching(model, touching, g, from, 0, to);
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
-  if (!contact.by_boundary || contact.both_sides || to.groups[g].held) {
-    return status;
-  }
+namespace {
+
+// Of the contacts that leave the bodies free of overlap the one nearest to the coordinate at which the last
+// was lost. Positions of closed curves that are free end at a contact of either mode: one that is alone is
+// free.
+GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
+                                  const State& from, double lost, State& to) {
   const StandingPair placed = standing_pair(model, touching, to);
   const BoundaryPair pair = standing_boundaries(model, touching, placed);
-  const CarriedBody& follower = touching.follower;
-  const double lost =
-      carried_coordinate(follower, body_in(from, follower.carrier), body_in(from, follower.body)) +
-      (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
-  // The nearest that is free of overlap. Positions of closed curves that are free end at a contact of either
-  // mode: one that is alone is free.
   std::vector<BoundaryContact> all = find_boundary_contacts(pair, placed.u, {-kInf, kInf});
   std::erase_if(all, [&](const BoundaryContact& found) { return to.groups[g].mode * found.gap_q <= 0; });
   const bool alone = all.size() == 1 && pair.boundary1->is_closed() && pair.boundary2->is_closed();
@@ -172,11 +171,40 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
                    .depth == 0;
   });
   if (nearest == all.end()) {
-    return status;
+    return place_touching(model, touching, g, from, 0, to);
   }
   hold_on_boundaries(model, touching, g, pair, *nearest,
                      from.contacts[static_cast<std::size_t>(touching.contact)].phi, to);
   return GroupStatus::kOk;
+}
+
+// The same of conics.
+GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
+                              const State& from, double lost, State& to) {
+  const StandingPair placed = standing_pair(model, touching, to);
+  const FindResult found = find_nearest_contact(placed.pair, placed.u, lost, to.groups[g].mode);
+  if (found.status != FindStatus::kFound) {
+    return place_touching(model, touching, g, from, 0, to);
+  }
+  const double phi = from.contacts[static_cast<std::size_t>(touching.contact)].phi;
+  hold_on_conics(touching, g, placed.pair, found.at, phi + (touching.follower_is_second ? 0 : -kPi), to);
+  return GroupStatus::kOk;
+}
+
+}  // namespace
+
+GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
+                                const State& from, State& to) {
+  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  if (contact.both_sides || from.groups[g].held) {
+    return place_touching(model, touching, g, from, 0, to);
+  }
+  const CarriedBody& follower = touching.follower;
+  const double lost =
+      carried_coordinate(follower, body_in(from, follower.carrier), body_in(from, follower.body)) +
+      (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
+  return contact.by_boundary ? place_boundaries_anew(model, touching, g, from, lost, to)
+                             : place_conics_anew(model, touching, g, from, lost, to);
 }
 
 // The follower's coordinate rates from n·(v2 - v1) = 0 and the same for accelerations, its carrier moving.

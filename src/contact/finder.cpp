@@ -67,7 +67,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
   const double size = size_at(pair, u, q);
   const std::optional<double> bound = speed_bound(pair, u);
   FindResult result;
-  if (!bound) {
+  if (!bound || listed.is_known()) {
     return listed.find(q, direction, from_overlap);
   }
   const double tolerance = kFineGap * size;
@@ -125,6 +125,10 @@ FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std
     const double farthest =
         best.status == FindStatus::kFound ? std::abs(best.at.q - q) : std::numeric_limits<double>::infinity();
     FindResult found = search(pair, u, q, direction, true, listed, farthest);
+    if (pair.motion2.turns && !listed.is_known() && found.status == FindStatus::kNoContact &&
+        best.status != FindStatus::kFound) {
+      return found;  // there is none in a whole turn
+    }
     if (found.status == FindStatus::kFound && branch && found.branch != *branch) {
       // The other end of the overlap, or of the gap, has the other sign.
       const double size = size_at(pair, u, found.at.q);

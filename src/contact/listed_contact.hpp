@@ -19,6 +19,8 @@ public:
 
   /// The arguments and the answer of find_contact; kUnbounded where there is no such list.
   [[nodiscard]] FindResult find(double q, int direction, bool from_overlap);
+  /// Whether the list has been made.
+  [[nodiscard]] bool is_known() const { return list_.has_value(); }
 
 private:
   const ContactPair& pair_;

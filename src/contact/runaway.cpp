@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace higherpair {
-namespace {
-
-// A direction in which a curve goes to infinity, in the body's frame; with its asymptote where it has one.
-struct Opening {
-  Vector2d direction_B = Vector2d::UnitX();
-  bool has_asymptote = false;
-  Vector2d point_B = Vector2d::Zero();  // of the asymptote
-};
 
 std::vector<Opening> openings_of(const Curve& curve) {
   if (is_line(curve)) {
@@ -31,6 +23,8 @@ std::vector<Opening> openings_of(const Curve& curve) {
   }
   return openings;
 }
+
+namespace {
 
 // Both bodies turn, two asymptotes coincide: N·(O2 - O1) = b1 ∓ b2, b_i the distance of the line from O_i.
 void add_turning(const ContactPair& pair, const Opening& one, const Opening& two,

@@ -111,6 +111,11 @@ inline Profile profile_of(const std::string& text, const Settings& settings = {}
   return *profile;
 }
 
+/// What `analyze` writes for a text.
+inline RunTable analyze_text(const std::string& text, const Settings& settings = {}) {
+  return analyze(profile_of(text, settings));
+}
+
 /// Every row has the status `ok`.
 inline void expect_all_ok(const RunTable& motion) {
   EXPECT_EQ(motion.failure(), "");

@@ -10,13 +10,10 @@
 namespace higherpair {
 namespace {
 
+using testing::analyze_text;
 using ::testing::HasSubstr;
 using testing::RunTable;
 using testing::Settings;
-
-RunTable analyze_text(const char* text, const Settings& settings = {}) {
-  return testing::analyze(testing::profile_of(text, settings));
-}
 
 std::vector<EventType> types_of(const RunTable& motion) {
   std::vector<EventType> types;

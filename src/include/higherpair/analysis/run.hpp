@@ -33,6 +33,9 @@ struct Path {
   std::vector<double> from;
   std::vector<double> to;
   double length = 0;
+  double share_from =
+      0;  ///< of the way from the row before to this one: at `from`; a path may be a part of it
+  double share_to = 1;
 
   [[nodiscard]] bool is_single() const { return from.size() == 1; }
   /// Positions at s into `out`.
@@ -69,6 +72,8 @@ struct Loss {
   std::vector<double> from;  ///< the drivers at Run::state, the last position before it
   std::vector<double> at;    ///< the drivers at the limit
   RunEvent event;
+  std::optional<double> looked_to;  ///< up to where on the straight line beyond it the branch has been looked
+                                    ///< for in vain: coordinate of its leading driver
 };
 
 /// What runs of one mechanism share and none of them changes.
@@ -100,6 +105,7 @@ struct StepWorkspace {
   std::vector<DriverMotion> motions;
   std::vector<Crossing> crossings;  ///< of the present step
   Path path;                        ///< to the next row
+  std::vector<double> row_before;   ///< the drivers there
 };
 
 /// A running analysis. A copy goes on from where it is, on its own and in any thread.

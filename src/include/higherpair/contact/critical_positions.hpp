@@ -48,6 +48,17 @@ struct CriticalPositions {
 /// asymptotes (or faces) of both curves coincide.
 [[nodiscard]] std::vector<double> runaway_positions(const ContactPair& pair);
 
+/// A direction in which a curve goes to infinity, in the body's frame, with its asymptote where it has one. A
+/// line is its own.
+struct Opening {
+  Vector2d direction_B = Vector2d::UnitX();
+  bool has_asymptote = false;
+  Vector2d point_B = Vector2d::Zero();  ///< of the asymptote
+};
+
+/// Of a closed curve none; of a line one stands for both.
+[[nodiscard]] std::vector<Opening> openings_of(const Curve& curve);
+
 /// The pair with curve 2 replaced by its other side: its contacts are opposed where those of `pair` are not.
 [[nodiscard]] ContactPair with_other_side(ContactPair pair);
 
