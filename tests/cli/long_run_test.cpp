@@ -201,5 +201,43 @@ TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
   }
 }
 
+// What reads a pipe that nobody writes, or writes one that nobody reads, waits until it is ended.
+TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
+  copy_profiles({"ellipse_cam_roller"});
+  ASSERT_EQ(run_script("mkfifo pipe pipe.svg").code, 0);
+  for (const std::string signal : {"INT", "TERM"}) {
+    for (const std::string command :
+         {"branches four_bar.toml --csv pipe",
+          "mobility four_bar.toml --json pipe",
+          "verify --quiet --json pipe",
+          "export ellipse_cam_roller.toml --curve cam.oval --points 10000000 -o t.csv",
+          "verify pipe four_bar.toml --json t.json",
+          "branches pipe --csv t.csv",
+          "mobility pipe --json t.json",
+          "export pipe -o t.svg",
+          "check pipe --csv t.csv",
+          "report pipe -o t.html",
+          "map pipe --csv t.csv",
+          "sensitivity pipe --csv t.csv",
+          "sweep pipe -o t.csv",
+          "design pipe -o t.toml",
+          "fit pipe four_bar.toml -o t.toml",
+          "plot pipe --y driver -o t.svg",
+          "draw pipe -o t.svg",
+          "polygon pipe --at 0 -o t.svg",
+          "analyze pipe --csv t.csv",
+          "analyze four_bar.toml --csv pipe",
+          "draw four_bar.toml -o pipe.svg"}) {
+      const Outcome outcome = run_script(fmt::format(
+          "timeout --preserve-status -k 20 -s {} 0.5 {} {} 2>words", signal, HIGHERPAIR_PROGRAM, command));
+      EXPECT_EQ(outcome.code, 130) << signal << " " << command;
+      EXPECT_THAT(file("words"), IsEmpty()) << command;
+      for (const auto& entry : fs::directory_iterator(folder_)) {
+        EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair::testing

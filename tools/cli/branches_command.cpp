@@ -18,7 +18,7 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
                        [&] { return text_of(branches_json(report)) + "\n"; },
                        [&] { return branches_text(report); }};
   if (!write_forms(options.csv, options.json, forms)) {
-    return kExitMachine;
+    return exit_unwritten();
   }
   if ((options.csv || options.json) && !options.quiet) {
     for (const ContactReport& contact : report.contacts) {

@@ -163,11 +163,11 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
 }
 
 int design_command(const DesignCommandOptions& options) {
-  listen_to_signals();
   const auto model = open_model(options.profile, {}, options.quiet, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }
+  listen_to_signals();
   Journal journal(is_direct(options.output) ? "" : target_of(options.output) + ".searches", "search");
   std::vector<DesignSearchEnd> known;
   const auto take = [&](std::string_view record) {

@@ -77,7 +77,6 @@ CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
 }
 
 int draw_command(const DrawOptions& options) {
-  listen_to_signals();
   const auto layers = layers_of(options);
   if (!layers) {
     return report_error(layers.error());
@@ -87,6 +86,7 @@ int draw_command(const DrawOptions& options) {
   if (!model) {
     return report_error(model.error());
   }
+  listen_to_signals();
   SceneSettings settings;
   settings.at = options.at;
   settings.every = options.every;

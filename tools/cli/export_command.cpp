@@ -181,7 +181,7 @@ int export_command(const ExportOptions& options) {
   if (!text) {
     return report_error(text.error());
   }
-  return write_files({{options.output, *text}}) ? kExitOk : kExitMachine;
+  return write_files({{options.output, *text}}, &interruption()) ? kExitOk : exit_unwritten();
 }
 
 }  // namespace higherpair::cli

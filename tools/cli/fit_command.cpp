@@ -86,7 +86,7 @@ int fit_points(const FitCommandOptions& options) {
   if (!report) {
     return report_error(report.error());
   }
-  return write(options, *report) ? kExitOk : kExitMachine;
+  return write(options, *report) ? kExitOk : exit_unwritten();
 }
 
 std::string how_far(const FitProgress& progress) {
@@ -155,7 +155,6 @@ CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options) {
 }
 
 int fit_command(const FitCommandOptions& options) {
-  listen_to_signals();
   if (options.curve) {
     return fit_points(options);
   }
@@ -167,6 +166,7 @@ int fit_command(const FitCommandOptions& options) {
   if (!measured) {
     return report_error({ErrorKind::kInput, measured.error()});
   }
+  listen_to_signals();
   const auto report = [&] {
     StatusLine line(!options.quiet);
     return fit(*model, *measured, settings_of(options, line));

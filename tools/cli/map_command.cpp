@@ -69,13 +69,13 @@ CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
 }
 
 int map_command(const MapOptions& options) {
-  listen_to_signals();
   const auto model =
       open_model(options.profile, options.overrides, options.quiet,
                  given({{"--csv", options.csv}, {"--json", options.json}, {"--output", options.output}}));
   if (!model) {
     return report_error(model.error());
   }
+  listen_to_signals();
   const auto report = map_of(*model, {options.samples, options.tolerance, &interruption()});
   if (!report) {
     return report_error(report.error());

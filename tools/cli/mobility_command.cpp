@@ -15,7 +15,7 @@ namespace {
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
   const Forms forms = {[&] { return mobility_csv(findings); }, [&] { return mobility_json(findings) + "\n"; },
                        [&] { return mobility_text(findings); }};
-  return write_forms(options.csv, options.json, forms) ? kExitOk : kExitMachine;
+  return write_forms(options.csv, options.json, forms) ? kExitOk : exit_unwritten();
 }
 
 }  // namespace

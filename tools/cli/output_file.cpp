@@ -54,6 +54,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
       fail("cannot write " + path);
       return;
     }
+    listen_to_signals();
     temporary_ = target_ + ".part" + std::to_string(getpid());
     file_ = std::fopen(temporary_.c_str(), "wb");
   }
@@ -145,11 +146,14 @@ bool write_files(const std::vector<FileText>& files, const std::atomic<bool>* st
     outputs.push_back(std::make_unique<OutputFile>(file.path));
     all.push_back(outputs.back().get());
   }
+  const auto stopped = [stop] { return stop != nullptr && *stop; };
+  if (stopped()) {
+    return false;
+  }
   // Nothing goes to standard output where a file cannot be opened.
   if (std::any_of(all.begin(), all.end(), [](const OutputFile* file) { return report_failure(*file); })) {
     return false;
   }
-  const auto stopped = [stop] { return stop != nullptr && *stop; };
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::string_view rest = files[i].text; !rest.empty() && !stopped();) {
       all[i]->write(rest.substr(0, kBlock));

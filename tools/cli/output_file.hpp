@@ -17,7 +17,8 @@ namespace higherpair::cli {
 [[nodiscard]] bool is_direct(const std::string& path);
 
 /// Where a table goes: standard output ("-"), a device or pipe (written directly), or a regular file, which
-/// is written beside its place and renamed by commit(): what is not committed leaves no trace. Several
+/// is written beside its place and renamed by commit(): what is not committed leaves no trace, and a signal
+/// only sets interruption() from then on. Several
 /// outputs of one command are finished first and committed when all are good.
 class OutputFile {
 public:

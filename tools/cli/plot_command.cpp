@@ -36,12 +36,12 @@ CLI::App* add_plot_command(CLI::App& app, PlotOptions& options) {
 }
 
 int plot_command(const PlotOptions& options) {
-  listen_to_signals();
   const auto model =
       open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }
+  listen_to_signals();
   PlotSettings settings;
   settings.y = options.y;
   settings.x = options.x;

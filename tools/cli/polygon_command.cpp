@@ -34,12 +34,12 @@ CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
 }
 
 int polygon_command(const PolygonOptions& options) {
-  listen_to_signals();
   const auto model =
       open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }
+  listen_to_signals();
   PolygonSettings settings;
   settings.at = options.at;
   settings.forces = options.forces;

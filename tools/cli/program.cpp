@@ -113,6 +113,7 @@ int run_program(int argc, char** argv) {
     fmt::print(stderr, "higherpair: {}\n", argument_error(app, error));
     return kExitInput;
   }
+  end_on_signals();
   return std::find_if(commands.begin(), commands.end(),
                       [](const Command& one) { return one.arguments->parsed(); })
       ->run();

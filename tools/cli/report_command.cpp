@@ -72,11 +72,11 @@ CLI::App* add_report_command(CLI::App& app, ReportOptions& options) {
 }
 
 int report_command(const ReportOptions& options) {
-  listen_to_signals();
   const auto model = open_model(options.profile, options.overrides, options.quiet, {{"-o", options.output}});
   if (!model) {
     return report_error(model.error());
   }
+  listen_to_signals();
   Progress progress(!options.quiet);
   const auto report = report_of(*model, settings_of(options, progress));
   if (!report) {

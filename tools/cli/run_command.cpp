@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,18 @@ std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 void on_interrupt(int) {
   interrupted = true;
+}
+
+void end_at_once(int) {
+  _exit(kExitInterrupted);
+}
+
+void on_signals(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(number, &action, nullptr);
+  }
 }
 
 std::string quoted(const std::string& text) {
@@ -123,7 +136,9 @@ public:
     return commit_all(files);
   }
 
+  /// Unless it comes from an interruption.
   void print_failure() const {
+    if (interrupted) return;
     const bool said = std::any_of(writers_.begin(), writers_.end(),
                                   [](const auto& one) { return report_failure(one.file()); });
     if (!said && hdf5_) (void)report_failure(hdf5_->file());
@@ -144,7 +159,7 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
   bool written = outputs.good();
   if (!written) {
     outputs.print_failure();
-    return kExitMachine;
+    return exit_unwritten();
   }
   run_blocks(
       analysis, options.threads,
@@ -155,7 +170,7 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
       });
   if (!written) {
     outputs.print_failure();
-    return kExitMachine;
+    return exit_unwritten();
   }
   if (analysis.stopped()) {
     return kExitInterrupted;
@@ -193,14 +208,14 @@ RunSettings settings_of(const RunOptions& options) {
 
 }  // namespace
 
+void end_on_signals() {
+  on_signals(end_at_once);
+}
+
 // A write that waits for a reader comes back with an error instead of beginning again; a pipe that nobody
 // reads is an error of its write.
 void listen_to_signals() {
-  struct sigaction action {};
-  action.sa_handler = on_interrupt;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaction(number, &action, nullptr);
-  }
+  on_signals(on_interrupt);
   std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -55,7 +55,12 @@ void print_notes(const Diagnostics& notes, bool quiet);
 /// Prints what happened on the path on standard error.
 void print_events(const std::vector<Event>& events, const Model& model);
 
-/// From now on INT, TERM and HUP set interruption(), and a pipe that nobody reads is an error of its write.
+/// From now on INT, TERM and HUP end the program at once with kExitInterrupted: nothing has been written that
+/// is to be finished or taken away.
+void end_on_signals();
+
+/// From now on INT, TERM and HUP only set interruption(), and a pipe that nobody reads is an error of its
+/// write.
 void listen_to_signals();
 [[nodiscard]] const std::atomic<bool>& interruption();
 

@@ -184,6 +184,7 @@ Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const st
   if (!model) {
     return tl::unexpected(std::move(model.error()));
   }
+  listen_to_signals();
   const Part part = part_of(options.part).value_or(Part());
   auto sweep = Sweep::of(*model, {options.tolerance, options.samples, part.number, part.of, &stop});
   if (!sweep) {
@@ -200,7 +201,6 @@ int sweep_command(const SweepOptions& options) {
 }
 
 int sweep_command(const SweepOptions& options, const SweepRunner& run) {
-  listen_to_signals();
   const auto opened = open_sweep(options, options.quiet, interruption());
   if (!opened) {
     return report_error(opened.error());

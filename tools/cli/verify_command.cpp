@@ -67,10 +67,7 @@ int write_json(const std::string& path, const std::vector<Verdict>& verdicts, do
     references.push_back(json_of(verdict, bound));
   }
   const nlohmann::ordered_json json = {{"format", 1}, {"bound", bound}, {"references", references}};
-  if (!write_files({{path, text_of(json, 1) + "\n"}})) {
-    return kExitMachine;
-  }
-  return kExitOk;
+  return write_files({{path, text_of(json, 1) + "\n"}}, &interruption()) ? kExitOk : exit_unwritten();
 }
 
 int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
@@ -88,8 +85,8 @@ int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
     fmt::print("{} of {} references hold; largest error {:.1e} of the column's largest value, bound {:.0e}\n",
                verdicts.size() - failed, verdicts.size(), worst, options.bound);
   }
-  if (options.json && write_json(*options.json, verdicts, options.bound) != kExitOk) {
-    return kExitMachine;
+  if (options.json) {
+    if (const int code = write_json(*options.json, verdicts, options.bound); code != kExitOk) return code;
   }
   return failed == 0 ? kExitOk : kExitRows;
 }
