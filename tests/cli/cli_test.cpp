@@ -276,6 +276,25 @@ TEST_F(Program, CanBeInterruptedWithinALongRow) {
   }
 }
 
+TEST_F(Program, SaysThatStandardOutputIsFull) {
+  const auto full = [&](const std::string& arguments) {
+    const std::string err = (folder_ / "err").string();
+    const int status =
+        std::system((std::string(HIGHERPAIR_PROGRAM) + " " + arguments + " >/dev/full 2>" + err).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << arguments;
+    return read_file(err);
+  };
+  const std::string message = "higherpair: cannot write to standard output: No space left on device\n";
+  EXPECT_EQ(full("analyze " + profile("four_bar.toml") + " --quiet --csv -"), message);
+  EXPECT_EQ(full("analyze " + profile("four_bar.toml") + " --quiet"), message);
+  EXPECT_EQ(full("analyze " + profile("four_bar.toml") + " --quiet --summary"), message);
+  EXPECT_EQ(full("analyze " + profile("lock_up.toml") + " --quiet --summary"), message);
+  EXPECT_EQ(full("mobility " + profile("four_bar.toml")), message);
+  EXPECT_EQ(full("verify"), message);
+  EXPECT_EQ(full("--version"), message);
+  EXPECT_EQ(full("draw " + profile("four_bar.toml") + " -o -"), message);
+}
+
 TEST_F(Program, LeavesNoPartFileWhereAReaderHasReadEnough) {
   const std::string table = (folder_ / "table.csv").string();
   const std::string command = std::string(HIGHERPAIR_PROGRAM) + " analyze " + profile("four_bar.toml") +

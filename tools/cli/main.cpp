@@ -1,24 +1,37 @@
 #include "program.hpp"
 #include "run_command.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
 namespace {
 
-// What was printed may still be on its way.
+// Unless its reader has read enough.
+void say_unwritten(int reason) {
+  if (reason != EPIPE) {
+    const std::string why = reason == 0 ? "" : fmt::format(": {}", std::strerror(reason));
+    fmt::print(stderr, "higherpair: cannot write to standard output{}\n", why);
+  }
+}
+
+// What was printed may still be on its way; what has failed before has left its reason in errno.
 int flushed(int code) {
+  using namespace higherpair::cli;
   std::cout.flush();
   const bool good = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (good || code != higherpair::cli::kExitOk) {
+  if (good || code == kExitMachine || code == kExitInterrupted) {
     return code;
   }
-  fmt::print(stderr, "higherpair: cannot write to standard output\n");
-  return higherpair::cli::kExitMachine;
+  say_unwritten(errno);
+  return kExitMachine;
 }
 
 }  // namespace
@@ -28,6 +41,12 @@ int main(int argc, char** argv) {
     return flushed(higherpair::cli::run_program(argc, argv));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "higherpair: out of memory\n");
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) {
+      say_unwritten(error.code().value());
+    } else {
+      fmt::print(stderr, "higherpair: {}\n", error.what());
+    }
   } catch (const std::exception& error) {
     fmt::print(stderr, "higherpair: {}\n", error.what());
   }

@@ -37,7 +37,8 @@ bool is_direct(const std::string& path) {
   return path == "-" || (fs::exists(path, code) && !fs::is_regular_file(path, code));
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path) {
+OutputFile::OutputFile(const std::string& path)
+    : refusal_("cannot write " + (path == "-" ? std::string("to standard output") : path)) {
   if (path == "-") {
     file_ = stdout;
     return;
@@ -51,7 +52,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
     target_ = target_of(path);
     if (target_.empty()) {
       errno = ELOOP;
-      fail("cannot write " + path);
+      fail();
       return;
     }
     listen_to_signals();
@@ -59,7 +60,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
     file_ = std::fopen(temporary_.c_str(), "wb");
   }
   if (file_ == nullptr) {
-    fail("cannot write " + path);
+    fail();
   }
 }
 
@@ -72,16 +73,14 @@ OutputFile::~OutputFile() {
   }
 }
 
-void OutputFile::fail(const std::string& what) {
+void OutputFile::fail() {
   reader_gone_ = reader_gone_ || errno == EPIPE;
-  if (error_.empty()) {
-    error_ = what + ": " + std::strerror(errno);
-  }
+  fail_because(std::strerror(errno));
 }
 
 void OutputFile::fail_because(const std::string& reason) {
   if (error_.empty()) {
-    error_ = fmt::format("cannot write {}: {}", path_, reason);
+    error_ = refusal_ + ": " + reason;
   }
 }
 
@@ -90,7 +89,7 @@ void OutputFile::write(std::string_view text) {
     return;
   }
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
-    fail("cannot write " + path_);
+    fail();
   }
 }
 
@@ -99,10 +98,10 @@ void OutputFile::finish() {
     return;
   }
   if (std::fflush(file_) != 0) {
-    fail("cannot write " + path_);
+    fail();
   }
   if (file_ != stdout && std::fclose(file_) != 0) {
-    fail("cannot write " + path_);
+    fail();
   }
   file_ = nullptr;
 }
@@ -112,7 +111,7 @@ void OutputFile::commit() {
     return;
   }
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
-    fail("cannot write " + path_);
+    fail();
     return;
   }
   temporary_.clear();

@@ -44,9 +44,9 @@ public:
   void commit();
 
 private:
-  void fail(const std::string& what);
+  void fail();
 
-  std::string path_;
+  std::string refusal_;    ///< "cannot write" it
   std::string target_;     ///< the file that a link names
   std::string temporary_;  ///< empty: written directly
   std::FILE* file_ = nullptr;

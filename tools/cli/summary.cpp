@@ -1,8 +1,10 @@
 #include "summary.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -176,7 +178,9 @@ void Summary::print(const std::string& title) const {
   print_path();
   print_contacts(analysis_);
   // Events follow on standard error.
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0) {
+    throw std::system_error(errno, std::generic_category());  // as of fmt::print
+  }
 }
 
 }  // namespace higherpair::cli
