@@ -2,6 +2,7 @@
 
 #include "dxf_entities.hpp"
 #include "dxf_units.hpp"
+#include "encoding.hpp"
 
 #include <algorithm>
 #include <array>
@@ -170,6 +171,10 @@ tl::expected<DxfDrawing, DxfFault> read_dxf(std::string_view text, std::optional
   }
   if (text.starts_with("AC10")) {
     return tl::unexpected(DxfFault{1, "this is a DWG: save the drawing as ASCII DXF"});
+  }
+  if (is_wide(text)) {
+    return tl::unexpected(
+        DxfFault{1, "this is in UTF-16 or UTF-32: save the drawing as ASCII DXF, or as UTF-8"});
   }
   return DxfReader(text, unit, otherwise).read();
 }

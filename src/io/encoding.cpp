@@ -14,13 +14,6 @@ unsigned byte_of(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-// UTF-16 and UTF-32 by their marks; without one, by the zero bytes that every letter of ours has in them.
-bool is_wide(std::string_view text) {
-  const auto zeros =
-      std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(4, std::ssize(text)), '\0');
-  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || zeros == 2 || zeros == 3;
-}
-
 // What a byte of 0xA0 and above is in Latin-1, and in Windows-1252 as well.
 std::string latin1_character(unsigned byte) {
   return {static_cast<char>(0xC0U | (byte >> 6U)), static_cast<char>(0x80U | (byte & 0x3FU))};
@@ -33,6 +26,13 @@ std::string not_utf8(unsigned byte) {
 }
 
 }  // namespace
+
+// UTF-16 and UTF-32 by their marks; without one, by the zero bytes that every letter of ours has in them.
+bool is_wide(std::string_view text) {
+  const auto zeros =
+      std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(4, std::ssize(text)), '\0');
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || zeros == 2 || zeros == 3;
+}
 
 std::size_t character_length(std::string_view text) {
   if (text.empty()) {

@@ -21,6 +21,9 @@ struct TextMistake {
 /// The code point at the front of `text`, which must be a character of UTF-8.
 [[nodiscard]] char32_t character_at(std::string_view text);
 
+/// Whether `text` is in UTF-16 or UTF-32.
+[[nodiscard]] bool is_wide(std::string_view text);
+
 /// What keeps `text` from being UTF-8: UTF-16 or UTF-32, Latin-1, data that are no text at all.
 [[nodiscard]] std::optional<TextMistake> encoding_mistake(std::string_view text);
 

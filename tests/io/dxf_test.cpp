@@ -208,6 +208,13 @@ TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {
                                                          "found \"hello\""));
   EXPECT_THAT(first("AutoCAD Binary DXF\r\n"), HasSubstr("this is a binary DXF: save the drawing as ASCII"));
   EXPECT_THAT(first("AC1015......"), HasSubstr("this is a DWG: save the drawing as ASCII DXF"));
+  for (const std::string& wide : {std::string("\xff\xfe"
+                                              "0\0\n\0",
+                                              6),
+                                  std::string("\xfe\xff\0000\0\n", 6), std::string("0\0\n\0S\0", 6)}) {
+    EXPECT_THAT(first(wide),
+                HasSubstr(where + "1: this is in UTF-16 or UTF-32: save the drawing as ASCII DXF"));
+  }
   EXPECT_THAT(first(in_lines("0 SECTION 2 HEADER 0 ENDSEC 0 EOF")),
               HasSubstr("the drawing has no section ENTITIES"));
   EXPECT_THAT(first(in_lines("0 SECTION 2 ENTITIES " + kTriangle)),
