@@ -1,6 +1,8 @@
 #include "analysis_impl.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/notes.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 
 #include <algorithm>
@@ -16,6 +18,10 @@ namespace {
 Error input_error(Diagnostics mistakes) {
   return {ErrorKind::kInput, std::move(mistakes)};
 }
+
+// Of a driver, in sizes of the mechanism: farther away positions are rounded by more than the default
+// tolerance, and a path is followed in steps of a sixth of the size.
+constexpr double kLongestSlide = 1e7;
 
 constexpr std::int64_t kSlipsLookedFor = 1000;  // positions at which a rolling pair is tried before the run
 std::string text_of(const Slip& slip, const Profile& profile) {
@@ -70,10 +76,47 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
 
 namespace {
 
+// How far a driver goes from its first position.
+double way_of(const DriverSchedule& schedule, std::size_t driver) {
+  const auto position = [&](std::int64_t row) { return schedule.state(row, driver).si.position; };
+  const std::int64_t last = schedule.size() - 1;
+  const std::int64_t stride =
+      schedule.is_listed() ? 1 : std::max<std::int64_t>(1, schedule.size() / kSlipsLookedFor);
+  double way = std::abs(position(last) - position(0));
+  for (std::int64_t row = 0; row < last; row += stride) {
+    way = std::max(way, std::abs(position(row) - position(0)));
+  }
+  return way;
+}
+
+std::optional<Error> refuse_long_slide(const Model::Data& model, const DriverSchedule& schedule) {
+  const Profile& profile = model.profile;
+  const double longest = kLongestSlide * model.plan->size;
+  const auto length = [&](double metres) {
+    return fmt::format("{:.6g} {}", from_si(dimension::kLength, profile.units).apply(metres),
+                       unit_text(dimension::kLength, profile.units));
+  };
+  for (std::size_t i = 0; i < profile.mechanism.drivers.size(); ++i) {
+    const double way = has_angle(driven_joint(profile.mechanism, i).type) ? 0 : way_of(schedule, i);
+    if (way > longest) {
+      return error_about(
+          model, ErrorKind::kInput,
+          fmt::format(
+              "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can be "
+              "followed (the largest distance of its points, or {} where they coincide): let it go less far",
+              driver_name(profile.mechanism.drivers[i]), length(way), length(longest), length(1)));
+    }
+  }
+  return std::nullopt;
+}
+
 Result<Run> started(const Model::Data& model, const RunSettings& settings, const DriverSchedule& schedule) {
   const auto refuse = [&](std::string reason) {
     return tl::unexpected(error_about(model, ErrorKind::kMechanism, std::move(reason)));
   };
+  if (auto refusal = refuse_long_slide(model, schedule)) {
+    return tl::unexpected(*std::move(refusal));
+  }
   auto run = start_run(run_model(model), schedule.first_positions(), settings.tolerance);
   if (!run) {
     return refuse(run.error().slip

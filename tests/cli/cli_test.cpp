@@ -417,6 +417,26 @@ TEST_F(Program, SeesAContactOpenBetweenTwoRowsThatAreClosed) {
   }
 }
 
+// A slide within its own origin: there is nothing to compare its way with but 1 m.
+TEST_F(Program, SaysHowFarADriverCanSlide) {
+  const fs::path file = folder_ / "slide.toml";
+  std::ofstream(file) << R"(units.length = "m"
+bodies.ground.points.O = [0, 0]
+bodies.slide.points.P  = [0, 0]
+joints.guide = { type = "prismatic", between = ["ground.O", "slide.P"], direction = [1, 0] }
+driver = { joint = "guide", start = 0, end = 1e12, samples = 2 }
+)";
+  const Outcome outcome = run("analyze " + file.string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err,
+              HasSubstr("driver goes 1e+12 m from its first position; at most 1e+07 m, 1e7 times "
+                        "the size of the mechanism, can be followed"));
+  EXPECT_EQ(run("analyze " + file.string() + " --set driver.end=0.5").code, 0);
+  EXPECT_EQ(run("analyze " + file.string() + " --set driver.positions=[0,1e12,0]").code, 2);
+  EXPECT_EQ(run("analyze " + file.string() + " --set driver.positions=[1e12,1000000000100]").code, 0);
+}
+
 TEST_F(Program, CountsOpenRowsInTheSummaryOfForces) {
   const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
                               " --set 'driver.velocity=\"800 rpm\"' --summary --quiet");
