@@ -47,8 +47,7 @@ std::optional<EventType> type_of(const Run& run, const JointPassage& passage) {
 }
 
 std::string cause_of(const Run& run, const JointPassage& passage, EventType type) {
-  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
-  const bool onto_corner = boundary.is_corner(passage.after);
+  const bool onto_corner = boundary_at(run, passage.contact, passage.side).is_corner(passage.after);
   const std::string& body = body_of_side(run, passage.contact, passage.side);
   if (type == EventType::kEnd) {
     return onto_corner
@@ -59,8 +58,7 @@ std::string cause_of(const Run& run, const JointPassage& passage, EventType type
   if (type == EventType::kCorner) {
     return fmt::format("the contact {} a corner of {}", onto_corner ? "goes onto" : "leaves", body);
   }
-  return fmt::format("the curvature of {} jumps from {:.6g} to {:.6g} 1/m", body,
-                     boundary.at(passage.before).kappa, boundary.at(passage.after).kappa);
+  return fmt::format("the curvature of {} jumps", body);
 }
 
 }  // namespace
@@ -94,8 +92,12 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   }
   RunEvent event = event_at(*type, path, s, cause_of(run, passage, *type));
   event.contact = static_cast<int>(passage.contact);
+  if (*type == EventType::kCurvatureJump) {
+    const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+    event.curvature = std::array{boundary.at(passage.before).kappa, boundary.at(passage.after).kappa};
+  }
   if (joint) {
-    event.cause += fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
+    event.effect = fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
                                run.mechanism().joints[static_cast<std::size_t>(*joint)].name,
                                from_to_text(before, acceleration_of(run, *joint)));
   }

@@ -15,6 +15,17 @@ constexpr double kAtEnd = 1e-9;  // share of the path between two rows: as near 
 
 constexpr std::array kRates = {"position", "velocity", "acceleration"};
 
+std::string cause_of(const RunEvent& what, const Units& units) {
+  std::string cause = what.cause;
+  if (what.curvature) {
+    const Dimension curvature = dimension::kNumber / dimension::kLength;
+    const Scaling shown = from_si(curvature, units);
+    cause += fmt::format(" from {:.6g} to {:.6g} {}", shown.apply((*what.curvature)[0]),
+                         shown.apply((*what.curvature)[1]), unit_text(curvature, units));
+  }
+  return cause + what.effect;
+}
+
 }  // namespace
 
 void Analysis::Impl::add_event(const RunEvent& what, double share) {
@@ -39,7 +50,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   } else if (event.joint) {
     event.item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
   }
-  event.cause = what.cause;
+  event.cause = cause_of(what, units);
   if (what.joint && what.value) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(*what.joint)];
     event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);

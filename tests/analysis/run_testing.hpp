@@ -30,8 +30,8 @@ public:
     }
     motion_ = *std::move(motion);
     for (const Event& event : motion_->events()) {
-      events_.push_back(
-          {event.type, event.driver_si, 0, event.joint, event.contact, event.cause, event.value});
+      events_.push_back({event.type, event.driver_si, 0, event.joint, event.contact, event.cause, "",
+                         event.value, std::nullopt});
     }
   }
 

@@ -417,6 +417,13 @@ TEST_F(Program, SeesAContactOpenBetweenTwoRowsThatAreClosed) {
   }
 }
 
+TEST_F(Program, GivesCurvaturesInTheUnitsOfTheProfile) {
+  const Outcome outcome = run("analyze " + profile("four_arc_cam.toml") + " --columns driver");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("the curvature of cam jumps from 0.0263158 to 0.125 1/mm; for a unit rate"));
+}
+
 // A slide within its own origin: there is nothing to compare its way with but 1 m.
 TEST_F(Program, SaysHowFarADriverCanSlide) {
   const fs::path file = folder_ / "slide.toml";

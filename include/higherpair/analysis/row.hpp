@@ -3,6 +3,7 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/geometry/pose.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +57,9 @@ struct RunEvent {
   std::optional<int> joint;  ///< what it happens at, if one can be named
   std::optional<int> contact;
   std::string cause;            ///< a sentence
+  std::string effect;           ///< what follows on it, "; ..."; or empty
   std::optional<double> value;  ///< of what reverses: the joint's coordinate there [rad or m]
+  std::optional<std::array<double, 2>> curvature;  ///< where it jumps: before and after [1/m]
 };
 
 }  // namespace higherpair
