@@ -15,6 +15,14 @@ constexpr double kAtEnd = 1e-9;  // share of the path between two rows: as near 
 
 constexpr std::array kRates = {"position", "velocity", "acceleration"};
 
+// In the order of the path: its driver may pass a place twice, so that only time or share tells.
+bool is_earlier(const Event& a, const Event& b) {
+  if (a.row != b.row) {
+    return a.row < b.row;
+  }
+  return a.time && b.time ? *a.time < *b.time : a.share < b.share;
+}
+
 std::string cause_of(const RunEvent& what, const Units& units) {
   std::string cause = what.cause;
   if (what.curvature) {
@@ -33,6 +41,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   Event event;
   event.type = what.type;
   event.row = next;
+  event.share = share;
   event.driver_si = what.driver;
   event.driver = from_si(driver_dimension(mechanism), units).apply(what.driver);
   if (schedule.is_timed()) {
@@ -78,11 +87,11 @@ void Analysis::Impl::move() {
   }
   move_to(run, motions);
   note(from, 1);
-  add_law_jumps(first);
+  add_law_jumps();
+  std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(), is_earlier);
 }
 
-// Among the events from `first` on, those of this row.
-void Analysis::Impl::add_law_jumps(std::size_t first) {
+void Analysis::Impl::add_law_jumps() {
   const Profile& profile = model->profile;
   for (const DriverSchedule::LawJump& jump : schedule.law_jumps(next)) {
     const Joint& joint = driven_joint(profile.mechanism, jump.driver);
@@ -112,27 +121,34 @@ void Analysis::Impl::add_law_jumps(std::size_t first) {
     event.cause += "; a row there shows what is after it";
     events.push_back(std::move(event));
   }
-  std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
-                   [](const Event& a, const Event& b) { return a.time.value_or(0) < b.time.value_or(0); });
+}
+
+Event Analysis::Impl::opening_event(const ContactForceReport::Opening& opening) const {
+  Event event;
+  event.type = EventType::kContactOpen;
+  event.row = static_cast<std::int64_t>(std::ceil(opening.row));
+  event.share = opening.row - std::ceil(opening.row) + 1;
+  event.driver_si = opening.what.driver;
+  event.driver = from_si(driver_dimension(model->profile.mechanism), units).apply(opening.what.driver);
+  if (schedule.is_timed()) {
+    const double before = schedule.time_si(std::max<std::int64_t>(event.row - 1, 0));
+    event.time =
+        from_si(dimension::kTime, units).apply(std::lerp(before, schedule.time_si(event.row), event.share));
+  }
+  event.contact = static_cast<int>(opening.what.contact);
+  event.item = model->profile.mechanism.contacts[opening.what.contact].name;
+  event.cause = opening.cause;
+  return event;
 }
 
 // Contacts that open lie between rows as well: they are looked for on the whole path, whatever its rows.
 void Analysis::Impl::report_openings() {
   contacts = report_contacts(model->profile, schedule, *start);
   for (const ContactForceReport::Opening& opening : contacts.openings) {
-    Event event;
-    event.type = EventType::kContactOpen;
-    event.row = static_cast<std::int64_t>(std::ceil(opening.row));
-    event.driver_si = opening.what.driver;
-    event.driver = from_si(driver_dimension(model->profile.mechanism), units).apply(opening.what.driver);
-    event.contact = static_cast<int>(opening.what.contact);
-    event.item = model->profile.mechanism.contacts[opening.what.contact].name;
-    event.cause = opening.cause;
-    events.push_back(std::move(event));
+    events.push_back(opening_event(opening));
     good = false;
   }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const Event& a, const Event& b) { return a.row < b.row; });
+  std::stable_sort(events.begin(), events.end(), is_earlier);
 }
 
 }  // namespace higherpair

@@ -63,8 +63,9 @@ private:
   void begin_block();
   void read_drivers();
   void add_event(const RunEvent& what, double share);
+  [[nodiscard]] Event opening_event(const ContactForceReport::Opening& opening) const;
   void move();
-  void add_law_jumps(std::size_t first);
+  void add_law_jumps();
   void report_openings();
 };
 

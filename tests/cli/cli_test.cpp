@@ -417,6 +417,40 @@ TEST_F(Program, SeesAContactOpenBetweenTwoRowsThatAreClosed) {
   }
 }
 
+// The contact opens at 57 degrees, strokes end at 90 and 270; backwards it opens at 123.
+TEST_F(Program, ListsEventsBetweenTwoRowsInTheOrderOfTheMotion) {
+  const auto events = [&](const std::string& way) {
+    const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
+                                " --set 'driver.velocity=\"800 rpm\"' --json - " + way);
+    EXPECT_EQ(outcome.code, 4) << way;
+    const nlohmann::json json = nlohmann::json::parse(outcome.out);
+    std::vector<std::string> types;
+    for (const auto& event : json.at("events")) types.push_back(event.at("type"));
+    return types;
+  };
+  const std::vector<std::string> there = {"contact_open", "stroke_end", "stroke_end"};
+  const std::vector<std::string> back = {"stroke_end", "contact_open", "stroke_end"};
+  EXPECT_EQ(events("--samples 2"), there);
+  EXPECT_EQ(events("--samples 3"), there);
+  EXPECT_EQ(events("--samples 2 --set driver.start=360 --set driver.end=0"), back);
+  std::vector<std::string> both = there;
+  both.insert(both.end(), back.begin(), back.end());
+  EXPECT_EQ(events("--set driver.positions=[0,360,0]"), both);
+}
+
+// 800 rpm are 4800 degrees a second.
+TEST_F(Program, GivesAContactThatOpensItsTime) {
+  const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
+                              " --time --set 'driver.velocity=\"800 rpm\"' --set driver.duration=0.075 "
+                              "--samples 3 --json -");
+  EXPECT_EQ(outcome.code, 4);
+  const nlohmann::json events = nlohmann::json::parse(outcome.out).at("events");
+  ASSERT_EQ(events.size(), 3);
+  EXPECT_EQ(events[0].at("type"), "contact_open");
+  EXPECT_NEAR(events[0].at("time").get<double>(), 56.951882894546 / 4800, 1e-12);
+  EXPECT_NEAR(events[1].at("time").get<double>(), 90.0 / 4800, 1e-12);
+}
+
 TEST_F(Program, GivesCurvaturesInTheUnitsOfTheProfile) {
   const Outcome outcome = run("analyze " + profile("four_arc_cam.toml") + " --columns driver");
   EXPECT_EQ(outcome.code, 0);

@@ -58,6 +58,7 @@ struct Event {
   std::optional<int> contact;  ///< of Mechanism::contacts
   /// Of a stroke end: the joint's coordinate there, in the units of the run.
   std::optional<double> value;
+  double share = 1;  ///< of the path from the row before to `row`: where it happened
 };
 
 /// The word in a column of words; empty where undefined.
