@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,12 @@ bool is_earlier(const Event& a, const Event& b) {
     return a.row < b.row;
   }
   return a.time && b.time ? *a.time < *b.time : a.share < b.share;
+}
+
+bool is_fault(const Event& event, std::int64_t last_row) {
+  const bool at_end = (event.row == last_row && event.share >= 1 - kAtEnd) || event.row == 0;
+  const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
+  return limit || event.type == EventType::kOverlap;
 }
 
 std::string cause_of(const RunEvent& what, const Units& units) {
@@ -64,9 +71,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(*what.joint)];
     event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);
   }
-  const bool at_end = (next == schedule.size() - 1 && share >= 1 - kAtEnd) || next == 0;
-  const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
-  good = good && !limit && event.type != EventType::kOverlap;
+  good = good && !is_fault(event, schedule.size() - 1);
   events.push_back(std::move(event));
 }
 
@@ -121,6 +126,13 @@ void Analysis::Impl::add_law_jumps() {
     event.cause += "; a row there shows what is after it";
     events.push_back(std::move(event));
   }
+}
+
+std::vector<Event> Analysis::Impl::faults_before(std::int64_t row) const {
+  std::vector<Event> faults;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(faults),
+               [&](const Event& event) { return event.row <= row && is_fault(event, row); });
+  return faults;
 }
 
 Event Analysis::Impl::opening_event(const ContactForceReport::Opening& opening) const {

@@ -59,6 +59,10 @@ struct Analysis::Impl {
   /// What a worker has found in the block of rows from `next` up to `end`.
   void add_block(std::vector<Event> found, bool all_good, std::int64_t end);
 
+  /// Of the events up to a row those that keep the path there from being good: limit positions and ends of
+  /// curves before the row itself, and overlaps.
+  [[nodiscard]] std::vector<Event> faults_before(std::int64_t row) const;
+
 private:
   void begin_block();
   void read_drivers();

@@ -1,3 +1,4 @@
+#include "analysis_impl.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/diagnostic.hpp"
@@ -22,6 +23,7 @@ struct DrawnRows {
   std::vector<MotionRow> rows;
   std::vector<Reactions> reactions;  ///< the same, of a run with forces
   std::vector<double> drivers;       ///< of each row, in its unit
+  std::vector<Event> faults;         ///< what keeps the path from being good
 };
 
 Result<DrawnRows> rows_of(const Model& model, const RunSettings& settings) {
@@ -39,6 +41,7 @@ Result<DrawnRows> rows_of(const Model& model, const RunSettings& settings) {
   if (analysis->stopped()) {
     return wrong(model, "interrupted");
   }
+  rows.faults = analysis->impl().faults_before(row.number);
   if (auto error = nothing_to_draw(model, rows.rows)) {
     return tl::unexpected(*std::move(error));
   }
@@ -70,6 +73,7 @@ Result<Scenes> scene_at(const Model& model, const RunSettings& settings, double 
     scenes.limit = reached->limit->driver;
     scenes.cause = reached->limit->cause;
   }
+  scenes.passed = reached->passed;
   return scenes;
 }
 
@@ -91,6 +95,7 @@ Result<Scenes> scenes_every(const Model& model, RunSettings settings, double ste
     return tl::unexpected(rows.error());
   }
   Scenes scenes;
+  scenes.passed = rows->faults;
   for (std::size_t i = 0; i < rows->rows.size(); ++i) {
     const Reactions* reactions = settings.forces ? &rows->reactions[i] : nullptr;
     if (has_place(rows->rows[i])) {
@@ -162,7 +167,7 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
   if (settings.at) {
     return scene_at(model, alone, *settings.at, maker);
   }
-  return Scenes{{maker.scene()}, std::nullopt, "", {}};  // of the first row that has a place
+  return Scenes{{maker.scene()}, std::nullopt, "", {}, {}};  // of the first row that has a place
 }
 
 }  // namespace higherpair

@@ -25,6 +25,7 @@ Result<Polygons> polygons_of(const Model& model, const PolygonSettings& wanted) 
   if (reached->limit) {
     all.limit = reached->limit->cause;
   }
+  all.passed = reached->passed;
   const Run& run = reached->run;
   all.driver = reached->driver;
   all.driver_unit = unit_text(driver_dimension(run.mechanism()), model.units());

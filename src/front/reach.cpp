@@ -25,11 +25,13 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
     return tl::unexpected(std::move(analysis.error()));
   }
   std::optional<Reached> best;
+  std::int64_t best_row = 0;
   Row row;
   while (analysis->next(row)) {
     const double driver = row.values.front();
     if (has_place(analysis->motion()) && (!best || std::abs(driver - at) < std::abs(best->driver - at))) {
-      best = Reached{analysis->impl().run, driver, std::nullopt};
+      best = Reached{analysis->impl().run, driver, std::nullopt, {}};
+      best_row = row.number;
     }
   }
   if (analysis->stopped()) {
@@ -38,6 +40,7 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
   if (!best) {
     return tl::unexpected(*nothing_to_draw(model, {}));
   }
+  best->passed = analysis->impl().faults_before(best_row);
   return *std::move(best);
 }
 
@@ -67,7 +70,7 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
   if (analysis->stopped()) {
     return tl::unexpected(interrupted(model));
   }
-  Reached reached{analysis->impl().run, at, std::nullopt};
+  Reached reached{analysis->impl().run, at, std::nullopt, analysis->impl().faults_before(row.number)};
   // The last one: before it a contact may have gone on over the edge at the end of a curve.
   const auto limit =
       std::find_if(analysis->events().rbegin(), analysis->events().rend(), [](const Event& event) {
@@ -118,6 +121,7 @@ Result<Reached> reach(const Model& model, const RunSettings& settings, double at
   reached = go_to(model, settings, from, limit.driver);
   if (reached) {
     reached->limit = limit;
+    reached->passed.clear();
   }
   return reached;
 }

@@ -14,6 +14,7 @@ struct Reached {
   Run run;
   double driver = 0;           ///< position of the (first) driver, in its unit
   std::optional<Event> limit;  ///< the limit position at which it is, where it could not go on
+  std::vector<Event> passed;   ///< else what lies on the way and keeps the path from being good
 };
 
 /// Settings of a run of which only the position of the (first) driver is asked for.

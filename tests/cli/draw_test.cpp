@@ -52,6 +52,20 @@ TEST_F(Draw, SaysWhichOfSeveralPositionsAreLeftOut) {
   EXPECT_TRUE(fs::exists(folder_ / "l.svg"));
 }
 
+// At 359 degrees the bodies touch again, but no motion leads there.
+TEST_F(Draw, SaysWhichLimitsLieOnTheWay) {
+  for (const std::string where : {"--at 359", "--every 359"}) {
+    const Outcome outcome = run("lock_up.toml -o l.svg " + where);
+    EXPECT_EQ(outcome.code, 4) << where;
+    EXPECT_THAT(outcome.err, HasSubstr("the motion from the first position to what is drawn goes over\n"
+                                       "limit_position at driver = 65.83442"));
+    EXPECT_TRUE(fs::exists(folder_ / "l.svg"));
+  }
+  const Outcome before = run("lock_up.toml -o l.svg --at 65");
+  EXPECT_EQ(before.code, 0);
+  EXPECT_THAT(before.err, IsEmpty());
+}
+
 TEST_F(Draw, RefusesPositionsAndWidthsWithoutAPlace) {
   const auto message = [&](const std::string& arguments) {
     const Outcome outcome = run("four_bar.toml -o w.svg " + arguments);

@@ -117,6 +117,13 @@ TEST_F(PictureFiles, OfPolygonsAreOfTheLimitWhereThePositionCannotBeReached) {
   EXPECT_TRUE(fs::exists(folder_ / "p.svg"));
 }
 
+TEST_F(PictureFiles, OfPolygonsSayWhichLimitsLieOnTheWay) {
+  const Outcome outcome = run("polygon lock_up.toml -o p.svg --at 359");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("limit_position at driver = 65.83442"));
+  EXPECT_TRUE(fs::exists(folder_ / "p.svg"));
+}
+
 TEST_F(PictureFiles, OfPolygonsNeedAPosition) {
   EXPECT_THAT(refusal("polygon sixbar_slider.toml -o w.svg"), HasSubstr("--at is required"));
   EXPECT_THAT(refusal("polygon sixbar_slider.toml -o w.svg --at nan"), HasSubstr("'nan' is no number"));

@@ -40,6 +40,21 @@ Result<std::vector<Role>> layers_of(const DrawOptions& options) {
   return layers.empty() && options.linkage ? kLinkageAlone : layers;
 }
 
+// Says what keeps the picture from being that of a good path; returns the exit code.
+int judge(const DrawOptions& options, const Model& model, const Scenes& scenes) {
+  if (scenes.limit) {
+    fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
+               *options.at, *scenes.limit, scenes.cause);
+    return kExitRows;
+  }
+  if (!scenes.left_out.empty()) {
+    fmt::print(stderr, "higherpair: positions that cannot be reached are left out: driver = {:.9g}\n",
+               fmt::join(scenes.left_out, ", "));
+  }
+  print_passed(scenes.passed, model);
+  return scenes.left_out.empty() && scenes.passed.empty() ? kExitOk : kExitRows;
+}
+
 }  // namespace
 
 CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
@@ -110,17 +125,7 @@ int draw_command(const DrawOptions& options) {
                    &interruption())) {
     return exit_unwritten();
   }
-  if (scenes->limit) {
-    fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
-               *options.at, *scenes->limit, scenes->cause);
-    return kExitRows;
-  }
-  if (!scenes->left_out.empty()) {
-    fmt::print(stderr, "higherpair: positions that cannot be reached are left out: driver = {:.9g}\n",
-               fmt::join(scenes->left_out, ", "));
-    return kExitRows;
-  }
-  return kExitOk;
+  return judge(options, *model, *scenes);
 }
 
 }  // namespace higherpair::cli

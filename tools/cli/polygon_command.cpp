@@ -63,7 +63,8 @@ int polygon_command(const PolygonOptions& options) {
                options.profile, options.at, found->driver, *found->limit);
     return kExitRows;
   }
-  return kExitOk;
+  print_passed(found->passed, *model);
+  return found->passed.empty() ? kExitOk : kExitRows;
 }
 
 }  // namespace higherpair::cli

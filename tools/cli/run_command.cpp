@@ -225,6 +225,13 @@ void print_events(const std::vector<Event>& events, const Model& model) {
   }
 }
 
+void print_passed(const std::vector<Event>& passed, const Model& model) {
+  if (!passed.empty()) {
+    fmt::print(stderr, "higherpair: the motion from the first position to what is drawn goes over\n");
+    print_events(passed, model);
+  }
+}
+
 const std::atomic<bool>& interruption() {
   return interrupted;
 }

@@ -55,6 +55,9 @@ void print_notes(const Diagnostics& notes, bool quiet);
 /// Prints what happened on the path on standard error.
 void print_events(const std::vector<Event>& events, const Model& model);
 
+/// Prints on standard error what lies on the way to what has been drawn, if anything does.
+void print_passed(const std::vector<Event>& passed, const Model& model);
+
 /// From now on INT, TERM and HUP end the program at once with kExitInterrupted: nothing has been written that
 /// is to be finished or taken away.
 void end_on_signals();

@@ -33,6 +33,8 @@ struct Scenes {
   std::string cause;  ///< of the limit, a sentence
   /// Positions of `every` that cannot be assembled and are left out, in the driver's unit.
   std::vector<double> left_out;
+  /// What lies on the way to a scene and keeps the path from being good: limit positions, overlaps.
+  std::vector<Event> passed;
 };
 
 /// How a picture is drawn in these units.
@@ -88,6 +90,8 @@ struct Polygons {
   std::string driver_unit;
   /// Where `at` cannot be reached: `driver` is the limit position before it, and this is why, a sentence.
   std::optional<std::string> limit;
+  /// Else what lies on the way there and keeps the path from being good: limit positions, overlaps.
+  std::vector<Event> passed;
 };
 
 /// Converts polygons from SI units to those of tables.
