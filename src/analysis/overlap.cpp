@@ -56,10 +56,11 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
       .depth;
 }
 
-// Where between run.at.state and run.work.trial the gap at the common normal near the one given closes; the
-// path's end if it cannot be followed back.
-double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h,
-                       const Vector2d& n_W) {
+// Where between run.at.state and run.work.trial, which is `h` beyond it and has the bodies in each other
+// along `n_W`, the gap at that common normal closes. Where the normal cannot be followed back that far it is
+// from nearer, which halving the way leads to.
+double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h, Vector2d n_W) {
+  constexpr int kMostHalvings = 40;
   const StateAside aside(run.work.trial);
   const auto gap_in = [&](const State& state) {
     ContactMotion at;
@@ -71,11 +72,29 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   const auto gap = [&](double x) {
     return solve_at(run, path, s, x) ? gap_in(run.work.trial) : std::numeric_limits<double>::quiet_NaN();
   };
-  const double before = gap_in(run.at.state);
-  const double after = gap_in(aside.kept());
   // A row may be where they touch already.
-  const bool at_once = std::abs(before) <= kOverlapDepth * run.plan().size;
-  return at_once ? 0 : root_between(gap, before, h, after).value_or(h);
+  if (std::abs(gap_in(run.at.state)) <= kOverlapDepth * run.plan().size) {
+    return 0;
+  }
+  double apart = 0, within = h;
+  for (int i = 0; i < kMostHalvings; ++i) {
+    const double before = gap(apart), after = gap(within);
+    if (before * after < 0) {
+      const auto from_apart = [&](double x) { return gap(apart + x); };
+      if (const auto root = root_between(from_apart, before, within - apart, after)) {
+        return apart + *root;
+      }
+    }
+    const double middle = (apart + within) / 2;
+    if (!solve_at(run, path, s, middle)) {
+      break;
+    }
+    const Separation here = separation_in(run, contact, run.work.trial);
+    const bool overlaps = here.gap < -kOverlapDepth * run.plan().size;
+    (overlaps ? within : apart) = middle;
+    n_W = overlaps ? here.n_W : n_W;
+  }
+  return within;
 }
 
 // The tracked pair of a contact, if it is one.

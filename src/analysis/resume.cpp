@@ -159,6 +159,7 @@ private:
   [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return line_.x_of(drivers); }
 
   bool come_to_begin(double x);
+  Taken take_up_across(double pole, double begin, int poles);
   void go_on_from(const Run& back, const State& state, double from);
   bool follow_from(double from, double first_step);
 
@@ -214,6 +215,21 @@ bool StretchSearch::follow_from(double from, double first_step) {
   return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
 }
 
+// At a pole another stretch ends where one begins, at `begin`: as near to the pole as it can be followed
+// from.
+Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
+  const double limit = x_of(line_.begin());
+  for (double x = 2 * pole - begin; is_before(limit, x) && is_before(x, begin); x = pole + 4 * (x - pole)) {
+    if (std::abs(x - pole) > kProbe * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
+      return Taken::kNot;
+    }
+    if (!is_beside_limit(run_.work.trial)) {
+      return take_up(x, poles);
+    }
+  }
+  return Taken::kNot;
+}
+
 Taken StretchSearch::take_up(double x, int poles) {
   if (!place_anew(run_, drivers_at(x)).complete) {
     return Taken::kNot;
@@ -229,11 +245,8 @@ Taken StretchSearch::take_up(double x, int poles) {
   const double limit = x_of(line_.begin());
   const double begin = back && !back->at.held ? x_of(back->at.lost.from) : limit;
   const State found = run_.work.trial;
-  if (back && !back->at.held) {
-    // At a pole another stretch ends where this one begins.
-    const double across = 2 * x_of(back->at.lost.at) - begin;
-    const bool is_new = poles > 0 && is_before(limit, across) && is_before(across, begin);
-    const Taken taken = is_new ? take_up(across, poles - 1) : Taken::kNot;
+  if (back && !back->at.held && poles > 0) {
+    const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
     }
