@@ -16,6 +16,8 @@
 namespace higherpair {
 namespace {
 
+constexpr double kBehindSecondContact = 1e-6;  // of the drivers' unit: how far a step leads there
+
 std::size_t group_with_contact(const Run& run, std::size_t contact) {
   const auto& groups = run.plan().groups;
   const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
@@ -51,16 +53,33 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   return {JointOutcome::kDiverted};
 }
 
+// To run.work.trial, whose overlaps have been found; whether a second contact has been gone over to.
+bool go_on(OnPath& at, double x) {
+  note_events(at.run, at.path, at.s, x);
+  const bool gone_over = watch_overlaps(at.run, at.path, at.s, x);
+  std::swap(at.run.at.state, at.run.work.trial);
+  at.s += x;
+  return gone_over;
+}
+
 }  // namespace
 
 OnPath::OnPath(Run& run_on_it, const Path& its_path)
     : run(run_on_it), path(its_path), scale(unit_of(run, path)), open(has_open_contact(run.at.state)) {}
 
 void advance(OnPath& at, double x) {
-  note_events(at.run, at.path, at.s, x);
-  watch_overlaps(at.run, at.path, at.s, x);
-  std::swap(at.run.at.state, at.run.work.trial);
-  at.s += x;
+  find_overlaps(at.run);
+  (void)go_on(at, x);
+}
+
+StepTaken take_step(OnPath& at, double h) {
+  find_overlaps(at.run);
+  const double beyond = std::copysign(kBehindSecondContact * at.scale, h);
+  const auto x = second_contact_within(at.run, at.path, at.s, h);
+  if (x && std::abs(h - *x) > 2 * std::abs(beyond)) {
+    return {*x + beyond};
+  }
+  return {std::nullopt, go_on(at, h)};
 }
 
 bool close_open_contact(OnPath& at, double h) {

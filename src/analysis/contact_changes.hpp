@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 // What becomes of the contacts on a path besides that they go on smoothly: one that is open closes, one that
 // may part does so, one comes to a joint of spans, the bodies meet elsewhere, another place takes over. Each
@@ -31,6 +32,14 @@ struct OnPath {
 
 /// Goes on to run.work.trial, `x` beyond run.at.state, with the events on the way.
 void advance(OnPath& at, double x);
+
+/// The same with a step of `h`, unless it should rather be another, where a driver and follower go over to a
+/// second contact: they do so just behind the place, since what else happens is that of the one or the other.
+struct StepTaken {
+  std::optional<double> rather;  ///< nothing has been taken
+  bool gone_over = false;        ///< to a second contact
+};
+[[nodiscard]] StepTaken take_step(OnPath& at, double h);
 
 /// Goes to where an open contact closes in a step of `h` to run.work.trial, unless another contact comes to a
 /// joint of spans before that. False, and run.work.trial as it was, where none does.

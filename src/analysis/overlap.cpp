@@ -212,30 +212,53 @@ void renew_overlaps(Run& run) {
   }
 }
 
-void watch_overlaps(Run& run, const Path& path, double s, double h) {
+void find_overlaps(Run& run) {
+  const double touching = kOverlapDepth * run.plan().size;
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
-    OverlapWatch& watch = run.at.watches[i];
+    const OverlapWatch& watch = run.at.watches[i];
     const Contact& contact = run.mechanism().contacts[i];
+    StepOverlap& found = run.work.overlaps[i];
     // An open contact is looked at while its bodies are in each other.
     if (run.work.trial.contacts[i].touches ? !watch.needed : !watch.overlaps) {
-      continue;
+      found.overlaps = watch.overlaps;
+    } else if (contact.by_boundary) {
+      found.overlaps = watch.overlaps && overlap_in(run, contact, run.work.trial) > touching;
+    } else {
+      const Separation here = separation_in(run, contact, run.work.trial);
+      found = {here.gap < -touching, here.n_W};
     }
-    if (contact.by_boundary) {
-      watch.overlaps =
-          watch.overlaps && overlap_in(run, contact, run.work.trial) > kOverlapDepth * run.plan().size;
-      continue;
-    }
-    const Separation here = separation_in(run, contact, run.work.trial);
-    const bool overlaps = here.gap < -kOverlapDepth * run.plan().size;
-    const bool begins = overlaps && !watch.overlaps;
-    watch.overlaps = overlaps;
-    if (!begins) {
-      continue;
-    }
-    const double x = closing_between(run, path, contact, s, h, here.n_W);
-    const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
-    report(run, i, path, s + x, g ? jump(run, path, *g, s, h, x) : std::nullopt);
   }
+}
+
+std::optional<double> second_contact_within(Run& run, const Path& path, double s, double h) {
+  for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
+    const bool begins = run.work.overlaps[i].overlaps && !run.at.watches[i].overlaps;
+    const Contact& contact = run.mechanism().contacts[i];
+    if (begins && contact.jump && tracked_group(run, static_cast<int>(i))) {
+      return closing_between(run, path, contact, s, h, run.work.overlaps[i].n_W);
+    }
+  }
+  return std::nullopt;
+}
+
+bool watch_overlaps(Run& run, const Path& path, double s, double h) {
+  bool gone_over = false;
+  for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
+    OverlapWatch& watch = run.at.watches[i];
+    const StepOverlap found = run.work.overlaps[i];
+    const Contact& contact = run.mechanism().contacts[i];
+    const bool begins = found.overlaps && !watch.overlaps;
+    watch.overlaps = found.overlaps;
+    if (!begins || contact.by_boundary) {
+      continue;
+    }
+    const double x = closing_between(run, path, contact, s, h, found.n_W);
+    const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
+    const auto change = g ? jump(run, path, *g, s, h, x) : std::nullopt;
+    report(run, i, path, s + x, change);
+    gone_over = gone_over || change.has_value();
+  }
+  return gone_over;
 }
 
 Meetings meetings_elsewhere(Run& run, const Path& path, double s, double h) {

@@ -14,11 +14,18 @@ namespace higherpair {
 /// Where a run starts, or a branch is taken up again: sets which bodies overlap in run.at.state.
 void renew_overlaps(Run& run);
 
-/// Looks for overlaps of touching bodies elsewhere in run.work.trial, which is `h` of the path beyond
-/// run.at.state at s. A driver and follower whose contact allows it go over to the second contact there
-/// (run.work.trial is changed); others are marked. Adds an event where this begins. Of boundaries, whose
-/// meetings are looked for before a step is taken, it says only whether they are still in each other.
-void watch_overlaps(Run& run, const Path& path, double s, double h);
+/// Whether touching bodies are in each other elsewhere in run.work.trial: into run.work.overlaps. Of
+/// boundaries, whose meetings are looked for before a step is taken, it says only whether they still are.
+void find_overlaps(Run& run);
+
+/// Where in the step of `h` to run.work.trial, whose overlaps have been found, a driver and follower go over
+/// to a second contact; none where none does.
+[[nodiscard]] std::optional<double> second_contact_within(Run& run, const Path& path, double s, double h);
+
+/// Takes note of what find_overlaps has found in run.work.trial, which is `h` of the path beyond run.at.state
+/// at s. A driver and follower whose contact allows it go over to the second contact there (run.work.trial is
+/// changed); others are marked. Adds an event where this begins. Whether a contact has been gone over to.
+bool watch_overlaps(Run& run, const Path& path, double s, double h);
 
 /// Where touching boundaries meet elsewhere in a step.
 struct Meetings {

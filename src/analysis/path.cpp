@@ -166,9 +166,17 @@ private:
       go_on_anew();
       return Outcome::kGoesOn;
     }
-    advance(at_, step_);
+    const StepTaken taken = take_step(at_, step_);
+    if (taken.rather) {
+      length_.shorten(std::abs(*taken.rather));
+      return Outcome::kGoesOn;
+    }
     if (last_) {
       at_.s = path_.length;
+    }
+    if (taken.gone_over) {
+      go_on_anew();
+      return Outcome::kGoesOn;
     }
     length_.taken();
     if (std::abs(step_) > first_refused_ / 2) {

@@ -61,6 +61,12 @@ struct OverlapWatch {
   bool jumped = false;    ///< the motion has gone over to a second contact: arcs are interrupted
 };
 
+/// Whether the bodies of a contact are in each other at the end of the present step.
+struct StepOverlap {
+  bool overlaps = false;
+  Vector2d n_W = Vector2d::UnitX();  ///< along which, of conics
+};
+
 /// A change point that the present step leads through.
 struct Crossing {
   std::size_t group = 0;
@@ -103,9 +109,10 @@ struct StepWorkspace {
   State trial;
   std::vector<double> drivers;  ///< in `trial`
   std::vector<DriverMotion> motions;
-  std::vector<Crossing> crossings;  ///< of the present step
-  Path path;                        ///< to the next row
-  std::vector<double> row_before;   ///< the drivers there
+  std::vector<Crossing> crossings;    ///< of the present step
+  std::vector<StepOverlap> overlaps;  ///< of Mechanism::contacts, in `trial`
+  Path path;                          ///< to the next row
+  std::vector<double> row_before;     ///< the drivers there
 };
 
 /// A running analysis. A copy goes on from where it is, on its own and in any thread.
