@@ -10,6 +10,7 @@
 #include "step.hpp"
 #include "tolerances.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,7 @@ namespace {
 constexpr double kShareToLimit = 0.5;   // of what is left to a limit: the next step
 constexpr double kNearLimit = 1e-6;     // of the driver's scale: nearer, rates may be too inexact to go on
 constexpr double kNearPole = 1e-3;      // the same of a pole, of which nothing but its place is needed
+constexpr double kTooFar = 1e4;         // of the size: farther out the rates of a contact lose their digits
 constexpr double kFarAway = 100;        // of the size: a body that is farther may be on its way to infinity
 constexpr double kBesideLimit = 1e-12;  // of the driver's scale: as near before a limit a row needs no step
 
@@ -43,12 +45,25 @@ struct Rest {
   double most = 0;  // of the driver's scale
 };
 
-// What is left to the power of -p, p a multiple of 1/2, is how far a group's bodies are, if they are far away
-// already; p + 1 that of their speed.
+std::vector<int> bodies_up_to(const Plan& plan, std::size_t g) {
+  std::vector<int> bodies;
+  for (std::size_t i = 0; i <= g; ++i) {
+    bodies.insert(bodies.end(), plan.groups[i].bodies.begin(), plan.groups[i].bodies.end());
+  }
+  return bodies;
+}
+
+// The root of 1 - slope x + bend x²/2 that is near 1/slope; NaN where there is none.
+double root_of_taylor(double slope, double bend) {
+  return 2 / (slope + std::copysign(std::sqrt(slope * slope - 2 * bend), slope));
+}
+
+// What is left to the power of -p, p a multiple of 1/2, is how far bodies are, of the group or of one before
+// it, if they are far away already; p + 1 that of their speed.
 Rest left_to_infinity(const Run& run, std::size_t g) {
   double farthest = kFarAway * run.plan().size;
   Rest rest;
-  for (const int index : run.plan().groups[g].bodies) {
+  for (const int index : bodies_up_to(run.plan(), g)) {
     const BodyMotion& body = body_in(run.at.state, index);
     const double distance = body.X_WB.p_WB.norm();
     if (!(distance > farthest)) {
@@ -68,7 +83,7 @@ Rest left_to_infinity(const Run& run, std::size_t g) {
     const double y = body.X_WB.p_WB.dot(direction);
     const double slope = speed / y / p;
     const double bend = (1 / p + 1) * p * slope * slope - body.a_WB.dot(direction) / y / p;
-    rest = {2 / (slope + std::copysign(std::sqrt(slope * slope - 2 * bend), slope)), kNearPole};
+    rest = {root_of_taylor(slope, bend), kNearPole};
   }
   return rest;
 }
@@ -79,8 +94,9 @@ struct Asymptote {
   Opening opening;
 };
 
-std::optional<Asymptote> asymptote_near(const Run& run, const CurveRef& ref, const Vector2d& p_W) {
-  const BodyMotion& body = body_in(run.at.state, ref.body);
+std::optional<Asymptote> asymptote_near(const Run& run, const State& state, const CurveRef& ref,
+                                        const Vector2d& p_W) {
+  const BodyMotion& body = body_in(state, ref.body);
   std::optional<Asymptote> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Opening& opening : openings_of(curve_of(run.mechanism(), ref))) {
@@ -95,17 +111,17 @@ std::optional<Asymptote> asymptote_near(const Run& run, const CurveRef& ref, con
 }
 
 // Where the asymptotes of both curves coincide their contact is at infinity: w, the distance between them,
-// falls to 0 like a power of what is left, with p = 1/2 where the bodies' angles alone decide on it.
-Rest left_to_asymptotes(const Run& run, std::size_t g) {
+// falls to 0 like a power p of what is left, with p = 1/2 where the bodies' angles alone decide on it.
+Rest left_to_asymptotes(const Run& run, const State& state, std::size_t g) {
   for (const int index : run.plan().groups[g].contacts) {
     const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
-    const ContactMotion& motion = run.at.state.contacts[static_cast<std::size_t>(index)];
+    const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
     const Vector2d p_W = motion.at.p_W();
     if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
       continue;
     }
-    const auto one = asymptote_near(run, contact.first, p_W);
-    const auto two = asymptote_near(run, contact.second, p_W);
+    const auto one = asymptote_near(run, state, contact.first, p_W);
+    const auto two = asymptote_near(run, state, contact.second, p_W);
     if (!one || !two) {
       continue;
     }
@@ -117,10 +133,13 @@ Rest left_to_asymptotes(const Run& run, std::size_t g) {
     const Vector2d n_dot = omega * perp(n);
     const Vector2d n_ddot = one->body->alpha * perp(n) - omega * omega * n;
     const double w = n.dot(d);
-    const double w_dot = n.dot(v) + n_dot.dot(d);
-    const double w_ddot = n.dot(a) + 2 * n_dot.dot(v) + n_ddot.dot(d);
-    const double p = w * w_ddot / (w_dot * w_dot) < -0.5 ? 0.5 : 1;
-    return {-p * w / w_dot, kNearLimit};
+    if (w == 0) {
+      return {0, kNearLimit};
+    }
+    const double rate = (n.dot(v) + n_dot.dot(d)) / w;
+    const double second = (n.dot(a) + 2 * n_dot.dot(v) + n_ddot.dot(d)) / w;
+    const double p = second < -0.5 * rate * rate ? 0.5 : 1;
+    return {root_of_taylor(-rate / p, (1 / p - 1) / p * rate * rate + second / p), kNearLimit};
   }
   return {};
 }
@@ -164,6 +183,18 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
   return false;
 }
 
+void LimitAhead::look_how_far(double s) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < run_.mechanism().contacts.size(); ++i) {
+    const ContactMotion& motion = run_.at.state.contacts[i];
+    const bool counts = motion.touches && !run_.mechanism().contacts[i].by_boundary;
+    farthest = std::max(farthest, counts ? motion.at.p_W().norm() : 0.0);
+  }
+  if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {
+    far_ = Far{run_.at.state, s};
+  }
+}
+
 bool LimitAhead::rests_before(double s) {
   if (std::abs(limit_->s - path_.length) > kBesideLimit * scale_ ||
       !solve_at(run_, path_, s, path_.length - s)) {
@@ -180,9 +211,10 @@ PathLimit LimitAhead::assumed(std::size_t g, double s) const {
     return {g, s + infinity.left};
   }
   // Steps may lead over asymptotes that coincide, by a rounding of the contact's place.
-  const Rest asymptotes = left_to_asymptotes(run_, g);
-  if (std::abs(asymptotes.left) <= asymptotes.most * scale_) {
-    return {g, s + asymptotes.left};
+  const Rest asymptotes = left_to_asymptotes(run_, far_ ? far_->state : run_.at.state, g);
+  const double at = (far_ ? far_->s : s) + asymptotes.left;
+  if (std::abs(at - s) <= asymptotes.most * scale_) {
+    return {g, at};
   }
   return {g, s + std::copysign(shortest_step(scale_, size_at(run_, path_, s)), path_.length)};
 }

@@ -25,7 +25,14 @@ public:
   [[nodiscard]] bool is_known() const { return limit_.has_value(); }
   /// \pre is_known()
   [[nodiscard]] const PathLimit& known() const { return *limit_; }
-  void forget() { limit_.reset(); }
+  void forget() {
+    limit_.reset();
+    far_.reset();
+  }
+
+  /// Keeps run.at.state, at s where a step has failed, if a contact is far away and on its way to infinity:
+  /// the last such position whose rates have their digits yet.
+  void look_how_far(double s);
 
   /// The largest step from s: a share of what is left to the limit; infinite where none is known.
   [[nodiscard]] double longest_step(double s) const;
@@ -51,12 +58,18 @@ public:
   [[nodiscard]] PathLimit assumed(std::size_t g, double s) const;
 
 private:
+  struct Far {
+    State state;
+    double s = 0;
+  };
+
   [[nodiscard]] bool is_within(double share, double s) const;
 
   Run& run_;
   const Path& path_;
   double scale_;
   std::optional<PathLimit> limit_;
+  std::optional<Far> far_;
 };
 
 }  // namespace higherpair

@@ -201,6 +201,7 @@ private:
     if (last_ && stop_near_crossing(run_, path_, at_.s, rest())) {
       return rest_beside_crossing();
     }
+    limit_.look_how_far(at_.s);
     const bool exhausted = limit_.is_near(at_.s);
     if (exhausted && limit_.is_on_path()) {
       return lose(limit_.known());
