@@ -99,10 +99,40 @@ void add(const TangencyProblem& problem, const Tangency& tangency, std::vector<T
   found.push_back(tangency);
 }
 
+// One of the two square roots of a number of absolute value 1.
+Complex<Extended> root_of_unit(const Complex<Extended>& a) {
+  if (a.re >= 0) {
+    const Extended re = sqrt(Extended((1 + a.re) / 2));
+    return {re, Extended(a.im / (2 * re))};
+  }
+  const Extended im = sqrt(Extended((1 - a.re) / 2));
+  return {Extended(a.im / (2 * im)), im};
+}
+
+// Two parabolas, one of which turns, are tangent at infinity wherever their axes are parallel: double roots
+// on the unit circle, at which the iteration for all roots takes a hundred sweeps. They are divided out where
+// the condition has them: e^{2iq} is the ratio of the squares of the axes, which are the forms' first
+// entries.
+Polynomial without_parallel_axes(const TangencyProblem& problem, Polynomial polynomial) {
+  const bool conics = problem.first.kind == FormKind::kConic && problem.second.kind == FormKind::kConic;
+  if (!conics || problem.first_W.q != 0 || problem.second_at_0.q != 0 || !problem.motion.turns) {
+    return polynomial;
+  }
+  const auto axis2 = [](const Form<Extended>& form) {  // its square, whichever side the body is
+    return form.S[0][1].re < 0 ? -form.S[0][0] : form.S[0][0];
+  };
+  const Complex<Extended> ratio = axis2(problem.second) * conj(axis2(problem.first));
+  const Complex<Extended> z = root_of_unit(Extended(1 / sqrt(norm(ratio))) * ratio);
+  divide_out(polynomial, z);
+  divide_out(polynomial, -z);
+  return polynomial;
+}
+
 // All tangencies, of hyperbolas also those on the wrong branches; none if the condition of contact is empty.
 std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& problem) {
   std::vector<Tangency> found;
-  const Polynomial polynomial = contact_polynomial(problem.first, problem.second, problem.motion);
+  const Polynomial polynomial =
+      without_parallel_axes(problem, contact_polynomial(problem.first, problem.second, problem.motion));
   const PlacedCurve<double>& first = problem.first_W;
   const PlacedCurve<double>& second = problem.second_at_0;
   if (always_tangent(problem, polynomial)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr int kMaxSweeps = 100;
 constexpr long double kNegligible = 1e-80L;
 constexpr long double kRounding = 1e-95L;  // of a sum of products, of their sizes
+constexpr long double kIsRoot = 1e-70L;    // of the sum of the coefficients
 constexpr long double kNearby = 1e-3L;     // to where roots are asked for: those that others take to be there
 // Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told
 // apart.
@@ -176,6 +178,21 @@ std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsk
   iterate(trimmed, x, kConvergedSquared, lying_elsewhere(trimmed, x, asked));
   x.insert(x.end(), static_cast<std::size_t>(first - coefficients.begin()), Complex<Extended>{});
   return x;
+}
+
+void divide_out(Polynomial& coefficients, const Complex<Extended>& root) {
+  for (int i = 0; i < 2 && coefficients.size() > 1; ++i) {
+    Polynomial quotient(coefficients.size() - 1);
+    Complex<Extended> rest = coefficients.back();
+    for (std::size_t k = quotient.size(); k-- > 0;) {
+      quotient[k] = rest;
+      rest = rest * root + coefficients[k];
+    }
+    if (!(magnitude(rest) <= kIsRoot * size_of(coefficients))) {
+      return;
+    }
+    coefficients = std::move(quotient);
+  }
 }
 
 bool vanishes(const Polynomial& coefficients, long double scale, int except) {

@@ -20,6 +20,10 @@ enum class RootsAsked { kAll, kOfUnitSize, kReal };
 [[nodiscard]] std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients,
                                                       RootsAsked asked = RootsAsked::kAll);
 
+/// Divides a polynomial by (x - root), |root| = 1, as often as that is a root to 70 digits, but not more than
+/// twice.
+void divide_out(Polynomial& coefficients, const Complex<Extended>& root);
+
 /// Whether all coefficients but that of x^`except` (-1: none) are negligible against `scale`.
 [[nodiscard]] bool vanishes(const Polynomial& coefficients, long double scale, int except = -1);
 

@@ -44,6 +44,25 @@ TEST(ListedContact, OfTwoParabolasNearestToAPoseIsTheNearerOfTheTwo) {
   EXPECT_NEAR(find_nearest_contact(pair, 0, up - 1e-3 + 2 * kPi).at.q, up + 2 * kPi, 1e-12);
 }
 
+// Wherever the axes are parallel they are tangent at infinity, which is no contact; their vertices may touch
+// there.
+TEST(ListedContact, OfTwoParabolasVertexOnVertexIsListed) {
+  for (const double turn : {0.0, 0.7, -2.5}) {
+    ContactPair pair;
+    pair.curve1 = make_parabola({0, 0}, 0.3, kPi).value();
+    pair.curve2 = make_parabola({-std::cos(turn), -std::sin(turn)}, 0.2, turn).value();
+    pair.motion2.p_WO = {1, 0};
+    const CurveContacts list = find_curve_contacts(pair, 0);
+    ASSERT_EQ(list.status, ContactsStatus::kComplete);
+    int touching = 0;
+    for (const CurveContact& each : list.contacts) {
+      touching += std::abs(nearest_turn(each.q + turn, 0)) < 1e-12 && each.p_W.norm() < 1e-12 ? 1 : 0;
+      EXPECT_LT(each.p_W.norm(), 1e3);
+    }
+    EXPECT_EQ(touching, 1);
+  }
+}
+
 TEST(ListedContact, IsRefusedFromAnOverlapWhereTheFollowerIsToMoveToTheFirstTouch) {
   const ContactPair pair = parabolas();
   const double up = find_contact(pair, 0, 0, 1, false).at.q;
