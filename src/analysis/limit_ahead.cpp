@@ -195,6 +195,14 @@ void LimitAhead::look_how_far(double s) {
   }
 }
 
+std::optional<double> LimitAhead::go_back_from_far() {
+  if (!far_) {
+    return std::nullopt;
+  }
+  run_.at.state = far_->state;
+  return far_->s;
+}
+
 bool LimitAhead::rests_before(double s) {
   if (std::abs(limit_->s - path_.length) > kBesideLimit * scale_ ||
       !solve_at(run_, path_, s, path_.length - s)) {

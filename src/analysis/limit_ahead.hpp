@@ -33,6 +33,8 @@ public:
   /// Keeps run.at.state, at s where a step has failed, if a contact is far away and on its way to infinity:
   /// the last such position whose rates have their digits yet.
   void look_how_far(double s);
+  /// Puts run.at.state back there; where that is, if there is such a position.
+  std::optional<double> go_back_from_far();
 
   /// The largest step from s: a share of what is left to the limit; infinite where none is known.
   [[nodiscard]] double longest_step(double s) const;

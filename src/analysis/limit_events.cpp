@@ -46,6 +46,11 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
   return event;
 }
 
+bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b) {
+  return is_same_item(a, b) &&
+         std::abs(a.driver - b.driver) <= kSamePlace * (driver_scale(run, 0) + std::abs(a.driver));
+}
+
 void report_limit(Run& run, const Path& path, RunEvent event) {
   const bool single = path.is_single();
   const double near = kSamePlace * (single ? driver_scale(run, 0) + std::abs(event.driver) : 1);

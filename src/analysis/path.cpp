@@ -215,9 +215,16 @@ private:
       if (exhausted && limit_.rests_before(at_.s)) {
         return Outcome::kArrived;
       }
-      return lose(exhausted ? limit_.known() : limit_.assumed(g, at_.s));
+      return exhausted ? lose(limit_.known()) : lose_assumed(g);
     }
     return Outcome::kGoesOn;
+  }
+
+  // From where rates have their digits the motion can be taken up again.
+  Outcome lose_assumed(std::size_t g) {
+    const PathLimit limit = limit_.assumed(g, at_.s);
+    at_.s = limit_.go_back_from_far().value_or(at_.s);
+    return lose(limit);
   }
 
   // Goes on beyond what looks like a limit but is a joint of spans: where two flat parts come to lie on each

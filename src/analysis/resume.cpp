@@ -30,6 +30,7 @@ constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limi
 // Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
 constexpr int kMostPoles = 16;
 constexpr double kTooNearLimit = 1e-6;  // GroupState::sine there, of its lever
+constexpr double kFarOut = 1e6;         // of the size: contacts that are about to run off to infinity
 constexpr double kInside = 1e-3;        // of the driver's scale: from where a limit with a row is come to
 
 // Whether some contact is found again from a list of all, of which more than one may be on the branch.
@@ -44,6 +45,14 @@ bool has_listed_contact(const Run& run) {
     }
   }
   return false;
+}
+
+// Whether a contact comes from infinity.
+bool has_contact_far_out(const Run& run) {
+  return std::any_of(run.at.state.contacts.begin(), run.at.state.contacts.end(),
+                     [&](const ContactMotion& contact) {
+                       return contact.touches && contact.at.p_W().norm() > kFarOut * run.plan().size;
+                     });
 }
 
 // Whether the drivers are at the limit, to within half of what a row there may be off, or back from it, as
@@ -95,7 +104,10 @@ bool come_back(Run& run, const std::vector<double>& drivers) {
   renew_overlaps(run);
   run.at.held = true;
   report_limit(run, path, run.at.lost.event);
-  return follow_part(run, path);
+  const LineAhead back(run, run.at.lost.from, drivers);
+  const double to_limit = std::abs(back.x_of(run.at.lost.at) - back.x_of(run.at.lost.from));
+  const double first_step = std::max(to_limit, kNearestBegin * back.scale());
+  return follow_part(run, path, first_step * unit_of(run, path) / back.scale());
 }
 
 // Whether a group is so near to its limit that its place is known to half its digits only. Beside a limit
@@ -120,7 +132,8 @@ std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
   back.at.held = true;
   back.at.beside.reset();
   back.at.drivers = at;
-  if (follow_part(back, part_of_way(run, at, from)) && has_listed_contact(run)) {
+  if (follow_part(back, part_of_way(run, at, from)) && has_listed_contact(run) &&
+      !has_contact_far_out(back)) {
     return std::nullopt;  // without a limit on the way it is a contact that the follower cannot have come to
   }
   return back;
@@ -180,7 +193,9 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
   for (const RunEvent& event : back.events) {
     // Where a curve ends the motion may have gone on over the edge.
     const bool is_last = &event == &back.events.back();
-    if (event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last)) {
+    const bool is_limit =
+        event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last);
+    if (is_limit && !is_same_limit(run_, event, run_.at.lost.event)) {
       report_limit(run_, path, event);
     }
   }
@@ -266,12 +281,9 @@ Taken StretchSearch::take_up(double x, int poles) {
   if (!is_before(x_of(run_.at.lost.at), x)) {
     return Taken::kLost;
   }
-  // From its very begin it cannot be followed.
+  // From its very begin it cannot be followed: forwards or back from where it has been found.
   run_.at = before;
   run_.events.resize(events);
-  if (is_before(to_, x)) {
-    return Taken::kNotYet;
-  }
   go_on_from(*back, found, x);
   return follow_from(x, std::numeric_limits<double>::infinity()) ? Taken::kArrived : Taken::kLost;
 }
