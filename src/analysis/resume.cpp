@@ -355,14 +355,17 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
   if (is_stopped(run)) {
     return false;
   }
-  if (has_come_back(run, drivers)) {
-    return come_back(run, drivers);
+  const bool comes_back = has_come_back(run, drivers);
+  if (comes_back && come_back(run, drivers)) {
+    return true;
   }
-  if (run.plan().couples) {
-    return false;  // their branch beyond the limit has no label to ask for
+  // It may have been lost again on the way to the drivers, or at once.
+  if ((comes_back && has_come_back(run, drivers)) || run.plan().couples) {
+    return false;  // bodies that are solved together: their branch beyond a limit has no label to ask for
   }
-  const LineAhead line(run, from, drivers);
-  const Taken taken = StretchSearch(run, line, drivers).take_up_first(line.x_of(from));
+  const std::vector<double> behind = comes_back ? run.at.lost.at : from;
+  const LineAhead line(run, behind, drivers);
+  const Taken taken = StretchSearch(run, line, drivers).take_up_first(line.x_of(behind));
   return taken == Taken::kArrived || (taken == Taken::kLost && resume(run, drivers, run.at.lost.at));
 }
 
