@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-// Assemblies whose distances from the poses differ by less than this share are as near as each other.
-constexpr double kAsNear = 1e-9;
-
-// Of the size: how far a disc may be from where a Run has put it. The other mode is much farther away.
-constexpr double kSameChainPlace = 1e-6;
 
 // Where a contact of ovals is in the first row; rates in `state` are those for a unit velocity.
 OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& state, std::size_t g,

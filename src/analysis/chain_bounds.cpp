@@ -1,19 +1,13 @@
 #include "chain_bounds.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace higherpair {
 namespace {
-
-// A sine smaller than this is near a limit; steps of a run take a crossing into account from 1e-3 on.
-constexpr double kSafeSine = 0.02;
-// A body that turns further from one position to the next might be whole turns off.
-constexpr double kSafeTurn = 2;
-// Of the differences of a contact's forces: how far the force may fall below its rows.
-constexpr double kDip = 0.5;
-constexpr double kDipAtEnd = 4;
 
 double squared(double x) {
   return x * x;
@@ -196,11 +190,11 @@ bool presses_throughout(std::span<const double> forces) {
     const double* f = &forces[k];
     const double second = f[-1] - 2 * f[0] + f[1];
     const double fourth = f[-2] - 4 * f[-1] + 6 * f[0] - 4 * f[1] + f[2];
-    return kDip * (std::abs(second) + std::abs(fourth));
+    return kForceDip * (std::abs(second) + std::abs(fourth));
   };
   // The differences next to an end are those of the third row.
-  bool presses = std::min(forces[0], forces[1]) > kDipAtEnd * dip(2) &&
-                 std::min(forces[last], forces[last - 1]) > kDipAtEnd * dip(last - 2);
+  bool presses = std::min(forces[0], forces[1]) > kForceDipAtEnd * dip(2) &&
+                 std::min(forces[last], forces[last - 1]) > kForceDipAtEnd * dip(last - 2);
   for (std::size_t k = 2; presses && k + 2 <= last; ++k) {
     presses = std::min({forces[k - 1], forces[k], forces[k + 1]}) > dip(k);
   }

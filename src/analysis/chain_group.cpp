@@ -4,19 +4,17 @@
 #include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 namespace higherpair {
 namespace {
-
-// Ellipses this slender are nearly parabolas: their centres are too far away to say where the vertex is.
-constexpr double kSlenderest = 1e-2;  // q = 1 - e²
 
 std::optional<Oval> oval_of(const Curve& curve) {
   if (is_point(curve)) {
     return Oval{curve.vertex_B, {}, 0, 0};
   }
   const bool oval = curve.kind == CurveKind::kCircle || curve.kind == CurveKind::kEllipse;
-  if (!oval || curve.side != Side::kInside || !(curve.q >= kSlenderest)) {
+  if (!oval || curve.side != Side::kInside || !(curve.q >= kSlenderestOval)) {
     return std::nullopt;
   }
   const auto [along, across] = semi_axes(curve);

@@ -2,13 +2,12 @@
 
 #include "chain_kernel.hpp"
 #include "chain_vectors.hpp"
+#include "tolerances.hpp"
 
 // Two ovals that touch, or nearly, on several positions at once (T = Pack): a pass of Newton's method towards
 // their contact, and the rates there.
 
 namespace higherpair::chain_ovals {
-
-inline constexpr double kFarthestGuess = 0.4;  // [rad] a pass may turn body or normal
 
 // The rotation by a small angle, which passes on the way may be wrong about, but not its being one.
 template <class T>
@@ -110,7 +109,7 @@ template <class T>
 // What a pass may turn.
 template <class T>
 [[nodiscard]] inline T limited(const T& angle) {
-  return select(abs(angle) <= T(kFarthestGuess), angle, copysign(T(kFarthestGuess), angle));
+  return select(abs(angle) <= T(kFarthestOvalGuess), angle, copysign(T(kFarthestOvalGuess), angle));
 }
 
 /// The step of last_step (contact/last_step.hpp): δ of the body, φ of the normal.

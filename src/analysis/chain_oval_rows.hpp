@@ -32,9 +32,6 @@ struct OvalRow {
 
 namespace chain_ovals {
 
-// Of the path from row to row: where it changes by more, third derivatives are not taken from three rows.
-inline constexpr double kUneven = 1e-3;
-
 // The arcsine, to 2e-5 of it for angles below 30°.
 template <class T>
 [[nodiscard]] inline T small_angle(const T& sine) {
@@ -94,7 +91,7 @@ struct Numbers {
     if (way != 0) {
       row.phi_ddot = (phi_dot[k] - phi_dot[k - 1]) / way;
     }
-    if (way != 0 && std::abs(uneven) <= kUneven * std::abs(way)) {
+    if (way != 0 && std::abs(uneven) <= kUnevenRows * std::abs(way)) {
       row.third_rate = (second_rate[k] - second_rate[k - 1]) / way;
       row.phi_third = (phi_dot[k] - 2 * phi_dot[k - 1] + phi_dot[k - 2]) / (way * way);
       row.phi_ddot += way / 2 * row.phi_third;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chain_oval_rows.hpp"
+#include "tolerances.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,10 +19,6 @@ namespace higherpair {
 namespace chain_ovals {
 
 inline constexpr int kMostPasses = 10;
-// Of the size: a gap from which the next pass leads to rounding, with the curvature known as well as that.
-inline constexpr double kArrived = 1e-12;
-// |∂gap/∂q| of the arm of the contact, below which it is near a limit.
-inline constexpr double kLeastSine = 0.02;
 
 }  // namespace chain_ovals
 
@@ -52,7 +49,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
     arrived = true;
     for (std::size_t i = 0; i < kPacks; ++i) {
       touch[i] = touch_at(contact, frame[i], guess[i]);
-      arrived = arrived && holds_everywhere(abs(touch[i].g) + abs(touch[i].s) <= T(kArrived * size));
+      arrived = arrived && holds_everywhere(abs(touch[i].g) + abs(touch[i].s) <= T(kOvalsArrived * size));
       take_pass(contact, touch[i], guess[i]);
     }
   }
@@ -66,7 +63,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
     const std::size_t at = 1 + i * T::kLanes;
     numbers.put(at, driver[i].position, guess[i], rates);
     const T least = abs(rates.gap_q);
-    const auto sound = (least * least >= T(kLeastSine * kLeastSine) * rates.arm2) &
+    const auto sound = (least * least >= T(kLeastOvalSine * kLeastOvalSine) * rates.arm2) &
                        goes_on<T>(numbers, at, contact.touch.freedom.turns, size);
     watch.note(arrived ? select(sound, -least, T(INFINITY)) : T(INFINITY));
     watch.far2 = max(watch.far2, rates.arm2);

@@ -8,6 +8,7 @@
 #include "shared_places.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kBehindSecondContact = 1e-6;  // of the drivers' unit: how far a step leads there
 
 std::size_t group_with_contact(const Run& run, std::size_t contact) {
   const auto& groups = run.plan().groups;

@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/least_norm.hpp"
 #include "series_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxSteps = 30;
-constexpr double kMaxStep = 0.3;  // of an angle [rad], or of the size
-constexpr double kCoupledRank = 1e-10;
-constexpr double kAllButSingular = 1e-6;  // determinant, scaled
-constexpr double kSingularStep = 1e-6;    // of the size
-constexpr double kClosure = 1e-14;        // of the size
 
 // The derivatives of conditions by (x, y, size·θ) of the group's bodies.
 Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows, double size) {
@@ -201,13 +197,13 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     const double length = step.cwiseAbs().maxCoeff() / size;
     // Where the conditions have lost their rank the steps fall to the root of rounding only.
     const bool singular = std::abs(solver.determinant()) <= kAllButSingular && length <= kSingularStep &&
-                          values.cwiseAbs().maxCoeff() <= kClosure * size;
+                          values.cwiseAbs().maxCoeff() <= kCoupledClosure * size;
     if (singular || newton_has_settled(length, last, 1e-9)) {
       set_rank(solver, to.groups[g]);
       return values.cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk : GroupStatus::kOutOfReach;
     }
     last = length;
-    step *= std::min(1.0, kMaxStep / length);
+    step *= std::min(1.0, kLargestCoupledStep / length);
     add_step(group, step, size, to);
   }
   return GroupStatus::kNotConverged;

@@ -2,13 +2,12 @@
 
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kNear = 1e-3;  // of a group's lever: a sine below this is near a crossing
 
 bool modes_differ(const State& a, const State& b) {
   for (std::size_t g = 0; g < a.groups.size(); ++g) {
@@ -72,7 +71,7 @@ void interpolate(const Run& run, const State& a, double h, State& b) {
 
 bool is_near_crossing(const Run& run, const State& state) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    if (std::abs(state.groups[g].sine) < kNear * state.groups[g].lever &&
+    if (std::abs(state.groups[g].sine) < kNearCrossing * state.groups[g].lever &&
         traits_of(run.plan().groups[g]).can_cross) {
       return true;
     }

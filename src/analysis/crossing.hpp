@@ -2,12 +2,9 @@
 
 #include "step.hpp"
 #include "straight_path.hpp"
+#include "tolerances.hpp"
 
 namespace higherpair {
-
-/// Of the driver's scale: how far from a crossing of branches positions are regular, and are interpolated
-/// from.
-inline constexpr double kCrossingReach = 4e-3;
 
 /// Whether a group is so near to where its branches may cross that its closed form loses digits.
 [[nodiscard]] bool is_near_crossing(const Run& run, const State& state);

@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,31 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-// Largest displacement of a row for differences: what they leave, of its eighth power, is below rounding, and
-// rounding is not enlarged much.
-constexpr double kDisplacement = 4e-3;
-
-// By so much more than what the smoother side bends are slopes of both sides apart where there is a kink or a
-// jump; and by so much of themselves, and their changes of the values, at least.
-constexpr double kKink = 100;
-constexpr double kKinkOf = 1e-7;
-constexpr double kKinkOfValues = 1e-12;
-
-// Of the step: how far the radii of curvature are looked at.
-constexpr double kProbe = 1e-3;
-
-// Share by which differences of two orders may disagree before the dimensions count as not smooth.
-constexpr double kNotSmooth = 1e-6;
-
-// Steps of a parameter, of its scale.
-constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
-
-// Disagreement of differences of two orders of boundaries that is rounding, or so little that the better ones
-// have no other error. Disagreement that is too much. And a change of them with a parameter that is none.
-constexpr double kSameToRounding = 1e-10;
-constexpr double kRough = 1e-8;
-constexpr double kStandsStill = 1e-11;
 
 // Largest of all displacements for a unit of p: angles, lengths by the size, speeds by the largest.
 double displacement_of(const Run& run, const Mechanism& derivative, const RowSensitivity& of_row) {
@@ -124,7 +100,8 @@ double derivative_of_samples(F at, double h) {
   }
   const std::size_t smooth = bend[0] <= bend[1] ? 0 : 1;
   const double apart = h * std::abs(slope[0] - slope[1]);
-  const double none = kKink * bend[smooth] + kKinkOf * h * std::max(std::abs(slope[0]), std::abs(slope[1])) +
+  const double none = kKinkOfBends * bend[smooth] +
+                      kKinkOfSlopes * h * std::max(std::abs(slope[0]), std::abs(slope[1])) +
                       kKinkOfValues * largest;
   if (apart > none && bend[1 - smooth] > none) {
     return slope[smooth];
@@ -157,7 +134,7 @@ std::vector<double> derivative_along(const Run& run, const Sensitivity& by, cons
                                      const std::function<std::vector<double>(const Run&, double)>& f) {
   const Mechanism derivative = by.derivative_at(run);
   const double displacement = displacement_of(run, derivative, of_row);
-  double h = displacement > 0 ? kDisplacement / displacement : step_of_loads(run, derivative);
+  double h = displacement > 0 ? kLargestDisplacement / displacement : step_of_loads(run, derivative);
   const auto run_at = [&](double step) {
     Run displaced_run = run;
     Mechanism mechanism = displaced(run.mechanism(), derivative, step);
@@ -165,8 +142,8 @@ std::vector<double> derivative_along(const Run& run, const Sensitivity& by, cons
     displaced_run.local = std::move(mechanism);
     return displaced_run;
   };
-  const double radii = change_of_radii(run.row, run_at(kProbe * h).row) / kProbe;
-  h *= radii > kDisplacement ? kDisplacement / radii : 1;
+  const double radii = change_of_radii(run.row, run_at(kRadiiProbe * h).row) / kRadiiProbe;
+  h *= radii > kLargestDisplacement ? kLargestDisplacement / radii : 1;
   const auto values_at = [&](double step) -> Eigen::VectorXd {
     const Run displaced_run = run_at(step);
     const std::vector<double> values = f(displaced_run, step);
@@ -210,7 +187,7 @@ std::optional<MechanismDerivative> mechanism_derivative(
   };
   const Eigen::VectorXd slopes = eighth_order_difference(numbers_at, h);
   const Eigen::VectorXd coarse = sixth_order_difference(numbers_at, h);
-  if ((slopes - coarse).lpNorm<Eigen::Infinity>() > kNotSmooth * slopes.lpNorm<Eigen::Infinity>()) {
+  if ((slopes - coarse).lpNorm<Eigen::Infinity>() > kDimensionsNotSmooth * slopes.lpNorm<Eigen::Infinity>()) {
     return std::nullopt;
   }
   BoundaryDerivatives::Family family;
@@ -222,10 +199,10 @@ std::optional<MechanismDerivative> mechanism_derivative(
   MechanismDerivative derivative;
   derivative.step = h;
   derivative.error = boundaries->error(scale);
-  if (!(derivative.error <= kRough)) {
+  if (!(derivative.error <= kBoundariesDisagree)) {
     return std::nullopt;
   }
-  if (boundaries->largest(scale) > kStandsStill) {
+  if (boundaries->largest(scale) > kBoundariesStandStill) {
     derivative.boundaries = std::make_shared<const BoundaryDerivatives>(*std::move(boundaries));
   }
   derivative.numbers = *std::move(made[4]);
@@ -237,12 +214,12 @@ std::optional<MechanismDerivative> mechanism_derivative(
 std::optional<MechanismDerivative> mechanism_derivative(
     const std::function<std::optional<Mechanism>(double)>& at, double scale) {
   std::optional<MechanismDerivative> best;
-  for (const double share : kSteps) {
+  for (const double share : kParameterSteps) {
     auto derivative = mechanism_derivative(at, share * scale, scale);
     if (derivative && (!best || derivative->error < best->error)) {
       best = std::move(derivative);
     }
-    if (best && best->error <= kSameToRounding) {
+    if (best && best->error <= kBoundariesAgree) {
       break;
     }
   }

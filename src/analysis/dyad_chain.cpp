@@ -8,6 +8,7 @@
 #include "higherpair/mechanism/build.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/redimension.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,17 +20,7 @@ namespace {
 
 using Quantity = ChainColumn::Quantity;
 
-// Coordinates this many times as long as a link leave its direction 1e-13 of rounding: no residual comes near
-// 1e-9 of the size then.
-constexpr double kFarthestPoint = 1e3;
-
 constexpr std::ptrdiff_t kMostDyads = 6;  // 2^6 assemblies are tried
-
-// A body that starts as far from its pose's angle may be half a turn from it, on either side.
-constexpr double kSureTurn = kPi - 1e-6;
-
-// Of the size: a spring shorter than this has a direction made of rounding, or none.
-constexpr double kShortestSpring = 1e-6;
 
 // The groups as a chain solves them, into `groups`; each contact may have a body of its own between two
 // centres, behind those of the mechanism. False where one of them is not for a chain.

@@ -13,9 +13,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMayReverse = 0.3;  // of the speed at the ends of a step: a least one that may be 0 within
-constexpr double kSameCrossing = 1e-7;  // of the driver's scale: change points as near as this are one
-
 double output_velocity(const OutputJoint& output, const State& state) {
   const BodyMotion& body = state.bodies[static_cast<std::size_t>(output.body)];
   return output.turns ? body.omega : body.v_WB.dot(output.direction_W);
@@ -198,7 +195,7 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
 void note_crossings(Run& run, const Path& path, double s, double end) {
   for (const Crossing& crossing : run.work.crossings) {
     const double driver = driver_at(path, crossing.s);
-    const double near = kSameCrossing * (driver_scale(run, 0) + std::abs(driver));
+    const double near = kSameChangePoint * (driver_scale(run, 0) + std::abs(driver));
     const bool known =
         std::any_of(run.at.reported.begin(), run.at.reported.end(), [&](const Crossing& other) {
           return other.group == crossing.group && std::abs(other.s - driver) <= near;

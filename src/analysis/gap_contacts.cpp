@@ -21,11 +21,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kCapture = 1e-3;  // of the size: how far beside an end a curve still meets the other one
-constexpr double kFarthestShift = 5e-3;  // of the size: of a body that is moved onto its contact
-constexpr double kStartsApart = 1e-4;    // of the size: a pose that touches only by that much is open
-constexpr double kOnSample = 1e-12;      // sines' product: a normal that is a sample's but for rounding
-constexpr double kFirstNudge = 1e-13;    // of a step: a contact that closes beside an end begins farther in
 constexpr int kMostNudges = 24;
 
 const TouchingBody& touching_of(const Run& run, std::size_t g) {

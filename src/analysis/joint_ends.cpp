@@ -2,15 +2,13 @@
 
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kBeyond = 1e-12;  // of the size: rounding, so that a row may be at the very end
-constexpr double kAt = 1e-9;       // of the size
 
 // Calls f(end, room) for the ends of the joints of a group.
 template <class F>
@@ -44,7 +42,7 @@ std::optional<JointEnd> joint_near_end(const Planned& model, std::size_t g, cons
 std::optional<JointEnd> joint_beyond_end(const Planned& model, std::size_t g, const State& state) {
   return model.plan.groups[g].ended_joints.empty()
              ? std::nullopt
-             : joint_near_end(model, g, state, -kBeyond * model.plan.size);
+             : joint_near_end(model, g, state, -kBeyondJointEnd * model.plan.size);
 }
 
 double room_to_end(const Planned& model, std::size_t g, const State& state) {
@@ -54,7 +52,7 @@ double room_to_end(const Planned& model, std::size_t g, const State& state) {
 }
 
 std::optional<JointEnd> joint_at_end(const Planned& model, std::size_t g, const State& state) {
-  return joint_near_end(model, g, state, kAt * model.plan.size);
+  return joint_near_end(model, g, state, kAtJointEnd * model.plan.size);
 }
 
 }  // namespace higherpair

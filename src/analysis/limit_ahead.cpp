@@ -17,13 +17,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kShareToLimit = 0.5;   // of what is left to a limit: the next step
-constexpr double kNearLimit = 1e-6;     // of the driver's scale: nearer, rates may be too inexact to go on
-constexpr double kNearPole = 1e-2;      // the same of a pole, of which nothing but its place is needed
-constexpr double kTooFar = 1e4;         // of the size: farther out the rates of a contact lose their digits
-constexpr double kFarAway = 100;        // of the size: a body that is farther may be on its way to infinity
-constexpr double kBesideLimit = 1e-12;  // of the driver's scale: as near before a limit a row needs no step
-
 // A row at a limit: in run.work.trial, with positions only; run.at.state remains short of it.
 void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
                    const Reduction::Point& limit, double s) {

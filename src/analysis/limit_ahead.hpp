@@ -1,14 +1,12 @@
 #pragma once
 
 #include "straight_path.hpp"
+#include "tolerances.hpp"
 
 #include <cstddef>
 #include <optional>
 
 namespace higherpair {
-
-/// Of the driver's scale: as near as this a limit is reached, nothing being left but rounding.
-inline constexpr double kReachesLimit = 1e-9;
 
 /// A limit on a path, and the group that comes to it.
 struct PathLimit {

@@ -5,6 +5,7 @@
 #include "span_joints.hpp"
 #include "step.hpp"
 #include "straight_path.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSamePlace = 1e-9;  // of the driver's scale
 
 bool is_same_item(const RunEvent& a, const RunEvent& b) {
   return a.type == b.type && a.joint == b.joint && a.contact == b.contact;
@@ -53,7 +52,7 @@ bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b) {
 
 void report_limit(Run& run, const Path& path, RunEvent event) {
   const bool single = path.is_single();
-  const double near = kSamePlace * (single ? driver_scale(run, 0) + std::abs(event.driver) : 1);
+  const double near = kSameLimit * (single ? driver_scale(run, 0) + std::abs(event.driver) : 1);
   const auto is_at = [&](double driver, double share) {
     return std::abs(single ? event.driver - driver : event.share - share) <= near;
   };

@@ -1,23 +1,18 @@
 #include "line_ahead.hpp"
 
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 
 namespace higherpair {
-namespace {
-
-constexpr double kOnLine = 1e-9;  // of a driver's scale and coordinate: off the line by no more than rounding
-
-}  // namespace
-
 LineAhead::LineAhead(const Run& run, const std::vector<double>& from, const std::vector<double>& to)
     : begin_(run.at.lost.at) {
   aim(run, to);
   const std::vector<double> on_line = at(x_of(from));
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double off = std::abs(from[i] - on_line[i]);
-    is_from_limit_ = is_from_limit_ && off <= kOnLine * (driver_scale(run, i) + std::abs(from[i]));
+    is_from_limit_ = is_from_limit_ && off <= kOnLineAhead * (driver_scale(run, i) + std::abs(from[i]));
   }
   if (!is_from_limit_) {
     begin_ = from;

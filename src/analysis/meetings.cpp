@@ -15,13 +15,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kFarther = 1.5;  // than the bodies move against each other by their rates: what is looked at
-constexpr double kSameMeeting = 1e-6;  // of the boundaries: a place that is that of the contact
-constexpr double kSameNormal =
-    1e-3;                            // [rad] the same of its normal: the sides of a notch are near each other
-constexpr double kAgrees = 0.1;      // of the change by rates: a gap that may be that of the same place
-constexpr double kWorthALook = 0.5;  // of a gap: a least one within the step that may be none in truth
-constexpr int kStepHalvings = 4;     // of a step in which a place could not be followed
+constexpr int kStepHalvings = 4;      // of a step in which a place could not be followed
 constexpr int kHalvingsToTouch = 40;  // the same where the bodies are in each other at its end
 
 // Where the two bodies are at a position within the step.
@@ -105,7 +99,7 @@ private:
       const PointMotion there = point_motion(other, other.X_WB.inverse_times(middle.p_W));
       return (middle.v_W - there.v_W).norm() + std::abs(own.omega - other.omega) * smaller.size();
     };
-    return kFarther * std::max(speed(a), speed(b)) * std::abs(b.x - a.x) + 2 * depth_;
+    return kFartherThanByRates * std::max(speed(a), speed(b)) * std::abs(b.x - a.x) + 2 * depth_;
   }
 
   [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
@@ -127,7 +121,7 @@ private:
     const double h = to.x - from.x;
     const double mismatch = std::abs(there.gap - place.gap - h / 2 * (place.rate + there.rate));
     const double change = std::abs(h) * (std::abs(place.rate) + std::abs(there.rate));
-    return mismatch <= kAgrees * change + depth_ ? std::optional(there) : std::nullopt;
+    return mismatch <= kGapAgrees * change + depth_ ? std::optional(there) : std::nullopt;
   }
 
   template <class F>
@@ -278,7 +272,7 @@ private:
 bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
   return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <=
              kSameMeeting * size &&
-         (contact.n_W - place.at.n_W).norm() <= kSameNormal;
+         (contact.n_W - place.at.n_W).norm() <= kSameMeetingNormal;
 }
 
 bool is_smooth_touch(const NearPlace& place) {

@@ -3,6 +3,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +12,12 @@
 #include <fmt/format.h>
 
 namespace higherpair {
-namespace {
-
-constexpr double kNoJump = 1e-9;     // a mechanism whose dimensions are rounded
-constexpr double kRounding = 1e-12;  // of a rate: another one that is 0
-
-}  // namespace
-
 double jump_size(const Run& run, const TouchingBody& touching, const RateJump& jump) {
   return std::abs(jump.after - jump.before) / (touching.follower.freedom.turns ? 1 : run.plan().size);
 }
 
 std::string from_to_text(double before, double after) {
-  const double none = kRounding * std::max(std::abs(before), std::abs(after));
+  const double none = kRateRounding * std::max(std::abs(before), std::abs(after));
   const auto seen = [&](double rate) { return std::abs(rate) <= none ? 0 : rate; };
   return fmt::format("from {:.6g} to {:.6g} (SI units)", seen(before), seen(after));
 }

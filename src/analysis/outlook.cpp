@@ -1,6 +1,7 @@
 #include "outlook.hpp"
 
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kNudge = 1e-4;            // of the way between two positions: what is a little ahead
-constexpr double kShortestStretch = 1e-9;  // of the leading driver's scale
 
 // Whether more can be placed between two positions than at both: the one with more has yet more inwards.
 bool has_hill(const Outlook& a, const Outlook& b) {
@@ -75,7 +73,7 @@ std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlo
 }  // namespace
 
 Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing) {
-  const double nudge = kNudge * spacing;
+  const double nudge = kALittleAhead * spacing;
   const Placeable here = place_anew(run, line.at(x));
   if (here.complete || !std::isfinite(here.room)) {
     return {x, here, 0, std::numeric_limits<double>::quiet_NaN()};

@@ -26,11 +26,6 @@ namespace {
 // boundaries are searched for meetings before a step is taken (meetings.hpp), since a step may lead far into
 // each other.
 
-// A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
-// same manner, is on the corner for as long as a touch cannot be told from a depth of kOverlapDepth.
-constexpr double kSameRates = 1e-6;  // of the follower's unit
-constexpr double kAtCorner = 1e-6;   // of the driver's scale
-
 // Two convex bodies cannot, nor a body that is everywhere sharper than the ring in which it is.
 bool may_overlap(const Curve& a, const Curve& b) {
   const Bounds rho_a = radius_bounds(a);

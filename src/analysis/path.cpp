@@ -7,6 +7,7 @@
 #include "limit_events.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMaxSlide = 1.0 / 6;  // of a driver in one inner step, of the size
-constexpr int kHalvingsToLimit = 3;    // refused steps, one after the other, before a limit is looked for
-constexpr double kLongStep = 0.02;     // of the driver's scale: one that may as well end elsewhere
-constexpr double kOpenShare = 0.2;     // of the largest step: while a contact is open
-constexpr double kMostSteps = 2e5;     // inner steps besides those that the path takes at least
+constexpr int kHalvingsToLimit = 3;  // refused steps, one after the other, before a limit is looked for
+constexpr double kMostSteps = 2e5;   // inner steps besides those that the path takes at least
 
 // Of how many inner steps a path is at least.
 double parts_of(const Run& run, const Path& path) {
@@ -27,7 +25,7 @@ double parts_of(const Run& run, const Path& path) {
   for (std::size_t i = 0; i < path.from.size(); ++i) {
     const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(run.mechanism().drivers[i].joint)];
     const double largest =
-        joint.type == JointType::kRevolute ? kLargestTurn : kMaxSlide * driver_scale(run, i);
+        joint.type == JointType::kRevolute ? kLargestTurn : kLargestSlide * driver_scale(run, i);
     parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);
   }
   return parts;

@@ -2,6 +2,7 @@
 
 #include "group_system.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +14,6 @@ namespace {
 
 constexpr int kMaxNewton = 12;
 constexpr int kMaxOuter = 25;
-constexpr double kSettled = 1e-13;    // of the size: last change of a solution
-constexpr double kDifference = 1e-5;  // of the size and of the unit of s: for second derivatives
-constexpr double kFarthest = 2;       // of the size: how far λ may lead
-constexpr double kNearRoot = 1e-7;    // steps of Newton's method below this fall fast
-constexpr double kNoStep = 1e-15;
-constexpr double kAtStepEnd = 1e-9;  // of the unit of s: a change point at the end of a step
-constexpr double kCrosses = 1e-13;   // of the size: an ε that is rounding
-constexpr double kParabola = 0.04;   // of the path: how far the branch may be from a parabola
-constexpr double kFarAhead = 64;     // of the step: how far a limit may lie ahead
 
 }  // namespace
 
@@ -74,12 +66,12 @@ std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lamb
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M);
     const Eigen::VectorXd step = lu.solve(-r);
     const double length = step.cwiseAbs().maxCoeff();
-    if (!(length <= kFarthest * size)) {
+    if (!(length <= kReductionFarthest * size)) {
       return std::nullopt;
     }
     point.x += step.head(n);
     point.value += step(n);
-    if (length <= kSettled * size || (length <= 1e-9 * size && length >= last / 2)) {
+    if (length <= kReductionSettled * size || (length <= 1e-9 * size && length >= last / 2)) {
       Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(n + 1, 2);
       wanted(n, 0) = 1;
       wanted.col(1).head(n) = -F_s_;
@@ -96,8 +88,8 @@ std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lamb
 }
 
 std::optional<Reduction::Second> Reduction::second_derivatives(const Point& at) {
-  const double d_lambda = kDifference * run_.plan().size;
-  const double d_s = kDifference * unit_;
+  const double d_lambda = kReductionDifference * run_.plan().size;
+  const double d_s = kReductionDifference * unit_;
   const auto a = solve(at, at.lambda - d_lambda, at.ahead);
   const auto b = solve(at, at.lambda + d_lambda, at.ahead);
   const auto c = solve(at, at.lambda, at.ahead - d_s);
@@ -120,7 +112,7 @@ std::optional<Reduction::Point> Reduction::here() {
 }
 
 // Newton's method on ε = ε_λ = 0, or on ε_λ = ε_s = 0. The second derivatives are differences: what these
-// lack makes the method linear, with a factor of kDifference².
+// lack makes the method linear, with a factor of kReductionDifference².
 std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from, double farthest) {
   const double size = run_.plan().size;
   Point at = from;
@@ -143,7 +135,8 @@ std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from,
     const double length = std::abs(step(0)) / size + std::abs(step(1)) / unit_;
     const double lambda = at.lambda + step(0);
     const double ahead = at.ahead + step(1);
-    if (!(length < kFarthest) || !(std::abs(lambda) < kFarthest * size) || !(std::abs(ahead) <= farthest)) {
+    if (!(length < kReductionFarthest) || !(std::abs(lambda) < kReductionFarthest * size) ||
+        !(std::abs(ahead) <= farthest)) {
       return std::nullopt;
     }
     const auto next = solve(at, lambda, ahead);
@@ -151,7 +144,7 @@ std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from,
       return std::nullopt;
     }
     at = *next;
-    if (length <= kNoStep || (length <= kNearRoot && length >= last / 2)) {
+    if (length <= kReductionNoStep || (length <= kReductionNearRoot && length >= last / 2)) {
       at.is_saddle = second->lambda_lambda * second->s_s < second->lambda_s * second->lambda_s;
       return at;
     }
@@ -172,8 +165,8 @@ std::optional<Reduction::Point> Reduction::limit_ahead(double h) {
   const Eigen::VectorXd moved = limit->x - first->x;
   const Eigen::VectorXd missed = moved - limit->lambda / 2 * (tangent + limit->x_lambda);
   const bool parabola =
-      std::abs(limit->ahead - limit->lambda * slope / 2) <= kParabola * std::abs(limit->ahead) &&
-      missed.lpNorm<1>() <= kParabola * moved.lpNorm<1>();
+      std::abs(limit->ahead - limit->lambda * slope / 2) <= kLimitParabola * std::abs(limit->ahead) &&
+      missed.lpNorm<1>() <= kLimitParabola * moved.lpNorm<1>();
   return parabola ? limit : std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #include "residual.hpp"
 
 #include "series_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,6 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
 // Squared, of the points of contact. Far out on open curves a rounding of the common normal shifts them along
 // the tangent, which is no error of the position.
 double apart2(const CommonNormal& at) {
-  constexpr double kNormalRounding = 4 * std::numeric_limits<double>::epsilon();
   const double radii = std::abs(at.rho1) + std::abs(at.rho2);
   const double shift = std::isfinite(radii) ? kNormalRounding * radii : 0;
   const Vector2d apart = at.p2_W - at.p1_W;

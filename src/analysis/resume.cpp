@@ -21,17 +21,11 @@
 namespace higherpair {
 namespace {
 
-constexpr double kProbe =
-    kPi / 144;                   // of the leading driver's scale: where a branch that was lost is looked for
 constexpr int kFirstProbes = 4;  // before the first of these, each four times as far from the limit
 constexpr double kMostProbes = 1e4;
-constexpr double kNearestBegin = 1e-12;  // of the driver's scale: beside a limit, for the first step from it
 
 // Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
 constexpr int kMostPoles = 16;
-constexpr double kTooNearLimit = 1e-6;  // GroupState::sine there, of its lever
-constexpr double kFarOut = 1e6;         // of the size: contacts that are about to run off to infinity
-constexpr double kInside = 1e-3;        // of the driver's scale: from where a limit with a row is come to
 
 // Whether some contact is found again from a list of all, of which more than one may be on the branch.
 bool has_listed_contact(const Run& run) {
@@ -208,7 +202,7 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
 // taken from the limit as it is solved for on the way from within the stretch, where run.at.state then
 // remains.
 bool StretchSearch::come_to_begin(double x) {
-  const double within = x + line_.sense() * kInside * line_.scale();
+  const double within = x + line_.sense() * kInsideLimit * line_.scale();
   const auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
   if (!inside || !inside->at.held || !inside->at.beside) {
     return false;
@@ -235,7 +229,7 @@ bool StretchSearch::follow_from(double from, double first_step) {
 Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
   const double limit = x_of(line_.begin());
   for (double x = 2 * pole - begin; is_before(limit, x) && is_before(x, begin); x = pole + 4 * (x - pole)) {
-    if (std::abs(x - pole) > kProbe * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
+    if (std::abs(x - pole) > kLostBranchProbe * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
       return Taken::kNot;
     }
     if (!is_beside_limit(run_.work.trial)) {
@@ -289,11 +283,11 @@ Taken StretchSearch::take_up(double x, int poles) {
 }
 
 // Positions on a line at which a branch that was lost is looked for: the limit, close behind it, and then
-// every kProbe. They are the same whatever the rows, so that what is found at them is.
+// every kLostBranchProbe. They are the same whatever the rows, so that what is found at them is.
 class Probes {
 public:
   explicit Probes(const LineAhead& line)
-      : limit_(line.x_of(line.begin())), step_(line.sense() * kProbe * line.scale()) {}
+      : limit_(line.x_of(line.begin())), step_(line.sense() * kLostBranchProbe * line.scale()) {}
 
   [[nodiscard]] double at(double k) const {
     return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_

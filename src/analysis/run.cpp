@@ -122,8 +122,6 @@ bool may_be_free(const Run& run) {
   return false;
 }
 
-constexpr double kRoundingOfGap = 1e-10;  // of the size: more than what gaps are closed to
-
 // A group at whose limit the row is, a contact so far out that its gap is a matter of rounding.
 std::optional<std::size_t> group_at_infinity(const Run& run) {
   if (run.row.status != RowStatus::kNotConverged) {

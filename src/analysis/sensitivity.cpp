@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/numbers.hpp"
 #include "series_motion.hpp"
 #include "span_joints.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +18,6 @@ namespace {
 
 using Parametric = Partials<double, 1>;
 using ParametricSeries = PowerSeries<Parametric, 2>;
-
-// Slip, in the mechanism's size, by a unit change of a coordinate: one that does not matter.
-constexpr double kNoInfluence = 1e-9;
 
 Parametric parametric(double value, double derivative) {
   Parametric number(value);
@@ -191,7 +189,7 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
     const double without = rate_with(0);
     const double change = rate_with(1) - without;
     start.at.drivers[held.driver].c[0].c[1] =
-        std::abs(change) > kNoInfluence ? -without / change : held.by_pose;
+        std::abs(change) > kNoInfluenceSlip ? -without / change : held.by_pose;
   }
   const auto motion = solved();
   if (!all_known(motion)) {

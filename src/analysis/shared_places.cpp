@@ -23,9 +23,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kJustLeft = 1e-9;  // of a unit of the drivers: a place that ended where the step begins
-constexpr std::array kBeyondVertex = {0.0, 1e-14, 1e-13, 1e-12, 1e-11};  // of the same: where it goes on
-
 // The two bodies of a contact in a state.
 struct Bodies {
   const Boundary& boundary1;

@@ -1,5 +1,7 @@
 #include "short_way.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,8 +9,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kHalfTurn = 1e-3;  // how far a turn is from half a one that is that [rad]
 
 class ShortWay {
 public:

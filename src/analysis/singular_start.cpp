@@ -7,6 +7,7 @@
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reduction.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSingularStart = 1e-7;  // of a group's lever: a sine below this is that of a singular start
-constexpr double kSameSpeed = 1e-3;  // speeds, and accelerations, that differ less than by this share are one
-constexpr double kSameAcceleration = 1e-6;
 constexpr std::size_t kMostChosen = 6;  // singular groups whose modes are all tried together
-constexpr double kNearStart = 0.3;  // of a unit: how far a contact may be from where it merges with another
 
 bool is_singular(const GroupState& group) {
   return std::abs(group.sine) <= kSingularStart * group.lever;
@@ -50,8 +47,8 @@ bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& the
   const double u = tracked->driver_sign * there[static_cast<std::size_t>(tracked->driver)];
   const FindResult found = find_nearest_contact(tracked->pair, u, at.q, mode);
   const double unit = tracked->pair.motion2.turns ? 1 : run.plan().size;
-  if (found.status != FindStatus::kFound || !(std::abs(found.at.q - at.q) <= kNearStart * unit) ||
-      !(found.at.n_W.dot(at.n_W) > 1 - kNearStart)) {
+  if (found.status != FindStatus::kFound || !(std::abs(found.at.q - at.q) <= kNearMerge * unit) ||
+      !(found.at.n_W.dot(at.n_W) > 1 - kNearMerge)) {
     return false;
   }
   run.at.state.tracks[g] = start_track(tracked->pair, found.at, mode);
@@ -64,15 +61,14 @@ bool is_coupled(const Run& run, std::size_t g) {
 
 // Newton's method comes near a singular start only to half the digits.
 void settle_coupled(Run& run, std::size_t g) {
-  constexpr double kNear = 1e-5;  // of the unit of the path
   Path path;
   std::vector<double> ahead = run.at.drivers;
   ahead[0] += driver_scale(run, 0);
   set_path(path, run.at.drivers, ahead);
   run.work.trial = run.at.state;
   Reduction reduction(run, path, g, 0);
-  const auto singular = reduction.singular_point(kNear * unit_of(run, path));
-  if (singular && std::abs(singular->ahead) <= kNear * unit_of(run, path)) {
+  const auto singular = reduction.singular_point(kNearSingularStart * unit_of(run, path));
+  if (singular && std::abs(singular->ahead) <= kNearSingularStart * unit_of(run, path)) {
     reduction.place(*singular);
     for (const int body : run.plan().groups[g].bodies) {
       run.at.state.bodies[static_cast<std::size_t>(body)] =
@@ -225,7 +221,7 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
 // Whether a start is next to where it is left to; where pins coincide the links may have any direction in it.
 bool leads_to(const State& start, const State& departure) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
-    if (!(std::abs(start.bodies[i].theta - departure.bodies[i].theta) <= kNearStart)) {
+    if (!(std::abs(start.bodies[i].theta - departure.bodies[i].theta) <= kNearMerge)) {
       return false;
     }
   }

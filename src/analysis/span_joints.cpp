@@ -5,15 +5,13 @@
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-// What a contact runs at most, of what its speeds at both ends of a step make likely.
-constexpr double kFartherAlong = 2;
 
 // A contact and one of its two curves.
 struct SideOfContact {

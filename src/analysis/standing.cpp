@@ -2,14 +2,13 @@
 
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "step.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kSameStanding = 1e-9;  // [rad], or of the size
 
 template <class T, class Alike>
 bool all_alike(const std::vector<T>& a, const std::vector<T>& b, const Alike& alike) {

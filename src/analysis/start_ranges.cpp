@@ -2,6 +2,7 @@
 
 #include "assembly.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace {
 constexpr int kTries = 72;
 constexpr int kHalvings = 24;  // 2^-24/72 < 1e-9
 constexpr std::size_t kMostRanges = 3;
-constexpr double kReachOfSlide = 2;  // of the size
 
 class Scan {
 public:

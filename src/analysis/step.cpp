@@ -14,8 +14,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kFarthestTurn = 2;  // of a body in one step [rad]
-
 // Sets the contacts of run.work.trial onto the places of run.at.state, so that a step shows which have left
 // their spans.
 void mark_places(Run& run) {
@@ -65,7 +63,7 @@ public:
 
   [[nodiscard]] bool holds() const {
     return mismatch_ <= kSmoothStep * (change_ + step_ / 8 * bend_) + kNoMismatch &&
-           farthest_turn_ <= kFarthestTurn;
+           farthest_turn_ <= kFarthestBodyTurn;
   }
 
 private:

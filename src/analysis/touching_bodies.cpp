@@ -2,6 +2,7 @@
 #include "higherpair/contact/extreme_gap.hpp"
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kLeastLever = 1e-3;  // of the size: of a follower that touches at its pivot
 
 // The contact from a guess; at a limit itself, where no branch is left to look for it on, the position that
 // two branches share.
