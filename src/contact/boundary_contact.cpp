@@ -1,8 +1,8 @@
 #include "higherpair/contact/boundary_contact.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxBoundaryPasses = 40;
-constexpr double kLongestStep = 0.25;      // of the size of a pair: of one pass
-constexpr double kMostTurn = 0.5;          // of a follower or a corner's normal in one pass [rad]
-constexpr double kNoiseOfClosure = 1e-13;  // of the extent: what an error may stall at
-constexpr double kSameNormal = 1e-14;      // [rad]
 constexpr double kFlat = 1e12;  // [m per rad] two flat curves: a turn takes a contact as far as it may go
 
 struct End {
@@ -123,10 +119,10 @@ int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1
   const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
   const double ds1 = link.z * turn + link.w2 * slip;
   const double ds2 = link.z * turn - link.w1 * slip;
-  const auto next1 =
-      boundary1.advance(place1, limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurn));
+  const auto next1 = boundary1.advance(place1, limited(ds1, longest),
+                                       limited(link.w1 * turn + link.w * slip, kMostTurnOfPass));
   const auto next2 = boundary2.advance(place2, limited(-ds2, longest),
-                                       limited(-(link.w2 * turn - link.w * slip), kMostTurn));
+                                       limited(-(link.w2 * turn - link.w * slip), kMostTurnOfPass));
   place1 = next1.place;
   place2 = next2.place;
   return next1.stopped ? 1 : next2.stopped ? 2 : 0;
@@ -175,7 +171,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
   const Boundary& boundary2 = *pair.boundary2;
   const Pose<double> X_W1 = pose_at(pair.motion1, u);
   const double scale = length_scale(boundary1, boundary2);
-  const double longest = kLongestStep * scale;
+  const double longest = kLongestPass * scale;
   BoundaryResult result;
   BoundaryPlace p1 = place1;
   BoundaryPlace p2 = place2;
@@ -206,7 +202,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
       result.status = branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch;
       return result;
     }
-    const double most = pair.motion2.turns ? kMostTurn : longest;
+    const double most = pair.motion2.turns ? kMostTurnOfPass : longest;
     const double dq = limited(-offset.g / gap_q, most);
     if (!std::isfinite(dq)) {
       result.status = ContactStatus::kNoContact;
@@ -216,7 +212,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
     const int ended = step_along(boundary1, end1, p1, boundary2, end2, p2, turn,
                                  offset.s + per_q.dot(offset.t_W) * dq, longest);
     q += dq;
-    if (ended != 0 && ended == ended_before && std::abs(dq) <= 1e-9 * most) {
+    if (ended != 0 && ended == ended_before && std::abs(dq) <= kNoStepAtEnd * most) {
       result.status = ContactStatus::kNoContact;
       result.ended = ended;
       return result;
@@ -250,7 +246,7 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
     // Across a gap g a turn of the normal by δφ1 = w1 ε + w Σ shifts the points by g δφ1: Σ = σ - g δφ1.
     const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
     const double slip = (offset.s - offset.g * link.w1 * offset.epsilon) / (1 + offset.g * link.w);
-    if (step_along(boundary1, end1, p1, boundary2, end2, p2, offset.epsilon, slip, kLongestStep * scale) !=
+    if (step_along(boundary1, end1, p1, boundary2, end2, p2, offset.epsilon, slip, kLongestPass * scale) !=
             0 &&
         pass > 3) {
       return std::nullopt;
@@ -265,15 +261,15 @@ std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const B
   for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     const SpanPoint point = boundary.at(place);
     const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
-    if (std::abs(turn) <= kSameNormal) {
+    if (std::abs(turn) <= kAtNormal) {
       return place;
     }
     const bool corner = boundary.is_corner(place);
     if (!corner && point.kappa == 0) {
       return std::nullopt;
     }
-    const double step = corner ? 0 : limited(turn / point.kappa, kLongestStep * boundary.size());
-    const auto next = boundary.advance(place, step, limited(turn, kMostTurn));
+    const double step = corner ? 0 : limited(turn / point.kappa, kLongestPass * boundary.size());
+    const auto next = boundary.advance(place, step, limited(turn, kMostTurnOfPass));
     if (next.stopped) {
       return std::nullopt;
     }

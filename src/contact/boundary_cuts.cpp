@@ -1,7 +1,7 @@
 #include "boundary_cuts.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kBackwards = 1e-8;  // [rad, of the size]: by which u may fall along a branch, by rounding
 
 int sign_of(double x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;

@@ -2,6 +2,7 @@
 
 #include "boundary_search.hpp"
 #include "feature_curve.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -11,13 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-// Of the larger boundary's size:
-constexpr double kFinest = 1e-8;          // stretches that are not halved any more, ...
-constexpr double kCoarsest = 1e-3;        // ... where much has been left open before
-constexpr double kFarthestAround = 0.25;  // how far from a contact it may be seen to be the only one
-constexpr double kNearestAround = 1e-8;
-constexpr double kOneOpen = 1e-6;  // contacts that merge, or what is left open, told as one [also rad]
 
 constexpr int kBoxesOfPair = 20000;  // of two pieces: then it is left open what is between them
 constexpr int kOpenUntilCoarser = 8;
@@ -84,7 +78,7 @@ private:
   struct Budget {
     int boxes = kBoxesOfPair;
     int left_open = 0;
-    double finest = kFinest;
+    double finest = kFinestStretch;
   };
 
   // Pieces that are near each other in the second coordinate, which has no period, by a sweep along it.
@@ -110,7 +104,7 @@ private:
 
   void search_pair(const Stretch& a, const Stretch& b) {
     Budget budget;
-    budget.finest = std::min(kCoarsest, std::ldexp(kFinest, 2 * open_pairs_));
+    budget.finest = std::min(kCoarsestStretch, std::ldexp(kFinestStretch, 2 * open_pairs_));
     const std::size_t before = undecided_.size();
     if (!search(a, b, budget)) {
       undecided_.resize(before);

@@ -1,5 +1,7 @@
 #include "boundary_foot.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,6 @@ namespace higherpair {
 std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d& p_B, BoundaryPlace place,
                                        double near) {
   constexpr int kMostPasses = 20;
-  constexpr double kLeastStretch = 0.1;  // near the center of curvature a whole step would go anywhere
   bool stopped = false;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const SpanPoint point = boundary.at(place);
@@ -21,7 +22,7 @@ std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d&
       return place;
     }
     const double stretch = 1 + point.kappa * out;
-    const auto next = boundary.advance(place, stretch > kLeastStretch ? along / stretch : along, turn);
+    const auto next = boundary.advance(place, stretch > kLeastFootStretch ? along / stretch : along, turn);
     stopped = next.at_end;
     if (next.place.span == place.span && next.place.t == place.t) {
       break;  // it goes no farther

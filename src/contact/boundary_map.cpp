@@ -2,9 +2,9 @@
 
 #include "boundary_cuts.hpp"
 #include "boundary_trace.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "map_layout.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kAtStart = 1e-7;  // [rad]: an event so little below the start of the range belongs to it
-constexpr double kRest = 1e-4;     // of the driver's unit: a shorter rest is none
 
 constexpr std::size_t kMostParts = 10000;  // pairs of spans: of two whole gears there are more
 
@@ -87,7 +84,7 @@ private:
       double& u = map_.events[i].at.u;
       if (cyclic_) {
         u -= kTurn * std::floor((u - range_.start) / kTurn);
-        u -= u - range_.start > kTurn - kAtStart ? kTurn : 0;
+        u -= u - range_.start > kTurn - kAtRangeStart ? kTurn : 0;
       }
       double& q = map_.events[i].at.q;
       q = map_.pair.motion2.turns ? nearest_turn(q, 0) : q;
@@ -217,7 +214,7 @@ private:
           continue;
         }
         turning = a->gap_u * b->gap_u <= 0 ? &leg : turning;
-        if (!moves(*a) && !moves(*b) && leg.u_b - leg.u_a > kRest * unit1_) {
+        if (!moves(*a) && !moves(*b) && leg.u_b - leg.u_a > kShortestRest * unit1_) {
           resting = &leg;
         }
         if (!moves(*b)) {
@@ -254,7 +251,7 @@ private:
       return;
     }
     if (draft.path.turn_u > 0) {
-      const double round = std::ceil((range_.start - kAtStart - at->u) / draft.path.turn_u);
+      const double round = std::ceil((range_.start - kAtRangeStart - at->u) / draft.path.turn_u);
       at->u += round * draft.path.turn_u;
       at->q += round * draft.path.turn_q;
     }

@@ -1,5 +1,6 @@
 #include "boundary_pieces.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/vector.hpp"
 
 #include <algorithm>
@@ -9,9 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kBlock = 8;       // pieces
-constexpr double kSlackOfChord = 0.25;  // of a piece: how far its curve may leave the chord
-constexpr double kSlackOfNormal = 0.5;  // the same of its normals
+constexpr std::size_t kBlock = 8;  // pieces
 
 NormalCone cone_about(const Vector2d& sum, double slack) {
   const double norm = sum.norm();
@@ -19,7 +18,7 @@ NormalCone cone_about(const Vector2d& sum, double slack) {
 }
 
 bool are_opposed(const NormalCone& a, const NormalCone& b) {
-  const double chords = a.chord + b.chord + 1e-9;
+  const double chords = a.chord + b.chord + kRoundingOfNormal;
   return (a.middle + b.middle).squaredNorm() <= chords * chords;
 }
 

@@ -1,5 +1,6 @@
 #include "boundary_search.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "polyline_crossings.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSameFound = 1e-7;  // of q [rad, or of the size]: two that are one
 
 // Angles continuous along the boundary.
 class Unwrapped {
@@ -60,7 +59,7 @@ bool is_known(const std::vector<BoundaryContact>& contacts, const BoundaryContac
               double length) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const BoundaryContact& known) {
     return std::abs(known.q - contact.q) <= kSameFound * unit &&
-           (known.at.p1_W - contact.at.p1_W).norm() <= 1e-5 * length;
+           (known.at.p1_W - contact.at.p1_W).norm() <= kSameFoundPoint * length;
   });
 }
 

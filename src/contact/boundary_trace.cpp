@@ -1,17 +1,12 @@
 #include "boundary_trace.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
-namespace {
-
-constexpr double kNotConcave = 1e-9;  // of 1 per size: κ1 + κ2 below 0 by rounding
-
-}  // namespace
-
 std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, const TraceLeg& leg, double share) const {
   const TangencySheet& sheet = this->sheet(path.opposed);
   const auto found = place_on(sheet, leg.step, share);

@@ -3,7 +3,7 @@
 #include "exact/exact_decision.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "tangency.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

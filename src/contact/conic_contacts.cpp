@@ -1,10 +1,10 @@
 #include "higherpair/contact/conic_contacts.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "support_contacts.hpp"
 #include "tangency.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ std::vector<Tangency> parallel_tangency(const TangencyProblem& problem, const Ex
   const Extended y2 = cross(axis, v) + q * cross(axis, problem.motion.direction);
   const Extended l1 = first.semi_latus;
   const Extended divisor = Extended(problem.second_at_0.semi_latus) - s * l1;
-  if (!(abs(divisor) * kFarthest > abs(l1 * y2))) {
+  if (!(abs(divisor) * kFarthestFinite > abs(l1 * y2))) {
     return {};
   }
   const Extended y = -s * l1 * y2 / divisor;
@@ -167,7 +167,7 @@ struct Finder {
 
   // Of the 100 digits those below 1e-30 are noise of an exact 0.
   [[nodiscard]] static Vector2d point(const Complex<Extended>& w) {
-    const auto clean = [](const Extended& x) { return abs(x) < 1e-30 ? 0.0 : to_double(x); };
+    const auto clean = [](const Extended& x) { return abs(x) < kNoiseOfZero ? 0.0 : to_double(x); };
     return {clean(w.re), clean(w.im)};
   }
 

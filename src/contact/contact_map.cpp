@@ -1,6 +1,7 @@
 #include "higherpair/contact/contact_map.hpp"
 
 #include "boundary_map.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "map_branches.hpp"
 #include "map_network.hpp"
@@ -50,7 +51,7 @@ std::optional<MapPoint> bisected(const ContactMap& map, int branch, const MapPoi
   double low = from.u;
   double high = to.u;
   std::optional<MapPoint> at;
-  for (int i = 0; i < 60 && high - low > 1e-13 * (std::abs(low) + std::abs(high)); ++i) {
+  for (int i = 0; i < 60 && high - low > kBisectedCoordinate * (std::abs(low) + std::abs(high)); ++i) {
     const auto middle = point_at(map, branch, low + (high - low) / 2);
     if (!middle) {
       return at;

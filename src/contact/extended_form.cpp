@@ -48,7 +48,7 @@ double curvature(const Form<Extended>& form, const Complex<Extended>& G) {
 
 std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v) {
   const Extended far = norm(v[0]) + norm(v[1]);
-  if (norm(v[2]) * (kFarthest * kFarthest) < far || norm(v[2]) == 0) {
+  if (norm(v[2]) * (kFarthestFinite * kFarthestFinite) < far || norm(v[2]) == 0) {
     return std::nullopt;
   }
   const Complex<Extended> w = v[0] * inverse(v[2]);

@@ -2,16 +2,13 @@
 
 #include "contact_pencil.hpp"
 #include "extended.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/support.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace higherpair {
-
-/// Points farther off than this are at infinity: curves that near their asymptotes touch 1e-14 rad away from
-/// where those are parallel, so that rounding of the numbers decides whether they do.
-inline constexpr double kFarthest = 1e7;
 
 [[nodiscard]] Complex<Extended> complex_of(const Vector2d& v);
 

@@ -1,6 +1,7 @@
 #include "higherpair/contact/extreme_gap.hpp"
 
 #include "gap_derivatives.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "place_points.hpp"
 
@@ -38,7 +39,7 @@ std::optional<ExtremeGap> extreme_gap(const ContactPair& pair, const ContactPosi
     if (!step.allFinite()) {
       return std::nullopt;
     }
-    if (newton_has_settled(size, last, 1e-7)) {
+    if (newton_has_settled(size, last, kExtremeQuadratic)) {
       return ExtremeGap{gap, at};
     }
     last = size;

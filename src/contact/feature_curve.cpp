@@ -1,5 +1,6 @@
 #include "feature_curve.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 
 #include <cmath>
@@ -8,10 +9,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kErrorOfPoints = 8 * std::numeric_limits<double>::epsilon();
-
-constexpr double kSmoothJoint = 1e-12;  // of the length of a radian: a gap at a joint that is rounding
 
 // The joint behind a span, and back again.
 int bridge_at(int joint) {

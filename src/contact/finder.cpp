@@ -1,9 +1,10 @@
 #include "higherpair/contact/finder.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/newton.hpp"
 #include "listed_contact.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "higherpair/contact/critical_positions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "polynomial_roots.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <cmath>
 #include <optional>

@@ -4,6 +4,7 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/contact/tracker.hpp"
 
 #include <cmath>
@@ -11,13 +12,6 @@
 // One step of a track: predicted, solved, compared, accepted.
 
 namespace higherpair {
-
-inline constexpr double kFarthestTurn = 3 * kLargestTurn;  // that an inner step may turn out to be [rad]
-// Of the driver's scale: steps that d²φ/du² and d³q/du³, and d³φ/du³, are taken from.
-inline constexpr double kShortestForSecond = 1e-14;
-inline constexpr double kFarthestReach = 1e3;  // of the step that they are from: what they serve to predict
-inline constexpr double kShortestForThird = 1e-4;
-inline constexpr double kShortTurn = 0.01;  // of the driver's scale: a short step
 
 // What counts as one unit of a coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
@@ -77,7 +71,7 @@ struct Step {
   step.change = std::abs(to.q - from.q) / unit + std::abs(cross(from.n_W, to.n_W));
   step.mismatch = std::abs(to.q - q) / unit + step.result.step_n;
   const bool turned_far = to.n_W.dot(from.n_W) < kCosFarthestTurn ||
-                          (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestTurn);
+                          (track.pair.motion2.turns && std::abs(to.q - from.q) > kFarthestInnerTurn);
   step.solved = !turned_far && same_curvature(track.pair.curve1, track.pair.curve2, from.rho1 + from.rho2,
                                               to.rho1 + to.rho2);
   return step;
@@ -88,7 +82,7 @@ struct Step {
 }
 
 [[nodiscard]] inline bool agrees(const Step& step, double share) {
-  return step.solved && step.mismatch <= share * step.change + 1e-9;
+  return step.solved && step.mismatch <= share * step.change + kInnerMismatch;
 }
 
 // Long steps would not come back to a known rotation.

@@ -2,7 +2,7 @@
 
 #include "contact_points.hpp"
 #include "higherpair/geometry/body_jerk.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact_points.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "map_points.hpp"
 #include "place_points.hpp"
 #include "stroke_end.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

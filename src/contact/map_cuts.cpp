@@ -1,15 +1,12 @@
 #include "map_cuts.hpp"
 
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-// Where in its interval the list is made: off the middle, which symmetry may make special.
-constexpr double kPlace = 0.4713;
 
 class CutFinder {
 public:
@@ -107,7 +104,7 @@ private:
 
   void add_intervals() {
     const auto add = [&](double low, bool crossing_low, double high, bool crossing_high) {
-      map_.intervals.push_back({low, high, low + kPlace * (high - low), crossing_low, crossing_high});
+      map_.intervals.push_back({low, high, low + kOffMiddle * (high - low), crossing_low, crossing_high});
     };
     if (map_.cuts.empty()) {
       add(map_.start, false, map_.end, false);

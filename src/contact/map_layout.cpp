@@ -1,6 +1,6 @@
 #include "map_layout.hpp"
 
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

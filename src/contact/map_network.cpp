@@ -1,7 +1,7 @@
 #include "map_network.hpp"
 
 #include "inner_step.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

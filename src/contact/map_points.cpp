@@ -2,7 +2,7 @@
 
 #include "higherpair/contact/separation.hpp"
 #include "inner_step.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "higherpair/contact/contact_map.hpp"
 #include "map_network.hpp"
 #include "map_points.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "boundary_foot.hpp"
 #include "boundary_pieces.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSamePlace = 1e-7;          // of the sizes
-constexpr double kSameNormalOfPlace = 1e-3;  // [rad]
-constexpr double kAtFoot = 1e-15;            // of the size
 
 double curvature_of(double rho) {
   return std::isinf(rho) ? 0 : 1 / rho;
@@ -107,7 +104,7 @@ std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>
   const BoundaryPieces one =
       boundary_pieces(boundary1, identity, X_12 * boundary2.middle_B(), boundary2.size() + reach);
   const BoundaryPieces two = boundary_pieces(boundary2, X_12, boundary1.middle_B(), boundary1.size() + reach);
-  const double same = kSamePlace * (boundary1.size() + boundary2.size());
+  const double same = kSameNearPlace * (boundary1.size() + boundary2.size());
   std::vector<NearPlace> places;
   for_each_facing(one, two, reach, [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
     const auto found = common_normal_near(boundary1, X_W1, boundary2, X_W2, place1, place2);

@@ -1,5 +1,6 @@
 #include "boundary_foot.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "polyline_crossings.hpp"
 
@@ -11,9 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kFarther = 0.1;    // of the sizes: how far beside a body samples are looked at
-constexpr double kNearFoot = 1e-9;  // of the size: so near a foot its depth is off by the square of that
 
 // Depth of a point in a body [m]: to the nearest place of its boundary; < 0 outside. An open boundary says
 // nothing of points beside it.
@@ -136,7 +134,7 @@ struct PointDepth {
 
 std::vector<PointDepth> depths_of(const Inside& own, const Places& cuts, const Inside& other) {
   const Vector2d middle_B = own.X_WB().inverse_times(other.X_WB() * other.boundary().middle_B());
-  const double reach = other.boundary().size() * (1 + kFarther) + kFarther * own.boundary().size();
+  const double reach = other.boundary().size() * (1 + kBesideBody) + kBesideBody * own.boundary().size();
   std::vector<PointDepth> depths;
   for (const Feature& point : points_between(own, cuts)) {
     const bool near = (point.at - middle_B).squaredNorm() <= reach * reach;

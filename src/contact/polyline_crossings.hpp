@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary.hpp"
 
 #include <algorithm>
@@ -22,9 +23,6 @@ struct Feature {
 };
 
 using Features = std::vector<Feature>;
-
-/// How far a curve may pass beside the straight part between two of its points, of the part's length.
-inline constexpr double kSlackOfPart = 0.25;
 
 [[nodiscard]] inline BoundaryPlace between(const Feature& a, const Feature& b, double share) {
   return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};

@@ -1,5 +1,6 @@
 #include "polynomial_roots.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/vector.hpp"
 
 #include <algorithm>
@@ -10,14 +11,9 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxSweeps = 100;
-constexpr long double kNegligible = 1e-80L;
-constexpr long double kRounding = 1e-95L;  // of a sum of products, of their sizes
-constexpr long double kIsRoot = 1e-70L;    // of the sum of the coefficients
-constexpr long double kNearby = 1e-3L;     // to where roots are asked for: those that others take to be there
 // Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told
 // apart.
 const Extended kConvergedSquared("1e-120");
-constexpr long double kRoughlyConvergedSquared = 1e-30L;
 
 // Numbers of the machine of the widest range: a power of 16 of a root is among them.
 using Rough = long double;
@@ -130,7 +126,7 @@ Rough radius_of_disc(const Polynomial& c, const std::vector<Complex<Extended>>& 
   Rough terms = 0, product = magnitude(c.back());
   for (std::size_t k = c.size(); k-- > 0;) terms = terms * at + magnitude(c[k]);
   for (std::size_t j = 0; j < x.size(); ++j) product *= j == i ? 1 : magnitude(x[i] - x[j]);
-  const Rough value = magnitude(evaluate(c, x[i]).first) + kRounding * terms;
+  const Rough value = magnitude(evaluate(c, x[i]).first) + kRoundingOfTerms * terms;
   return static_cast<Rough>(x.size()) * value / product;
 }
 
@@ -145,7 +141,7 @@ std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Rough at = magnitude(x[i]);
     const Rough off = asked == RootsAsked::kOfUnitSize ? std::abs(at - 1) : std::abs(to_long_double(x[i].im));
-    elsewhere[i] = off > radii[i] + kNearby * (1 + at);  // false for what is no number
+    elsewhere[i] = off > radii[i] + kNearbyRoots * (1 + at);  // false for what is no number
   }
   for (bool changed = true; changed;) {
     changed = false;
@@ -167,7 +163,9 @@ std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsk
   for (const auto& coefficient : coefficients) {
     largest = std::max(largest, magnitude(coefficient));
   }
-  const auto matters = [&](const Complex<Extended>& c) { return magnitude(c) > kNegligible * largest; };
+  const auto matters = [&](const Complex<Extended>& c) {
+    return magnitude(c) > kNegligibleCoefficient * largest;
+  };
   const auto first = std::find_if(coefficients.begin(), coefficients.end(), matters);
   const auto last = std::find_if(coefficients.rbegin(), coefficients.rend(), matters).base();
   if (first == coefficients.end()) {
@@ -188,7 +186,7 @@ void divide_out(Polynomial& coefficients, const Complex<Extended>& root) {
       quotient[k] = rest;
       rest = rest * root + coefficients[k];
     }
-    if (!(magnitude(rest) <= kIsRoot * size_of(coefficients))) {
+    if (!(magnitude(rest) <= kRootRest * size_of(coefficients))) {
       return;
     }
     coefficients = std::move(quotient);
@@ -197,7 +195,7 @@ void divide_out(Polynomial& coefficients, const Complex<Extended>& root) {
 
 bool vanishes(const Polynomial& coefficients, long double scale, int except) {
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    if (static_cast<int>(k) != except && magnitude(coefficients[k]) > kNegligible * scale) {
+    if (static_cast<int>(k) != except && magnitude(coefficients[k]) > kNegligibleCoefficient * scale) {
       return false;
     }
   }

@@ -3,10 +3,10 @@
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "place_points.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,6 @@ namespace {
 
 constexpr int kMaxRollSteps = 60;
 constexpr double kMostRollSteps = 1e15;  // that a count of them can hold
-constexpr double kSettled = 1e-8;        // of a step of Newton's: its square is rounding
-constexpr double kQuadratic = 1e-2;      // of a step to the one before, where steps square
-constexpr double kFullRank = 1e-4;       // determinant of the normal equations, of their trace squared
 
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
 
@@ -99,7 +96,7 @@ Eigen::Vector2d least_squares(const Jacobian& J, const Eigen::Vector3d& r) {
   const double b = J.col(0).dot(J.col(1));
   const double c = J.col(1).squaredNorm();
   const double determinant = a * c - b * b;
-  if (determinant > kFullRank * (a + c) * (a + c)) {
+  if (determinant > kRollingFullRank * (a + c) * (a + c)) {
     const double x = -J.col(0).dot(r);
     const double y = -J.col(1).dot(r);
     return Eigen::Vector2d(c * x - b * y, a * y - b * x) / determinant;
@@ -137,7 +134,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
     const Eigen::Vector2d step = least_squares(J, equations.r / size);
     const double length = step.norm();
     result.mismatch = equations.r.cwiseAbs().maxCoeff();
-    if (newton_has_settled(length, last, kNewtonQuadratic, 1e-15)) {
+    if (newton_has_settled(length, last, kNewtonQuadratic, kRollingLeast)) {
       result.converged = true;
       return result;
     }
@@ -150,7 +147,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
     if (!place()) {
       return result;
     }
-    if (length < kSettled && length < kQuadratic * last) {
+    if (length < kRollingSettled && length < kRollingQuadratic * last) {
       // The next step would be of the size of rounding, and leave what the linear equations leave.
       result.mismatch = (equations.r + size * (J * step)).cwiseAbs().maxCoeff();
       result.converged = true;

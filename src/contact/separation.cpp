@@ -2,7 +2,7 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "sheet_curves.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "sheet_grid.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,9 @@
 namespace higherpair {
 namespace {
 
-// Where cells are halved: off the middle, which symmetry may make special.
-constexpr double kSplit = 0.4713;
 constexpr int kDeepest = 40;
 constexpr int kMostForGraph = 16;  // a curve next to a crossing of two is none over either parameter
 constexpr std::size_t kMostSheetSteps = 200000;  // of all curves: more are noise
-constexpr double kStraight = 0.85;               // cosine between a curve and its chord
-constexpr double kNoLength = 1e-7;               // of a cell: a chord without a direction
-constexpr double kMostSheetTurn = 0.3;           // of a body along a step [rad]
 
 enum class Rim { kLow1, kHigh1, kLow2, kHigh2 };
 
@@ -116,7 +111,7 @@ private:
   [[nodiscard]] bool is_straight(const Zero& a, const Zero& b) const {
     const Vector2d chord((b.t1 - a.t1) / width_.x(), (b.t2 - a.t2) / width_.y());
     const double length = chord.norm();
-    if (length < kNoLength) {
+    if (length < kNoChord) {
       return true;
     }
     const auto middle = place_on(sheet_, step_between(a, b), 0.5);
@@ -126,7 +121,7 @@ private:
     const auto along = [&](double t1, double t2) { return direction(t1, t2).dot(chord) / length; };
     const auto [least, most] =
         std::minmax({along(a.t1, a.t2), along(b.t1, b.t2), along(middle->place1.t, middle->place2.t)});
-    if (!(least > kStraight || most < -kStraight)) {
+    if (!(least > kStraightSheetCurve || most < -kStraightSheetCurve)) {
       return false;
     }
     const SheetPoint from = sheet_.point(one(a.t1), two(a.t2));
@@ -141,7 +136,7 @@ private:
     for (int pass = 0; pass < 2; ++pass) {
       const Vector2d slopes = sheet_.slopes(one(at.t1), two(at.t2)).cwiseProduct(width_);
       const Vector2d step = -sheet_.value(one(at.t1), two(at.t2)) / slopes.squaredNorm() * slopes;
-      if (step.norm() < kNoLength) {
+      if (step.norm() < kNoChord) {
         at.t1 += step.x() * width_.x();
         at.t2 += step.y() * width_.y();
       }
@@ -176,7 +171,7 @@ private:
     } else if (depth == kDeepest) {
       found_.complete = false;
     } else {
-      halve(cell, zeros, kSplit, kSplit, depth);
+      halve(cell, zeros, kOffMiddle, kOffMiddle, depth);
     }
   }
 

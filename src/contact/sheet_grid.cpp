@@ -1,5 +1,6 @@
 #include "sheet_grid.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
 
 #include <algorithm>
@@ -9,14 +10,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kLifted = 1e-12;  // of the size: above the rounding of F, below what changes its zeros
-constexpr double kBeside = 1e-8;   // of a part: a zero that is moved so little stays the same
-constexpr int kLeastParts = 4;     // of a span, also where it is straight
-// Far parts of lines and open conics are halved: of even parts the last ones would be nearly all of them.
-constexpr double kEvenSpeed = 4;  // between the ends of a part
+constexpr int kLeastParts = 4;  // of a span, also where it is straight
 constexpr int kMostHalvings = 24;
 constexpr int kMostEdgeParts = 60;  // that the side of a cell is cut into in search of its zeros
-constexpr double kFace = 0.37;      // of a part of a face: its nodes lie off the middle, which may be special
 
 std::int64_t key_of(int a, int b) {
   return (static_cast<std::int64_t>(a) << 32) | b;
@@ -33,7 +29,7 @@ const std::vector<SheetGrid::Zero>& found_at(
 
 SheetGrid::SheetGrid(const TangencySheet& sheet, const MapRange& range)
     : sheet_(sheet),
-      lifted_(kLifted * sheet.size()),
+      lifted_(kGridLifted * sheet.size()),
       side1_(side_of(*sheet.pair().boundary1, sheet.size())),
       side2_(side_of(*sheet.pair().boundary2, sheet.size())) {
   place_nodes(side1_, true);
@@ -66,7 +62,7 @@ SheetGrid::Side SheetGrid::side_of(const Boundary& boundary, double length) {
     const Bounds range = span.range();
     const int parts = span.is_corner() ? span.parts() : std::max(span.parts(), kLeastParts);
     first_part.push_back(static_cast<int>(side.parts.size()));
-    const double shift = parts == kLeastParts ? kFace : 0;
+    const double shift = parts == kLeastParts ? kOffMiddleOfFace : 0;
     const auto end = [&](int k) {
       const double share = k == 0 || k == parts ? k : k - shift;
       return k == parts ? range.high : range.low + share / parts * range.width();
@@ -234,7 +230,7 @@ std::optional<double> SheetGrid::zero_along(const StretchNode& one, const Stretc
     const Vector2d slopes = sheet_.slopes(a, b);
     x -= sheet_.value(a, b) / (along1 ? slopes.x() : slopes.y());
   }
-  x = std::abs(x - lifted) <= kBeside * t.width() ? std::clamp(x, 0.0, t.width()) : lifted;
+  x = std::abs(x - lifted) <= kGridBeside * t.width() ? std::clamp(x, 0.0, t.width()) : lifted;
   const auto [a, b] = places(x);
   return sheet_.faces(a, b) ? std::optional(t.low + x) : std::nullopt;
 }

@@ -2,9 +2,9 @@
 
 #include "higherpair/contact/boundary_enumeration.hpp"
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support_chains.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-// Of the distances of points from joints: how far out on open conics and faces. Much farther out places have
-// fewer digits than Newton's method asks for.
-constexpr double kReach = 100;
 
 // The chains that a curve consists of; none of one with cusps.
 std::vector<Boundary> chains_of(const Curve& curve, double reach) {
@@ -63,8 +59,8 @@ public:
   SupportContacts(const ContactPair& pair, double u) : pair_(pair), u_(u), size_(size_of_pair(pair)) {}
 
   [[nodiscard]] CurveContacts list() {
-    const double reach =
-        kReach * (size_ + extent_of(pair_.curve1, pair_.motion1) + extent_of(pair_.curve2, pair_.motion2));
+    const double reach = kSupportReach * (size_ + extent_of(pair_.curve1, pair_.motion1) +
+                                          extent_of(pair_.curve2, pair_.motion2));
     const std::vector<Boundary> one = chains_of(pair_.curve1, reach);
     const std::vector<Boundary> two = chains_of(pair_.curve2, reach);
     result_.status = one.empty() || two.empty() ? ContactsStatus::kUndecided : ContactsStatus::kComplete;

@@ -1,6 +1,6 @@
 #include "tangency.hpp"
 
-#include "tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     const Column step{determinant({r, J[1], J[2]}) / det, determinant({J[0], r, J[2]}) / det,
                       determinant({J[0], J[1], r}) / det};
     const double length = to_double(abs(step[0]) + abs(step[1]) + abs(step[2]));
-    if (!(length < 1e-4) || length < 1e-60) {
+    if (!(length < kLongestRefinement) || length < kNoRefinement) {
       return;
     }
     Tangency next = tangency;
@@ -109,7 +109,7 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
   if (const auto kernel = finite_point(adj[2])) {
     points.push_back(*kernel);
   }
-  if (rank2 <= 1e-5 * rank1) {
+  if (rank2 <= kDoubleLine * rank1) {
     const auto more = points_on_double_line(member.M, first);
     points.insert(points.end(), more.begin(), more.end());
   }
@@ -119,7 +119,7 @@ std::vector<Complex<Extended>> candidate_points(const TangencyProblem& problem, 
 bool touches(const TangencyProblem& problem, const Tangency& tangency) {
   const TangencyShape shape = shape_at(problem, tangency);
   const auto reach = static_cast<double>(1 + magnitude(tangency.w));
-  return reach <= kFarthest && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
+  return reach <= kFarthestFinite && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
 }
 
 // d dᵀ for d = (z̄, z, 1), by which a turn multiplies the entries of a form.
@@ -144,10 +144,9 @@ Matrix3c<Extended> value_of(const MatrixPolynomial<Extended>& m, const Extended&
 // The square of a size below 1e-50 is lost in the digits of the numbers here, and the curve is a point to
 // them. One of 1e-40 of the length is not, and moves no contact in the digits of a double.
 Curve resolvable(Curve curve, double length) {
-  constexpr double kSmallest = 1e-40;
   if (is_conic(curve)) {
     const double size = curve.q == 0 ? curve.semi_latus : std::max(semi_axes(curve)[0], semi_axes(curve)[1]);
-    curve.semi_latus *= std::max(1.0, kSmallest * length / size);
+    curve.semi_latus *= std::max(1.0, kSmallestConic * length / size);
   }
   return curve;
 }
@@ -274,7 +273,7 @@ std::vector<Tangency> tangencies_at(const TangencyProblem& problem, const Coordi
     if (conics) {
       refine(problem, tangency);
     }
-    tangency.exact = shape_at(problem, tangency).distance <= 1e-18;
+    tangency.exact = shape_at(problem, tangency).distance <= kExactTangency;
     const bool new_one = std::none_of(found.begin(), found.end(), [&](const Tangency& other) {
       return merged(problem, tangency, other).has_value();
     });

@@ -1,12 +1,12 @@
 #include "tangency_sheet.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kSameLine = 1e-12;  // sine between two slides that are parallel
 
 // The rotation of one unit vector into another.
 Rotation<double> rotation_between(const Vector2d& from, const Vector2d& to) {
@@ -132,10 +132,10 @@ TangencySheet::TangencySheet(const BoundaryPair& pair, bool opposed)
 
 bool TangencySheet::is_regular() const {
   if (pair_.motion1.turns && pair_.motion2.turns) {
-    return O12_.norm() > kSameLine * size_;
+    return O12_.norm() > kParallelSlides * size_;
   }
   return pair_.motion1.turns || pair_.motion2.turns ||
-         std::abs(cross(pair_.motion1.direction_W, pair_.motion2.direction_W)) > kSameLine;
+         std::abs(cross(pair_.motion1.direction_W, pair_.motion2.direction_W)) > kParallelSlides;
 }
 
 SheetPlace TangencySheet::place1(const BoundaryPlace& at) const {

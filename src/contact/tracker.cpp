@@ -3,6 +3,7 @@
 #include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "inner_step.hpp"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 // Whether the normal has turned as predicted, to within a share of the step's change.
 bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
-  return (step.result.at.n_W - predicted_normal(track, h)).norm() <= share * step.change + 1e-9;
+  return (step.result.at.n_W - predicted_normal(track, h)).norm() <= share * step.change + kInnerMismatch;
 }
 
 }  // namespace
@@ -46,14 +47,13 @@ ContactStatus step_to(ContactTrack& track, double u, int branch) {
 }
 
 bool walk_to(ContactTrack& track, double u, bool may_cross) {
-  constexpr double kAgreement = 0.1;
   const double unit = unit_of(track.pair.motion1, track);
   StepLength length(kLargestTurn * unit);
   while (track.at.u != u) {
     const auto [h, last] = length.next(u - track.at.u);
     const bool crosses = may_cross && (track.at.gap_q + track.at.dgap_q * h) * track.at.gap_q < 0;
     const int branch = crosses ? -track.branch : track.branch;
-    const double agreement = crosses ? kCrossingAgreement : kAgreement;
+    const double agreement = crosses ? kCrossingAgreement : kWalkAgreement;
     const Step step = try_step(track, h, branch);
     const bool strays = may_cross && turns_back(track.at, step.result.at, h);
     if (agrees(step, agreement) && normal_agrees(track, step, h, agreement) && !strays) {

@@ -1,6 +1,6 @@
 #include "contact/pair_jerk.hpp"
 
-#include "contact/tolerances.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/contact/jerk.hpp"
 
 #include <cmath>

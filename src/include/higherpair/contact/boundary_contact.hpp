@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary.hpp"
 
 #include <array>
@@ -76,9 +77,6 @@ struct BoundaryResult {
 [[nodiscard]] std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
                                                           const Boundary& boundary2,
                                                           const Pose<double>& X_W2);
-
-/// A depth of two bodies in each other that is none, of the sizes of their boundaries together.
-inline constexpr double kTouchingDepth = 1e-7;
 
 /// How deep one body is in the other [m], near the deepest of their outlines' samples and of points between
 /// their crossings; 0 where they are free of each other to within `tolerance`.

@@ -1,24 +1,16 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace higherpair {
 
-/// ∂gap/∂q of a contact that may be at a limit or where branches cross, relative to its scale: the square
-/// root of what rounding leaves of a gap.
-inline constexpr double kGapQMayVanish = 1e-7;
-
-/// ∂gap/∂q that is 0 to within rounding, relative to its scale.
-inline constexpr double kGapQIsZero = 1e-12;
-
 /// What is left of `gap_q_scale2` where a contact passes over the follower's pivot: the radii of curvature,
 /// and a share of the distances from the pivots [m²]; 0 of a sliding follower.
 [[nodiscard]] inline double least_gap_q_scale2(const ContactPair& pair, const ContactPosition& at) {
-  constexpr double kLeast = 1e-3;  // of the distances
-  constexpr double kMost = 0.05;
   if (!pair.motion2.turns) {
     return 0;
   }
@@ -27,7 +19,7 @@ inline constexpr double kGapQIsZero = 1e-12;
   const double rho1 = is_line(pair.curve1) ? 0 : at.rho1;
   const double rho2 = is_line(pair.curve2) ? 0 : at.rho2;
   const double radii2 = rho1 * rho1 + rho2 * rho2;
-  return std::clamp(radii2, kLeast * kLeast * size2, kMost * kMost * size2) +
+  return std::clamp(radii2, kLeastGapScale * kLeastGapScale * size2, kMostGapScale * kMostGapScale * size2) +
          std::numeric_limits<double>::min();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/vector.hpp"
 
 #include <algorithm>
@@ -7,9 +8,6 @@
 #include <limits>
 
 namespace higherpair {
-
-/// The largest step of a turning driver [rad].
-inline constexpr double kLargestTurn = kPi / 18;
 
 /// The next step of a follower.
 struct Stride {
@@ -20,7 +18,7 @@ struct Stride {
 /// The shortest step that a coordinate at `at` resolves. \param unit  of the coordinate: a radian, or the
 /// size
 [[nodiscard]] inline double shortest_step(double unit, double at) {
-  return 1e-14 * (unit + std::abs(at));
+  return kStepResolution * (unit + std::abs(at));
 }
 
 /// How long the steps of a follower are, be it of one contact or of a mechanism: half as long where one is
@@ -34,7 +32,6 @@ public:
   /// The next step, of at most `most`, where `rest` is left of the path. If that is little more than a step,
   /// it is taken at once: no remainder of rounding size is left.
   [[nodiscard]] Stride next(double rest, double most = std::numeric_limits<double>::infinity()) const {
-    constexpr double kAlmostThere = 1.001;
     const double h = std::min(length_, most);
     const bool last = std::abs(rest) <= kAlmostThere * h;
     return {last ? rest : std::copysign(h, rest), last};
