@@ -1,5 +1,7 @@
 #include "numeric/band_matrix.hpp"
 
+#include "numeric/tolerances.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,10 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 namespace {
-
-// What is smaller is taken for 0: influence falls off along a band, and numbers that leave the normal range
-// on their way to 0 are slow.
-constexpr double kNothing = 1e-250;
 
 // A column of a band; beyond the ends of a matrix that is not cyclic it is none of its columns.
 Index column_of(Index index, Index size, bool cyclic) {
@@ -146,7 +144,7 @@ void BandSolver::solve_inner(MatrixXd& x) const {
     double* b = x.col(column).data();
     for (Index k = 0; k < inner_; ++k) {
       std::swap(b[k], b[pivots_[static_cast<std::size_t>(k)]]);
-      if (std::abs(b[k]) < kNothing) {
+      if (std::abs(b[k]) < kBandNothing) {
         b[k] = 0;
         continue;
       }
@@ -157,7 +155,7 @@ void BandSolver::solve_inner(MatrixXd& x) const {
     }
     for (Index k = inner_; k-- > 0;) {
       b[k] *= inverse_[k];
-      if (std::abs(b[k]) < kNothing) {
+      if (std::abs(b[k]) < kBandNothing) {
         b[k] = 0;
         continue;
       }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numeric/tolerances.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,12 +88,11 @@ using ChebyshevSeries = std::array<double, kNodes>;
 /// The first t >= from with p(t) < level. The series is on the part [low, high] of its first interval.
 [[nodiscard]] inline std::optional<double> first_below(const ChebyshevSeries& p, double level, double from,
                                                        double low = -1, double high = 1) {
-  constexpr double kNarrow = 1e-14;
   const double reach = spread(p);
   if (high < from || !(p[0] - reach < level)) {
     return std::nullopt;
   }
-  if (p[0] + reach < level || high - low < kNarrow) {
+  if (p[0] + reach < level || high - low < kNarrowestBelow) {
     return std::max(low, from);
   }
   const double middle = (low + high) / 2;
@@ -107,7 +108,6 @@ struct LowestValue {
 /// Takes a value of p below best.value - `tolerance` into `best`, if there is one, until none is left.
 inline void find_lower(const ChebyshevSeries& p, double tolerance, LowestValue& best, double low = -1,
                        double high = 1) {
-  constexpr double kNarrow = 1e-9;
   if (!(p[0] - spread(p) < best.value - tolerance)) {
     return;
   }
@@ -116,7 +116,7 @@ inline void find_lower(const ChebyshevSeries& p, double tolerance, LowestValue& 
     const double value = value_at(p, local);
     best = value < best.value ? LowestValue{t, value} : best;
   }
-  if (high - low > kNarrow) {
+  if (high - low > kNarrowestLower) {
     find_lower(half(p, -1), tolerance, best, low, middle);
     find_lower(half(p, 1), tolerance, best, middle, high);
   }
@@ -129,7 +129,7 @@ inline void find_lower(const ChebyshevSeries& p, double tolerance, LowestValue& 
   double best = t;
   for (int i = 0; i < 4; ++i) {
     const double step = -value_at(first, best) / value_at(second, best);
-    if (!(value_at(second, best) > 0) || !(std::abs(step) < 1e-3) || std::abs(best + step) > 1) {
+    if (!(value_at(second, best) > 0) || !(std::abs(step) < kNearMinimum) || std::abs(best + step) > 1) {
       return t;
     }
     best += step;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numeric/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -84,7 +86,7 @@ template <class Range>
   const double b = x.upper() == x.lower() ? a : value(x.upper());
   double low = OutwardRounding::down(std::min(a, b));
   double high = OutwardRounding::up(std::max(a, b));
-  const double slack = 1e-15 * (1 + std::max(std::abs(x.lower()), std::abs(x.upper())));
+  const double slack = kExtremeSlack * (1 + std::max(std::abs(x.lower()), std::abs(x.upper())));
   const long first = std::lround(std::ceil((x.lower() - slack) / std::numbers::pi - 0.5 * quarter));
   const long last = std::lround(std::floor((x.upper() + slack) / std::numbers::pi - 0.5 * quarter));
   for (long k = first; k <= last; ++k) {

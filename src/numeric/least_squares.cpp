@@ -2,6 +2,7 @@
 
 #include "higherpair/numeric/stop.hpp"
 #include "least_norm.hpp"
+#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kFirstDamping = 1e-3;  // of the scaled columns
-constexpr double kLeastDamping = 1e-12, kMostDamping = 1e20;
-constexpr double kRank = 1e-11;    // of the largest: what counts as no change of r at all
-constexpr double kGain = 1e-22;    // of the sum: the best step gains less
-constexpr double kUnseen = 1e-12;  // the same: rounding of the sum may hide it
-constexpr double kSameSum = 1e-14;
-constexpr double kNoGain = 1e-8;  // of the sum, where no step gains anything
-constexpr double kNoStep = 4e-16;
 
 class Minimiser {
 public:
@@ -66,8 +58,9 @@ private:
     find_free();
     reduce();
     const double gain = best_gain();
-    if (free_.empty() || gain <= std::max(kGain * fit_.sum, rounding())) return LeastSquaresEnd::kConverged;
-    unseen_ = gain <= kUnseen * fit_.sum;
+    if (free_.empty() || gain <= std::max(kLeastGain * fit_.sum, rounding()))
+      return LeastSquaresEnd::kConverged;
+    unseen_ = gain <= kUnseenGain * fit_.sum;
     if (unseen_ && gain > gain_ / 2) return LeastSquaresEnd::kConverged;
     gain_ = gain;
     double raise = 2;
@@ -114,7 +107,7 @@ private:
   }
 
   [[nodiscard]] double best_gain() const {
-    return free_.empty() ? 0 : (R_ * LeastNormSolver(R_, kRank).solve(c_)).squaredNorm();
+    return free_.empty() ? 0 : (R_ * LeastNormSolver(R_, kNoChangeRank).solve(c_)).squaredNorm();
   }
 
   // In units of x.
@@ -137,7 +130,7 @@ private:
   bool try_step() {
     const Eigen::VectorXd x = within(fit_.x + damped_step());
     const Eigen::VectorXd step = x - fit_.x;
-    smallest_step_ = (step.array().abs() <= kNoStep * fit_.x.array().abs()).all();
+    smallest_step_ = (step.array().abs() <= kNoFitStep * fit_.x.array().abs()).all();
     Eigen::VectorXd r;
     if (smallest_step_ || !problem_.residuals(x, r) || !r.allFinite()) return false;
     const double sum = r.squaredNorm();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numeric/chebyshev.hpp"
+#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,10 +39,6 @@ struct PeakLimits {
 template <class F>
 void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
            double last = std::numeric_limits<double>::infinity()) {
-  constexpr double kFalls = 1.4;
-  constexpr double kRough = 1e5;  // times the noise: more is no rounding
-  constexpr double kWrong =
-      20;  // times the last terms: farther from the function no series is, even at a jump
   ChebyshevSeries values;
   const auto place = [&](double t) { return (from + to) / 2 + t * (to - from) / 2; };
   bool whole = true;
@@ -63,9 +60,9 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
   if (whole) {
     const ChebyshevSeries series = interpolate(values);
     tail = std::abs(series[kNodes - 1]) + std::abs(series[kNodes - 2]) + std::abs(series[kNodes - 3]);
-    if (tail <= limits.noise || (tail <= kRough * limits.noise && tail * kFalls >= last)) {
+    if (tail <= limits.noise || (tail <= kRoughTerms * limits.noise && tail * kTermsFall >= last)) {
       LowestValue lowest{0, std::numeric_limits<double>::infinity()};
-      find_lower(series, std::max(1e-3 * limits.noise, 0.1 * tail), lowest);
+      find_lower(series, std::max(kFineOfNoise * limits.noise, kFineOfTerms * tail), lowest);
       const double t = settled_minimum(series, lowest.t);
       if (-value_at(series, t) > best.value) {
         best = {t == -1 ? from : t == 1 ? to : place(t), -value_at(series, t)};
@@ -74,7 +71,7 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
     }
     for (const std::size_t side : {0U, 1U}) {
       const ChebyshevSeries own = half(series, side == 0 ? -1 : 1);
-      highest[side] = spread(own) - own[0] + kWrong * tail;
+      highest[side] = spread(own) - own[0] + kFarthestSeries * tail;
     }
   }
   if (!(to - from > limits.shortest) || std::max(left, right) == -std::numeric_limits<double>::infinity() ||
@@ -117,8 +114,7 @@ public:
   /// \param limits  its noise is raised to the rounding of the largest sample
   template <class F>
   [[nodiscard]] std::optional<Peak> largest(const F& f, PeakLimits limits) {
-    constexpr double kRounding = 1e-12;
-    limits.noise = std::max(limits.noise, kRounding * scale_);
+    limits.noise = std::max(limits.noise, kPeakRounding * scale_);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.peak.value > b.peak.value; });
     double best = -std::numeric_limits<double>::infinity();

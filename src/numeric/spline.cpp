@@ -1,6 +1,7 @@
 #include "numeric/spline.hpp"
 
 #include "numeric/spline_basis.hpp"
+#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +24,6 @@ using spline_basis::LocalRows;
 using spline_basis::Polynomial;
 using spline_basis::Weights;
 
-// Weights on smoothness in units in which the points are 1 apart, as powers of ten: from a spline that goes
-// through all points, to within rounding, to a polynomial.
-constexpr double kLightest = -10;
-constexpr double kHeaviest = 16;
 constexpr std::uintmax_t kMostTrials = 40;
 constexpr int kBitsOfWeight = 20;  // of the power of ten
 
@@ -150,13 +147,13 @@ MatrixXd smoothed(const Basis& basis, const SplineTask& task) {
   const BandMatrix rough = bends.normal_matrix();
   const MatrixXd right = at_points.transpose_times(values);
   std::optional<MatrixXd> best;
-  double heaviest = kLightest;  // of those that hold
+  double heaviest = kLightestSmoothing;  // of those that hold
   // The logarithm of how much of the tolerance a weight takes: it grows with the weight.
   const auto share = [&](double exponent) {
     const double weight = std::pow(10.0, exponent);
     const BandSolver solver(near_points.plus(weight, rough), Pivoting::kNone);
     if (!solver.is_regular()) {
-      return kHeaviest;
+      return kHeaviestSmoothing;
     }
     // With a heavy weight the condition number is large: what remains of the conditions themselves restores
     // the digits.
@@ -168,13 +165,13 @@ MatrixXd smoothed(const Basis& basis, const SplineTask& task) {
       heaviest = exponent;
       best = std::move(solution);
     }
-    return left > 0 ? std::log(left / task.smoothing) : kLightest;
+    return left > 0 ? std::log(left / task.smoothing) : kLightestSmoothing;
   };
-  const double low = share(kLightest);
-  const double high = share(kHeaviest);
+  const double low = share(kLightestSmoothing);
+  const double high = share(kHeaviestSmoothing);
   if (low < 0 && high > 0) {
     std::uintmax_t trials = kMostTrials;
-    boost::math::tools::toms748_solve(share, kLightest, kHeaviest, low, high,
+    boost::math::tools::toms748_solve(share, kLightestSmoothing, kHeaviestSmoothing, low, high,
                                       boost::math::tools::eps_tolerance<double>(kBitsOfWeight), trials);
   }
   return best ? *std::move(best) : Interpolation(basis, task).solve();
