@@ -1,5 +1,7 @@
 #include "higherpair/geometry/arc_polyline.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -7,10 +9,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSameArc = 1e-12;        // of the size: a span this near to an arc is that arc
-constexpr double kStraight = 2e-8;        // smaller bulges are lines: no program sees the turn
-constexpr double kLongestTurn = kPi / 2;  // of one arc, and of what a biarc is tried on
-constexpr int kArcProbes = 16;            // of the distance, on each biarc
+constexpr int kArcProbes = 16;  // of the distance, on each biarc
 constexpr int kArcHalvings = 24;
 
 // An arc from a point with a tangent to another point.
@@ -22,7 +21,7 @@ public:
     kappa_ = 2 * std::sin(turn) / chord_.norm();
   }
 
-  [[nodiscard]] double bulge() const { return std::abs(bulge_) < kStraight ? 0 : bulge_; }
+  [[nodiscard]] double bulge() const { return std::abs(bulge_) < kStraightBulge ? 0 : bulge_; }
   [[nodiscard]] double kappa() const { return kappa_; }
   // Mirrored in the perpendicular of the chord.
   [[nodiscard]] Vector2d end_tangent() const {
@@ -64,11 +63,11 @@ Vector2d middle_of_biarc(const End& a, const End& b) {
 class Fitter {
 public:
   Fitter(double tolerance, double size, std::vector<ArcVertex>& vertices)
-      : tolerance_(tolerance), same_(std::min(kSameArc * size, tolerance)), vertices_(vertices) {}
+      : tolerance_(tolerance), same_(std::min(kSameSpanArc * size, tolerance)), vertices_(vertices) {}
 
   void add(const Span& span) {
     const Bounds range = span.range();
-    const int parts = std::max(1, static_cast<int>(std::ceil(turn_of(span) / kLongestTurn - 1e-9)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(turn_of(span) / kLongestArcTurn - kWholeParts)));
     for (int k = 0; k < parts; ++k) {
       add(span, range.low + k * (range.width() / parts), range.low + (k + 1) * (range.width() / parts), 0);
     }
@@ -94,7 +93,7 @@ private:
     const End b = end_at(span, to);
     const Arc whole(a.p, a.t, b.p);
     const auto from_whole = [&](const Vector2d& p) { return whole.distance(p); };
-    if ((whole.end_tangent() - b.t).norm() <= 1e-9 && worst(span, from, to, from_whole) <= same_) {
+    if ((whole.end_tangent() - b.t).norm() <= kSameTangent && worst(span, from, to, from_whole) <= same_) {
       vertices_.push_back({a.p, whole.bulge()});
       return;
     }
@@ -106,7 +105,8 @@ private:
       return (p - middle).dot(t) < 0 ? first.distance(p) : second.distance(p);
     };
     const bool forward = (middle - a.p).dot(a.t) > 0 && (b.p - middle).dot(b.t) > 0;
-    if (halvings == kArcHalvings || (forward && worst(span, from, to, from_biarc) <= kSure * tolerance_)) {
+    if (halvings == kArcHalvings ||
+        (forward && worst(span, from, to, from_biarc) <= kSureShare * tolerance_)) {
       vertices_.push_back({a.p, first.bulge()});
       vertices_.push_back({middle, second.bulge()});
       return;
@@ -124,8 +124,6 @@ private:
     }
     return most;
   }
-
-  static constexpr double kSure = 0.95;  // what lies between the probes
 
   double tolerance_;
   double same_;

@@ -3,6 +3,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/local_conic.hpp"
 #include "higherpair/geometry/support_chains.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -12,11 +13,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSameDirection =
-    1e-7;                          // between normals that are one: below what a drawing's digits give [rad]
-constexpr double kSteepest = 1e6;  // of a local parabola: slope of its normal against the axis
-constexpr double kSameCurvature = 1e-9;  // of the curvature, or of 1 per size of the boundary
 
 SpanPoint first_of(const Span& span) {
   return span.at(span.range().low);
@@ -41,7 +37,7 @@ std::vector<SpanPtr> with_corners(std::vector<SpanPtr> spans, bool closed) {
     const Span& next = *spans[(i + 1) % spans.size()];
     const SpanPoint end = last_of(*spans[i]);
     const double turn = angle_from_to(end.n_B, first_of(next).n_B);
-    if (turn > kSameDirection && !spans[i]->is_corner() && !next.is_corner()) {
+    if (turn > kSameJointDirection && !spans[i]->is_corner() && !next.is_corner()) {
       const double from = std::atan2(end.n_B.y(), end.n_B.x());
       all.push_back(corner_span(first_of(next).p_B, from, from + turn));
     }
@@ -55,12 +51,12 @@ SpanJoint joint_of_ends(const Span& before, const Span& after, double size) {
   }
   const SpanPoint a = last_of(before);
   const SpanPoint b = first_of(after);
-  if (angle_from_to(a.n_B, b.n_B) < -kSameDirection) {
+  if (angle_from_to(a.n_B, b.n_B) < -kSameJointDirection) {
     return SpanJoint::kNotch;
   }
   const double scale = std::max({std::abs(a.kappa), std::abs(b.kappa), 1 / size});
-  return std::abs(a.kappa - b.kappa) <= kSameCurvature * scale ? SpanJoint::kSmooth
-                                                               : SpanJoint::kCurvatureJump;
+  return std::abs(a.kappa - b.kappa) <= kSameJointCurvature * scale ? SpanJoint::kSmooth
+                                                                    : SpanJoint::kCurvatureJump;
 }
 
 std::vector<Boundary::Sample> sampled(const std::vector<SpanPtr>& spans) {
@@ -81,7 +77,7 @@ bool is_convex_chain(const std::vector<Boundary::Sample>& samples, const std::ve
   return std::none_of(joints.begin(), joints.end(),
                       [](SpanJoint joint) { return joint == SpanJoint::kNotch; }) &&
          std::none_of(samples.begin(), samples.end(), [&](const Boundary::Sample& sample) {
-           return sample.point.kappa < -kSameCurvature / size;
+           return sample.point.kappa < -kSameJointCurvature / size;
          });
 }
 
@@ -201,7 +197,7 @@ Curve local_curve(const SpanPoint& point, bool corner) {
   }
   curve.side = point.kappa > 0 ? Side::kInside : Side::kOutside;
   const double tau = -point.slope / (3 * point.kappa * point.kappa);
-  const bool circle = tau == 0 || !(std::abs(tau) < kSteepest);
+  const bool circle = tau == 0 || !(std::abs(tau) < kSteepestParabola);
   const LocalConic<double> conic = local_conic(point.p_B, point.n_B, point.kappa, point.slope, circle);
   curve.kind = circle ? CurveKind::kCircle : CurveKind::kParabola;
   curve.vertex_B = conic.vertex_B;

@@ -1,6 +1,7 @@
 // Lines and circles; what all fits share.
 #include "boundary_fit.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
 
@@ -82,9 +83,6 @@ namespace {
 using boundary_fit::Normalised;
 using boundary_fit::to_own_frame;
 
-// Of the two directions in which points spread, as shares: below, it is rounding; above, none is the longer.
-constexpr double kOneLine = 1e-13, kNoDirection = 1 - 1e-9;
-
 SingularValues spread_of(const std::vector<Vector2d>& points) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = points[i];
@@ -158,7 +156,7 @@ LeastSquaresFit nearest_circle(const std::vector<Vector2d>& places, const PrattC
     return true;
   };
   LeastSquaresOptions options;
-  options.rounding = boundary_fit::kFitRounding;
+  options.rounding = kFitRounding;
   return least_squares(problem, Eigen::Vector3d(start.A, 0, start.t), options);
 }
 
@@ -192,7 +190,7 @@ BoundaryFitResult fit_line(std::span<const Vector2d> points) {
     return tl::unexpected(from.error());
   }
   const SingularValues spread = spread_of(from->points);
-  if (spread.values(1) >= kNoDirection * spread.values(0)) {
+  if (spread.values(1) >= kSpreadAllAround * spread.values(0)) {
     return tl::unexpected(BoundaryFitError::kNoDirection);
   }
   Vector2d normal = spread.V.col(1);
@@ -219,7 +217,7 @@ BoundaryFitResult fit_circle(std::span<const Vector2d> points) {
     return tl::unexpected(from.error());
   }
   const SingularValues spread = spread_of(from->points);
-  if (spread.values(1) <= (kOneLine + 4 * place_rounding(*from)) * spread.values(0)) {
+  if (spread.values(1) <= (kSpreadOfLine + 4 * place_rounding(*from)) * spread.values(0)) {
     return tl::unexpected(BoundaryFitError::kOneLine);
   }
   // About a point of the circle: about its centre the angle t would mean nothing.

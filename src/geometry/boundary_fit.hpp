@@ -1,14 +1,12 @@
 #pragma once
 
 #include "higherpair/geometry/boundary_fit.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <array>
 #include <optional>
 
 namespace higherpair::boundary_fit {
-
-/// Of a distance in normalised points.
-inline constexpr double kFitRounding = 1e-15;
 
 /// Points about their centroid, of size 1: 〈|p|²〉 = 1.
 struct Normalised {

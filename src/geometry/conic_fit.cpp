@@ -1,5 +1,6 @@
 // Conics of least distances from points.
 #include "boundary_fit.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
 
@@ -17,11 +18,6 @@ using boundary_fit::Coefficients;
 using boundary_fit::monomials;
 using boundary_fit::Normalised;
 using boundary_fit::slope;
-
-constexpr double kNearLine = 1e-7;    // spread across a line below which a conic through points means nothing
-constexpr double kDifference = 1e-6;  // step of coefficients of size 1
-constexpr double kFarPoint =
-    1e6;  // of the points' size: beyond are no centre and no axes; below 1 over it, too
 
 std::array<double, 6> array_of(const Coefficients& conic) {
   std::array<double, 6> result{};
@@ -68,7 +64,7 @@ LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Famil
     return J.allFinite();
   };
   LeastSquaresOptions options;
-  options.rounding = boundary_fit::kFitRounding;
+  options.rounding = kFitRounding;
   return least_squares(problem, start, options);
 }
 
@@ -184,7 +180,7 @@ Eigen::MatrixXd natural_derivatives(const Family& family, const Eigen::VectorXd&
       }
       return parameters;
     };
-    by.col(k) = (at(kDifference) - at(-kDifference)) / (2 * kDifference);
+    by.col(k) = (at(kCoefficientDifference) - at(-kCoefficientDifference)) / (2 * kCoefficientDifference);
   }
   return by;
 }
@@ -248,7 +244,7 @@ BoundaryFitResult fit_conic(std::span<const Vector2d> points, ConicForm form) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = from->points[i];
   const Eigen::VectorXd spread = singular_values(triangular_factor(rows)).values;
-  if (spread(1) <= kNearLine * spread(0)) {
+  if (spread(1) <= kSpreadNearLine * spread(0)) {
     return tl::unexpected(BoundaryFitError::kOneLine);
   }
   if (form == ConicForm::kParabola) {

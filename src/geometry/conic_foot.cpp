@@ -1,5 +1,6 @@
 // The point of a conic that is nearest to another.
 #include "higherpair/geometry/boundary_fit.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,15 +34,14 @@ public:
     const auto [low, high] = interval();
     const double at = zero_between(low, high);
     Vector2d foot = foot_at(at);
-    if (!foot.allFinite() || std::abs(value(foot)) > 1e-6 * size(foot)) on_axis(low, high, foot);
+    if (!foot.allFinite() || std::abs(value(foot)) > kFootOffConic * size(foot)) on_axis(low, high, foot);
     return axes_ * foot;
   }
 
 private:
   [[nodiscard]] std::pair<double, double> interval() const {
-    constexpr double kFar = 1e18;
     const double most = std::max(std::abs(lambda_(0)), std::abs(lambda_(1)));
-    const double far = kFar / std::max(most, 1e-300);
+    const double far = kFarthestMultiplier / std::max(most, 1e-300);
     return {lambda_(1) > 0 ? -0.5 / lambda_(1) : -far, lambda_(0) < 0 ? -0.5 / lambda_(0) : far};
   }
 
@@ -69,7 +69,7 @@ private:
       double next = t + F / fall;
       if (!(next > low && next < high)) next = low + (high - low) / 2;
       if (next == t || next == low || next == high) return next;
-      if (std::abs(next - t) <= 1e-16 * std::abs(next)) return next;
+      if (std::abs(next - t) <= kMultiplierSettled * std::abs(next)) return next;
       t = next;
     }
     return t;

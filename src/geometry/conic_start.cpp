@@ -1,5 +1,6 @@
 // Where fits of conics start: curves of a least algebraic distance.
 #include "boundary_fit.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
@@ -46,7 +47,7 @@ Coefficients taubin_conic(const std::vector<Vector2d>& points) {
     slopes.row(k) << 2 * p.x(), 0, p.y(), 1, 0;
     slopes.row(k + 1) << 0, 2 * p.y(), p.x(), 0, 1;
   }
-  const Eigen::MatrixXd metric = LeastNormSolver(triangular_factor(slopes), 1e-14).pseudoinverse();
+  const Eigen::MatrixXd metric = LeastNormSolver(triangular_factor(slopes), kSlopesRank).pseudoinverse();
   const SingularValues svd = singular_values(triangular_factor(rows) * metric);
   const Eigen::VectorXd least = metric * svd.V.col(4);
   Coefficients conic;
@@ -57,14 +58,13 @@ Coefficients taubin_conic(const std::vector<Vector2d>& points) {
 // Least Σ F² with a form 4 A B - C² > 0 of given size: with F² left by the squares alone, R, as a metric that
 // form has one positive eigenvalue, and its vector is the ellipse.
 std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points) {
-  constexpr double kLeast = 1e-15;  // points on an ellipse leave nothing
   const Eigen::MatrixXd rows = monomial_rows(points);
   const Eigen::MatrixXd squares = rows.leftCols(3);
-  const LeastNormSolver linear(rows.rightCols(3), 1e-13);
+  const LeastNormSolver linear(rows.rightCols(3), kLinearRank);
   const Eigen::MatrixXd by_squares = -linear.pseudoinverse() * squares;
   const SingularValues left = singular_values(triangular_factor(squares + rows.rightCols(3) * by_squares));
   const Eigen::MatrixXd metric =
-      left.V * left.values.cwiseMax(kLeast * left.values(0)).cwiseInverse().asDiagonal();
+      left.V * left.values.cwiseMax(kLeastEllipseResidue * left.values(0)).cwiseInverse().asDiagonal();
   Eigen::MatrixXd form(3, 3);
   form << 0, 2, 0, 2, 0, 0, 0, 0, -1;
   const SingularValues signs = singular_values(metric.transpose() * form * metric);
@@ -93,7 +93,7 @@ Eigen::Vector4d algebraic_parabola(const std::vector<Vector2d>& points) {
       rows.row(i) << v * v, v, 1;
       u(i) = axis.dot(p);
     }
-    const Eigen::VectorXd by = LeastNormSolver(rows, 1e-12).solve(u);
+    const Eigen::VectorXd by = LeastNormSolver(rows, kParabolaRank).solve(u);
     double sum = 0;
     for (Eigen::Index i = 0; i < n; ++i) {
       const double steepness = 2 * by(0) * rows(i, 1) + by(1);

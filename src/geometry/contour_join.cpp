@@ -1,4 +1,5 @@
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ public:
       far_ = std::max(
           {far_, places_.back().cwiseAbs().maxCoeff(), places_[places_.size() - 2].cwiseAbs().maxCoeff()});
     }
-    width_ = std::max(2 * tolerance, far_ * 1e-15);  // so that the numbers of cells are exact
+    width_ = std::max(2 * tolerance, far_ * kNarrowestCell);  // so that the numbers of cells are exact
     for (EndIndex end = 0; end < places_.size(); ++end) {
       cells_[cell(places_[end])].push_back(end);
     }

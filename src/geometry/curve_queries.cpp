@@ -1,6 +1,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 
 #include "higherpair/geometry/arc_length.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kMostHalvingsOfArc = 12;
-constexpr double kArcPrecision = 1e-13;  // of an arc
 
 const SupportPiece& piece_of(const PlacedCurve<double>& curve) {
   return curve.support->pieces()[curve.piece];
@@ -185,11 +185,11 @@ std::optional<Vector2d> middle_of(const Curve& curve) {
 
 bool is_centered_at(const Curve& curve, const Vector2d& p_B, double size) {
   const auto middle = round_center(curve);
-  return middle && (*middle - p_B).norm() <= 1e-14 * size;
+  return middle && (*middle - p_B).norm() <= kCentered * size;
 }
 
 bool slides_along_itself(const Curve& curve, const Rotation<double>& R_WB, const Vector2d& direction_W) {
-  return is_line(curve) && std::abs((R_WB * curve.axis_B).dot(direction_W)) <= 1e-14;
+  return is_line(curve) && std::abs((R_WB * curve.axis_B).dot(direction_W)) <= kAlongItself;
 }
 
 double arc_to_normal(const Curve& curve, double phi_B) {

@@ -1,4 +1,5 @@
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,9 +7,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSmooth = 1e-7;          // a turn that is none [rad]
-constexpr double kBack = kPi - 1e-6;      // a turn back [rad]
-constexpr double kLengthRounding = 1e-9;  // of a piece's length: a rounding may use it up
 constexpr int kHalvings = 12;
 
 // Centres of circles of one radius that are tangent to a piece on one side: a line, or a circle.
@@ -127,10 +125,10 @@ tl::expected<Contour, FilletFault> with_fillets(const std::vector<ContourPiece>&
     const auto fault = [&](FilletFault::Kind kind) {
       return tl::unexpected(FilletFault{kind, static_cast<int>(i), end.p_B});
     };
-    if (std::abs(turn) <= kSmooth) {
+    if (std::abs(turn) <= kNoTurn) {
       continue;
     }
-    if (std::abs(turn) > kBack) {
+    if (std::abs(turn) > kTurnBack) {
       return fault(FilletFault::Kind::kCusp);
     }
     if (!is_plain(a) || !is_plain(b) || &a == &b) {

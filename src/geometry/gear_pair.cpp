@@ -1,5 +1,7 @@
 #include "higherpair/geometry/gear_pair.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -43,7 +45,7 @@ double inverse_involute(double value) {
     const double tangent = std::tan(alpha);
     const double step = (tangent - alpha - value) / (tangent * tangent);
     alpha -= step;
-    if (!(std::abs(step) > 1e-16 * alpha)) {
+    if (!(std::abs(step) > kInvoluteSettled * alpha)) {
       break;
     }
   }
@@ -89,8 +91,7 @@ double backlash(const GearPair& pair) {
 PairTeeth teeth_of_pair(double turning_ratio, double distance, double module) {
   const double second = 2 * distance / std::abs(turning_ratio - 1) / module;
   const double first = second * std::abs(turning_ratio);
-  constexpr double kWhole = 1e-6;
-  const auto is_whole = [](double z) { return std::abs(z - std::round(z)) <= kWhole; };
+  const auto is_whole = [](double z) { return std::abs(z - std::round(z)) <= kWholeTooth; };
   return {first, second, is_whole(first) && is_whole(second)};
 }
 

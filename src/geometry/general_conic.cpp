@@ -1,5 +1,7 @@
 #include "general_conic.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,9 +74,7 @@ AxisForm with_axes_exchanged(const AxisForm& form, const std::array<double, 6>& 
 }
 
 // What rounding of the six coefficients does to the discriminant d² - q f of the form with λ_y = major, q, d
-// and f being moved by `kNoise` times what they consist of.
-constexpr double kNoise = 8 * kEps;
-
+// and f being moved by `kConicNoise` times what they consist of.
 double discriminant_noise(const AxisForm& form, const std::array<double, 6>& k, double major,
                           double dropped_q) {
   const double linear = std::hypot(k[3], k[4]) / std::abs(2 * major);
@@ -82,19 +82,19 @@ double discriminant_noise(const AxisForm& form, const std::array<double, 6>& k, 
   if (form.q == 0) {
     // Two parallel lines about the axis have no linear part that could be rounded, but a distance; and what
     // was dropped of q makes a parabola of two nearly parallel ones.
-    const double d_noise = kNoise * (linear + std::sqrt(constant));
+    const double d_noise = kConicNoise * (linear + std::sqrt(constant));
     return (2 * std::abs(form.d) + d_noise) * d_noise + 2 * (std::abs(dropped_q) + kEps) * std::abs(form.f);
   }
-  const double d_noise = kNoise * linear;
-  const double f_noise = kNoise * (constant + std::abs(form.e) * linear + form.e * form.e);
-  return (2 * std::abs(form.d) + d_noise) * d_noise + kNoise * std::abs(form.f) +
-         (std::abs(form.q) + kNoise) * f_noise;
+  const double d_noise = kConicNoise * linear;
+  const double f_noise = kConicNoise * (constant + std::abs(form.e) * linear + form.e * form.e);
+  return (2 * std::abs(form.d) + d_noise) * d_noise + kConicNoise * std::abs(form.f) +
+         (std::abs(form.q) + kConicNoise) * f_noise;
 }
 
 CurveError degenerate_kind(const AxisForm& form, const std::array<double, 6>& k, double major, double noise) {
   if (form.q == 0) {
     // Two lines at y² = -f; where they coincide, f is rounding.
-    const double f_noise = kNoise * (std::abs(k[5] / major) + form.e * form.e);
+    const double f_noise = kConicNoise * (std::abs(k[5] / major) + form.e * form.e);
     return form.f > f_noise ? CurveError::kImaginary : CurveError::kLines;
   }
   if (form.q < 0) {
@@ -148,7 +148,7 @@ CurveResult hyperbola_branch(const AxisForm& form, Side side, const std::optiona
 
 CurveResult if_in_range(const Curve& curve) {
   const bool finite = curve.vertex_B.allFinite() && std::isfinite(curve.semi_latus) && std::isfinite(curve.q);
-  const bool unit = std::abs(curve.axis_B.norm() - 1) < 8 * kEps;
+  const bool unit = std::abs(curve.axis_B.norm() - 1) < kUnitAxis;
   const bool parabola = curve.kind == CurveKind::kParabola;
   if (!finite || !unit || curve.semi_latus < std::numeric_limits<double>::min() ||
       (curve.q == 0) != parabola) {
@@ -161,7 +161,7 @@ CurveResult conic_from_scaled(const std::array<double, 6>& k, Side side,
                               const std::optional<Vector2d>& near_B) {
   Eigen2 eigen = eigen_decomposition(k[0], k[1], k[2]);
   double dropped_q = 0;
-  if (std::abs(eigen.minor) <= kNoise * std::abs(eigen.major)) {
+  if (std::abs(eigen.minor) <= kConicNoise * std::abs(eigen.major)) {
     dropped_q = std::exchange(eigen.minor, 0) / eigen.major;
   }
   AxisForm form = to_axis_form(k, eigen.minor, eigen.major, eigen.minor_axis);

@@ -1,5 +1,7 @@
 #include "higherpair/geometry/newton_root.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +25,10 @@ public:
     const double step = -at_near_.value / at_near_.slope;
     // Where f jumps to the other side it is approached from this one: short of the root by twice what the
     // bend of f makes of the step, and more than rounding.
-    const double x = near_ + (jumps_ ? step * (1 - std::clamp(2 * bend_ * std::abs(step), 1e-6, 0.1)) : step);
+    const double x =
+        near_ +
+        (jumps_ ? step * (1 - std::clamp(2 * bend_ * std::abs(step), kLeastShortOfRoot, kMostShortOfRoot))
+                : step);
     halved_ = !is_within(x);
     return halved_ ? near_ + (far_ - near_) / 2 : x;
   }
@@ -33,7 +38,8 @@ public:
     const bool known = std::isfinite(at.value);
     const double step = -at.value / at.slope;
     const double size = std::abs(step);
-    if (known && (x + step == x || (!halved_ && size <= kNear * std::abs(h_) && size >= last_ / 2))) {
+    if (known &&
+        (x + step == x || (!halved_ && size <= kNewtonRootNear * std::abs(h_) && size >= last_ / 2))) {
       return true;
     }
     from_far_ = std::numeric_limits<double>::quiet_NaN();
@@ -56,13 +62,11 @@ public:
 
   // The near end, where f falls to 0 there.
   [[nodiscard]] std::optional<double> end() const {
-    const bool is_root = std::abs(at_near_.value / at_near_.slope) <= kNear * std::abs(h_);
+    const bool is_root = std::abs(at_near_.value / at_near_.slope) <= kNewtonRootNear * std::abs(h_);
     return is_root ? std::optional(near_) : std::nullopt;
   }
 
 private:
-  static constexpr double kNear = 1e-9;  // of h: steps below this fall quadratically, or are rounding
-
   double h_;
   double near_ = 0;
   ValueAndSlope at_near_;

@@ -1,4 +1,5 @@
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,12 @@ OffsetStretch stretch_of(const Span& span, double distance) {
 
 // An arc about its own centre becomes that point.
 bool vanishes(const OffsetStretch& stretch, double distance) {
-  constexpr double kNothing = 1e-9;
-  return std::abs(1 + stretch.least.kappa * distance) <= kNothing &&
-         std::abs(1 + stretch.largest.kappa * distance) <= kNothing;
+  return std::abs(1 + stretch.least.kappa * distance) <= kVanishedRadius &&
+         std::abs(1 + stretch.largest.kappa * distance) <= kVanishedRadius;
 }
 
 std::optional<OffsetFault> cusp(const OffsetStretch& stretch, double distance) {
-  constexpr double kLeast = 1e-6;
-  if (1 + stretch.least.kappa * distance > kLeast) {
+  if (1 + stretch.least.kappa * distance > kLeastOffsetRadius) {
     return std::nullopt;
   }
   return OffsetFault{OffsetFault::Kind::kCusp, stretch.least.p_B, 1 / std::abs(stretch.least.kappa)};

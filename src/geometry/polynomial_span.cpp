@@ -1,6 +1,7 @@
 #include "polynomial_span.hpp"
 
 #include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "numeric/interval.hpp"
 
 #include <algorithm>
@@ -80,8 +81,7 @@ std::array<T, 4> taylor(const T* coefficients, int degree, double t) {
   return d;
 }
 
-constexpr double kCoefficientRounding = 1e-13;  // of a derivative, of the sum of its terms' sizes
-constexpr int kHalvingsOfInterval = 10;         // where a curve turns much, or is slow, within one interval
+constexpr int kHalvingsOfInterval = 10;  // where a curve turns much, or is slow, within one interval
 
 // A polynomial and its first two derivatives over u ± r, from its Taylor coefficients at u and those of the
 // sizes of its own at the end of its interval: no derivative is larger before that.
@@ -219,7 +219,6 @@ private:
   // So many that none turns by more than a tenth of a radian; no more than some an interval, for where the
   // curvature is all noise.
   [[nodiscard]] int count_parts() const {
-    constexpr double kTurn = 0.1;
     constexpr int kProbes = 4;
     constexpr int kFewest = 8;
     const auto probes = static_cast<int>(intervals_.count()) * kProbes;
@@ -229,7 +228,7 @@ private:
       const SpanPoint point = at(range.low + range.width() * i / probes);
       most = std::max(most, std::abs(point.kappa) * point.speed);
     }
-    const double wanted = most * range.width() / kTurn;
+    const double wanted = most * range.width() / kLargestPartTurn;
     return wanted < kFewest  ? kFewest
            : wanted < probes ? static_cast<int>(wanted)
                              : std::max(probes, kFewest);

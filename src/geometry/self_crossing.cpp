@@ -1,5 +1,6 @@
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,6 @@ std::vector<Chord> chords_of(const Boundary& boundary) {
 // The parts of both chords before their common point, if that lies on both: their ends belong to them, which
 // rounding does not take away.
 std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
-  constexpr double kRounding = 1e-9;
   const Vector2d u = a.to - a.from;
   const Vector2d v = b.to - b.from;
   const double sine = cross(u, v);
@@ -53,7 +53,8 @@ std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
   }
   const Vector2d between = b.from - a.from;
   const Vector2d parts(cross(between, v) / sine, cross(between, u) / sine);
-  const bool on_both = (parts.array() >= -kRounding).all() && (parts.array() <= 1 + kRounding).all();
+  const bool on_both =
+      (parts.array() >= -kChordEndRounding).all() && (parts.array() <= 1 + kChordEndRounding).all();
   return on_both ? std::optional(parts) : std::nullopt;
 }
 
@@ -82,7 +83,7 @@ BoundaryPlace moved_along(const Boundary& boundary, const BoundaryPlace& from, d
 
 bool is_near_end(const Boundary& boundary, const BoundaryPlace& place, bool high) {
   return std::abs(place.t - end_of(boundary, place.span, high).t) <
-         1e-6 * range_of(boundary, place.span).width();
+         kSameCrossingPlace * range_of(boundary, place.span).width();
 }
 
 bool is_one_place(const Boundary& boundary, const BoundaryPlace& a, const BoundaryPlace& b) {
@@ -90,7 +91,8 @@ bool is_one_place(const Boundary& boundary, const BoundaryPlace& a, const Bounda
     return is_near_end(boundary, a, high) && is_near_end(boundary, b, !high) &&
            span_beyond(boundary, a.span, high) == b.span;
   };
-  return (a.span == b.span && std::abs(a.t - b.t) <= 1e-6 * range_of(boundary, a.span).width()) ||
+  return (a.span == b.span &&
+          std::abs(a.t - b.t) <= kSameCrossingPlace * range_of(boundary, a.span).width()) ||
          is_joint(false) || is_joint(true);
 }
 
@@ -101,7 +103,7 @@ std::optional<SelfCrossing> refined(const Boundary& boundary, const Chord& a, co
     return BoundaryPlace{chord.span, chord.t.low + std::clamp(part, 0.0, 1.0) * chord.t.width()};
   };
   const auto is_near = [](const Chord& chord, const Vector2d& p_B) {
-    return (p_B - (chord.from + chord.to) / 2).norm() <= 1.5 * (chord.to - chord.from).norm();
+    return (p_B - (chord.from + chord.to) / 2).norm() <= kBesideChord * (chord.to - chord.from).norm();
   };
   BoundaryPlace first = begin(a, parts(0));
   BoundaryPlace second = begin(b, parts(1));
@@ -119,7 +121,7 @@ std::optional<SelfCrossing> refined(const Boundary& boundary, const Chord& a, co
     if (!std::isfinite(dt) || !std::isfinite(du)) {
       return std::nullopt;
     }
-    if (std::abs(dt) <= 1e-9 * a.t.width() && std::abs(du) <= 1e-9 * b.t.width()) {
+    if (std::abs(dt) <= kCrossingSettled * a.t.width() && std::abs(du) <= kCrossingSettled * b.t.width()) {
       return is_one_place(boundary, first, second) ? std::nullopt
                                                    : std::optional(SelfCrossing{first, second, p.p_B});
     }

@@ -1,6 +1,7 @@
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/support.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "numeric/interval.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kRounding = 1e-12;  // of a radius or a speed, where its bounds are values at places
 
 // By the angle of the outward normal, or, on the concave side, where that falls along t, by minus the angle.
 class ConicSpan final : public Span {
@@ -40,7 +39,8 @@ public:
       const double value = at(vertex + k * apart).speed;
       speed = hull(speed, {value, value});
     }
-    return SpanBounds{{speed.low * (1 - kRounding), speed.high * (1 + kRounding)}, {sense_, sense_}};
+    return SpanBounds{{speed.low * (1 - kSpanBoundRounding), speed.high * (1 + kSpanBoundRounding)},
+                      {sense_, sense_}};
   }
 
 private:

@@ -1,5 +1,6 @@
 #include "higherpair/geometry/spline_span.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
 #include "numeric/spline.hpp"
 #include "polynomial_span.hpp"
 
@@ -14,10 +15,6 @@ namespace higherpair {
 namespace {
 
 using Points = std::vector<Vector2d>;
-
-constexpr double kSharpest = 150 * kPi / 180;  // a turn at a point beyond which the points go back
-constexpr double kWidest = 3;  // from the last point of a closed curve to the first, in largest other steps
-constexpr double kSamePlace = 1e-12;  // distance of points that coincide, relative to the size of all
 
 double size_of(const Points& points) {
   Eigen::AlignedBox2d box;
@@ -38,7 +35,7 @@ Vector2d step(const Points& points, std::size_t i) {
 
 std::optional<SplineFault> fault_of_steps(const Points& points, bool closed) {
   const std::size_t steps = step_count(points, closed);
-  const double same = kSamePlace * size_of(points);
+  const double same = kSameSplinePoint * size_of(points);
   double largest = 0;
   for (std::size_t i = 0; i < steps; ++i) {
     const double distance = step(points, i).norm();
@@ -46,7 +43,7 @@ std::optional<SplineFault> fault_of_steps(const Points& points, bool closed) {
     if (!(distance > same)) {
       return SplineFault{SplineFault::Kind::kRepeated, static_cast<int>(i), static_cast<int>(next)};
     }
-    if (next == 0 && distance > kWidest * largest) {
+    if (next == 0 && distance > kWidestClosingStep * largest) {
       return SplineFault{SplineFault::Kind::kOpen, static_cast<int>(i), 0, distance, distance / largest};
     }
     largest = std::max(largest, distance);
@@ -54,7 +51,7 @@ std::optional<SplineFault> fault_of_steps(const Points& points, bool closed) {
   for (std::size_t i = 0; i + 1 < steps + (closed ? 1 : 0); ++i) {
     const Vector2d before = step(points, i);
     const Vector2d after = step(points, (i + 1) % points.size());
-    if (std::abs(std::atan2(cross(before, after), before.dot(after))) > kSharpest) {
+    if (std::abs(std::atan2(cross(before, after), before.dot(after))) > kSharpestSplineTurn) {
       return SplineFault{SplineFault::Kind::kTurnsBack, static_cast<int>((i + 1) % points.size())};
     }
   }
@@ -131,14 +128,13 @@ std::vector<double> arc_lengths(const std::vector<double>& t, const Eigen::Matri
 std::optional<SplineFault> fault_of_curve(const Span& span, const Points& points,
                                           const std::vector<double>& t) {
   constexpr int kProbes = 4;
-  constexpr double kSlow = 0.05;
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     const Vector2d chord = step(points, i);
     const double dt = t[i + 1] - t[i];
     for (int k = 0; k < kProbes; ++k) {
       const SpanPoint point = span.at(t[i] + dt * (k + 0.5) / kProbes);
       const bool forward = point.speed * perp(point.n_B).dot(chord) > -0.5 * point.speed * chord.norm();
-      if (!(point.speed * dt > kSlow * chord.norm()) || !forward) {
+      if (!(point.speed * dt > kSlowestSpline * chord.norm()) || !forward) {
         return SplineFault{SplineFault::Kind::kCusp, static_cast<int>(i)};
       }
     }
@@ -153,7 +149,7 @@ tl::expected<SpanPtr, SplineFault> spline_span(const std::vector<Vector2d>& give
   assert(options.degree == 3 || options.degree == 5);
   Points points = given;
   if (options.closed && points.size() > 1 &&
-      (points.back() - points.front()).norm() <= kSamePlace * size_of(points)) {
+      (points.back() - points.front()).norm() <= kSameSplinePoint * size_of(points)) {
     points.pop_back();
   }
   if (points.size() < static_cast<std::size_t>(options.degree) + 1) {

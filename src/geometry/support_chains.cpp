@@ -1,5 +1,7 @@
 #include "higherpair/geometry/support_chains.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -7,8 +9,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSamePoint = 1e-12;  // of the reach: ends that meet
 
 // By the angle of the outward normal, or, on a concave piece, where that falls along t, by minus the angle.
 class SupportSpan final : public Span {
@@ -69,7 +69,7 @@ Vector2d last_point(const Span& span) {
 
 std::vector<Boundary> support_chains(const SupportCurve& curve, double reach) {
   std::vector<std::vector<SpanPtr>> parts;
-  const double near = kSamePoint * reach;
+  const double near = kSameSupportEnd * reach;
   for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
     SpanPtr span = span_of(curve, i, reach);
     if (parts.empty() || (last_point(*parts.back().back()) - first_point(*span)).norm() > near) {

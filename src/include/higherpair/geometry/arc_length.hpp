@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/expansion.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -51,7 +52,6 @@ template <class T>
 template <class T>
 [[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s, const T& w2) {
   using std::sqrt;
-  constexpr double kNearlyEqual = 0.01;
   T x = c * c;
   T y(1.0);
   T z = w2;
@@ -62,7 +62,7 @@ template <class T>
   while (true) {
     const T& largest = x > y ? (x > z ? x : z) : (y > z ? y : z);
     const T& smallest = x < y ? (x < z ? x : z) : (y < z ? y : z);
-    if (!(T(largest - smallest) > T(kNearlyEqual * largest))) {
+    if (!(T(largest - smallest) > T(kNearlyEqualRoots * largest))) {
       break;
     }
     const T root_y = sqrt(y);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/geometry/boundary.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <vector>
 
@@ -27,7 +28,5 @@ struct ArcPolyline {
 /// falls with the cube of its length, so their number grows with tolerance^(-1/3).
 /// \param tolerance  at least kFinestTolerance of the boundary's size
 [[nodiscard]] ArcPolyline arc_polyline(const Boundary& boundary, double tolerance);
-
-inline constexpr double kFinestTolerance = 1e-9;
 
 }  // namespace higherpair

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <cmath>
 
 namespace higherpair {
-
-/// Square of the largest angle, and sine, for which the series below leave out no more than 2e-17.
-inline constexpr double kSmallTurn2 = 1e-3;
 
 /// sin x of a small angle x [rad].
 [[nodiscard]] inline double small_sine(double x) {

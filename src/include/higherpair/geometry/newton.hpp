@@ -1,12 +1,8 @@
 #pragma once
 
+#include "higherpair/geometry/tolerances.hpp"
+
 namespace higherpair {
-
-/// Steps of Newton's method below this fall quadratically, in radians and units of length.
-inline constexpr double kNewtonQuadratic = 1e-9;
-
-/// Longest step that is taken whole [rad, units of length]: beyond, curves differ from their tangents.
-inline constexpr double kNewtonTurn = 0.3;
 
 /// Whether Newton's method has come to its end: rounding makes the steps stop falling, or they are below all
 /// rounding. Along an axis of ground they may fall for ever: a component that is nearly 0 has no rounding to
@@ -16,7 +12,7 @@ inline constexpr double kNewtonTurn = 0.3;
 /// \param near  steps below this fall quadratically
 /// \param least  steps up to this are none: where the next one would be rounding for certain
 [[nodiscard]] inline bool newton_has_settled(double step, double last, double near = kNewtonQuadratic,
-                                             double least = 1e-17) {
+                                             double least = kNewtonLeast) {
   return step <= least || (step < near && step >= last / 2);
 }
 
