@@ -1,6 +1,7 @@
 #include "higherpair/cam/cutter_path.hpp"
 
 #include "higherpair/geometry/contour.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kBisected = 1e-9;    // of the radius
-constexpr double kMeets = 1e-3;       // of the size: an offset's ends meet as exactly as those of the flank
-constexpr double kSameRadius = 1e-9;  // of the limit: a hollow arc of the cutter's own radius
-constexpr double kJustBelow = 1e-6;   // of the limit: where a path still has no cusp
 
 // By halving where dκ/ds changes its sign; the ends where it does not.
 SpanPoint least_curvature(const Span& span, double from, double to, double& at) {
@@ -36,7 +32,7 @@ tl::expected<Boundary, OffsetFault> offset_of(const Boundary& flank, double radi
   if (!spans) {
     return tl::unexpected(spans.error());
   }
-  auto path = Boundary::make(*std::move(spans), flank.is_closed(), kMeets * (flank.size() + radius));
+  auto path = Boundary::make(*std::move(spans), flank.is_closed(), kOffsetMeets * (flank.size() + radius));
   // A span whose offset turns back between the probes of offset_spans.
   return path ? tl::expected<Boundary, OffsetFault>(*std::move(path))
               : tl::unexpected(OffsetFault{OffsetFault::Kind::kCusp});
@@ -51,7 +47,7 @@ bool can_cut(const Boundary& flank, double radius) {
 double largest_cutter(const Boundary& flank, double too_large) {
   double good = 0;
   double bad = too_large;
-  while (bad - good > kBisected * too_large) {
+  while (bad - good > kBisectedRadius * too_large) {
     const double half = (good + bad) / 2;
     (can_cut(flank, half) ? good : bad) = half;
   }
@@ -89,8 +85,8 @@ tl::expected<Boundary, CutterFault> cutter_path(const Boundary& flank, double ra
   const HollowestPlace hollow = hollowest_place(flank);
   const double limit =
       hollow.point.kappa < 0 ? -1 / hollow.point.kappa : std::numeric_limits<double>::infinity();
-  if (!path || radius > limit * (1 + kSameRadius)) {
-    const double below = limit * (1 - kJustBelow);
+  if (!path || radius > limit * (1 + kSameCutterRadius)) {
+    const double below = limit * (1 - kJustBelowCutter);
     return tl::unexpected(CutterFault{Kind::kHollow, hollow.point.p_B,
                                       can_cut(flank, below) ? limit : largest_cutter(flank, below)});
   }

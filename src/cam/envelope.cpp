@@ -3,6 +3,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "relative_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,7 @@ using Longer = PowerSeries<double, 4>;
 using Vector = Vector2<Series>;
 
 constexpr int kMaxNewton = 50;
-constexpr double kSettled = 1e-14;  // of an angle
-constexpr int kNormals = 64;        // at which the equation is looked at
+constexpr int kNormals = 64;  // at which the equation is looked at
 
 using Relative = RelativeMotion<double, 3>;
 
@@ -102,7 +102,7 @@ private:
         const auto [f, df] = equation(phi);
         const double step = -f / df;
         phi += std::clamp(step, -0.3, 0.3);
-        if (!(std::abs(step) > kSettled)) {
+        if (!(std::abs(step) > kEnvelopeSettled)) {
           break;
         }
       }

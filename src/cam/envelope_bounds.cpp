@@ -3,6 +3,7 @@
 #include "higherpair/geometry/support.hpp"
 #include "numeric/interval.hpp"
 #include "relative_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kEnvelopeRounding = 1e-13;                                  // of a speed or an angle
-constexpr double kBesideJoin = 64 * std::numeric_limits<double>::epsilon();  // of a coordinate
 constexpr int kMostHalvings = 6;
 constexpr int kMostWidenings = 8;
 

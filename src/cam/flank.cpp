@@ -3,6 +3,7 @@
 #include "envelope.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace {
 constexpr int kPartsOfSpan = 48;
 constexpr std::size_t kMostParts = 312;  // more than that, for the knots of a spline
 constexpr int kProbes = 64;              // places of a span at which a cusp is looked for
-constexpr double kTurnRounding = 1e-14;
-constexpr double kNoMotion = 1e-12;  // of the size: a motion against the cam that is none
 
 // A spline through many points may have a shape between any two of them, if hardly a large one.
 int parts_for(std::size_t knots) {
@@ -61,9 +60,9 @@ private:
 bool moves_along_itself(const OneFreedom& follower, const Curve& curve, double size) {
   if (follower.turns) {
     const auto centre = round_center(curve);
-    return centre && (*centre - follower.p_BO).norm() <= kNoMotion * size;
+    return centre && (*centre - follower.p_BO).norm() <= kNoMotionOnCam * size;
   }
-  return is_line(curve) && std::abs(follower.direction_W.dot(follower.R_WB * curve.axis_B)) <= kNoMotion;
+  return is_line(curve) && std::abs(follower.direction_W.dot(follower.R_WB * curve.axis_B)) <= kNoMotionOnCam;
 }
 
 // Where the flank begins to run backwards: its speed is 0.
@@ -112,7 +111,7 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
   if (!first) {
     return tl::unexpected(FlankFault{FlankFault::Kind::kNoNormal, middle});
   }
-  if (!(std::abs(first->speed) > kNoMotion * first->p_B.norm())) {
+  if (!(std::abs(first->speed) > kNoMotionOnCam * first->p_B.norm())) {
     return tl::unexpected(FlankFault{FlankFault::Kind::kStandstill, middle});
   }
   if (moves_along_itself(motion.follower, curve, first->p_B.norm())) {
@@ -141,7 +140,7 @@ std::optional<FlankOrigin> flank_origin(const Span& span) {
 
 bool closes(const CamMotion& motion) {
   return motion.cam.turns && motion.law.repeats() &&
-         std::abs(motion.law.end() - motion.law.begin() - 2 * kPi) <= 1e-12;
+         std::abs(motion.law.end() - motion.law.begin() - 2 * kPi) <= kOnceRound;
 }
 
 }  // namespace higherpair

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "law_pieces.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace higherpair {
-
-/// What a law is near a join: within so many units in the last place.
-inline constexpr double kAtJoin = 8 * std::numeric_limits<double>::epsilon();
 
 struct MotionLaw::Data {
   LawPieces law;

@@ -1,5 +1,7 @@
 #include "law_faults.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +11,6 @@ namespace higherpair {
 namespace {
 
 constexpr std::size_t kMostConditions = 12;  // at each end of a polynomial: powers of higher degree cancel
-
-// Values that ought to be the same may differ by the rounding of sums, relative to the largest of them.
-constexpr double kSameValue = 1e-9;
 
 using Fault = std::optional<LawFault>;
 
@@ -36,7 +35,7 @@ Fault fault_of_polynomial(const LawSegment& segment, std::optional<double> reach
   if (segment.rise != 0) {
     return wrong("rise", "a polynomial rises from start to end: leave it out");
   }
-  if (reached && !(std::abs(segment.start.front() - *reached) <= kSameValue * largest)) {
+  if (reached && !(std::abs(segment.start.front() - *reached) <= kSameLawValue * largest)) {
     return wrong("start",
                  fmt::format("the law would jump: it begins at {} where the segment before ends at {}; "
                              "values in start and end count from 0, not from there",

@@ -1,5 +1,7 @@
 #include "law_pieces.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,9 +17,6 @@ double falling(std::size_t k, int n) {
   }
   return product;
 }
-
-// What rounding adds to bounds, relative to the numbers that they are made of.
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -121,7 +120,7 @@ struct Enclosure {
 
   [[nodiscard]] Bounds bounds() const {
     const double around = std::abs(slope) * half + beyond;
-    const double rounding = kRounding * size;
+    const double rounding = kLawBoundsRounding * size;
     return {std::max(low, value - around) - rounding, std::min(high, value + around) + rounding};
   }
 };

@@ -1,16 +1,11 @@
 // What is asked of a law as a whole: bounds, extremes, zeros, breaks.
 #include "law_data.hpp"
 #include "law_search.hpp"
+#include "tolerances.hpp"
 
 #include <cassert>
 
 namespace higherpair {
-namespace {
-
-// Derivatives below this, relative to their largest size, are rounding.
-constexpr double kNoise = 1e-13;
-
-}  // namespace
 
 std::vector<double> MotionLaw::breaks(double from, double to) const {
   std::vector<double> found;
@@ -60,7 +55,7 @@ LawExtremes MotionLaw::extremes(int k, double from, double to) const {
     }
   };
   const LawPieces& law = data_->law;
-  const double negligible = kNoise * data_->size(k + 1);
+  const double negligible = kLawNoise * data_->size(k + 1);
   const auto value = [&](const LawPiece* piece, double x, double offset) {
     return (piece ? law.derivative(*piece, k, x) : 0) + (k == 0 ? offset : 0);
   };
@@ -93,7 +88,7 @@ std::vector<double> MotionLaw::Data::places(int k, double from, double to, doubl
       found.push_back(x);
     }
   };
-  const double negligible = kNoise * size(k);
+  const double negligible = kLawNoise * size(k);
   double before = 0;  // sign at the end of the piece before
   const auto visit = [&](const LawPiece* piece, double low, double high, double offset, double shift) {
     const double higher_by = k == 0 ? offset - level : 0;

@@ -1,14 +1,13 @@
 #include "law_search.hpp"
 
 #include "higherpair/geometry/roots.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kShortest = 0x1p-40;  // of the piece: shorter intervals are a place
 
 struct Search {
   const LawPieces& law;
@@ -58,7 +57,7 @@ std::vector<double> zeros_of(const LawPieces& law, const LawPiece& piece, int k,
   if (law.vanishes(piece, k)) {
     return {};
   }
-  Search search{law, piece, k, kShortest * (to - from), negligible, {}};
+  Search search{law, piece, k, kShortestLawInterval * (to - from), negligible, {}};
   search.inside(from, to);
   return std::move(search.found);
 }

@@ -2,15 +2,10 @@
 
 #include "law_data.hpp"
 #include "law_faults.hpp"
+#include "tolerances.hpp"
 
 namespace higherpair {
 namespace {
-
-// A change of a derivative at a join that is smaller, relative to its largest size in the law, is rounding.
-constexpr double kJump = 1e-9;
-
-// Where the last repetition ends higher by less than this, relative to the largest value, it is rounding.
-constexpr double kNoAdvance = 1e-14;
 
 std::array<double, 4> derivatives(const MotionLaw& law, double x, LawSide side) {
   std::array<double, 4> c{};
@@ -33,7 +28,7 @@ std::vector<LawJoin> joins_of(const MotionLaw& law, const LawPieces& pieces) {
     join.before = derivatives(law, join.x, LawSide::kBefore);
     join.after = derivatives(law, join.x, LawSide::kAfter);
     for (std::size_t k = 1; k < scale.size(); ++k) {
-      join.is_jump[k] = std::abs(join.after[k] - join.before[k]) > kJump * scale[k];
+      join.is_jump[k] = std::abs(join.after[k] - join.before[k]) > kNoLawJump * scale[k];
     }
     if (is_end || pieces.pieces[i].start == PieceStart::kSegment || join.lowest_jump() > 0) {
       joins.push_back(join);

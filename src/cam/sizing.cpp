@@ -3,6 +3,7 @@
 #include "follower_shape.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostExchanges = 60;
-constexpr double kSame = 4e-16;  // relative change of a size that is none
 constexpr double kNoCam = 1e12;  // of a condition where the cam has shrunk to a point
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -60,7 +60,7 @@ std::optional<SizeAt> smallest_size(const MotionLaw& law, const SizeRange& sizes
     if (!next) {
       return std::nullopt;
     }
-    const bool settled = *next - size.y <= kSame * *next;
+    const bool settled = *next - size.y <= kSameCamSize * *next;
     size = {*next, worst.peak.at};
     if (settled) {
       return size;
@@ -215,7 +215,7 @@ std::optional<OffsetSize> smallest_with_offset(const FlankOrigin& cam, const Pre
       return std::abs(turn * lift.v - point.x()) / steepest - rise * lift.s;
     };
     const Worst worst = worst_of(cam.motion.law, asks);
-    if (!(worst.peak.value - point.y() > kSame * (point.norm() + std::abs(worst.peak.value)))) {
+    if (!(worst.peak.value - point.y() > kSameCamSize * (point.norm() + std::abs(worst.peak.value)))) {
       break;
     }
     const double steepest = returns(worst.lift, rise, limits.sense) ? back : out;

@@ -1,5 +1,7 @@
 #include "worst_place.hpp"
 
+#include "tolerances.hpp"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kJumpWidth = 1e-13;      // of the law: where a jump lies is known to that
 constexpr std::size_t kManyPieces = 100;  // a law with more needs no samples within each
 
 Lift lift_at(const MotionLaw& law, double x, LawSide side) {
