@@ -3,14 +3,13 @@
 #include "higherpair/geometry/edges.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace higherpair {
 namespace {
-
-constexpr double kReach = 10;  // of the size of the mechanism: how far lines and open conics are followed
 
 const NamedCurve& named(const Mechanism& mechanism, const CurveRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
@@ -81,7 +80,7 @@ void use_boundaries(Mechanism& mechanism) {
     if (!needs_boundaries(mechanism, contact)) {
       continue;
     }
-    const BoundaryRules rules{kReach * size_with_boundaries(mechanism), !contact.both_sides};
+    const BoundaryRules rules{kReachOfOpenCurves * size_with_boundaries(mechanism), !contact.both_sides};
     make_own(mechanism, contact.first, rules);
     make_own(mechanism, contact.second, rules);
     contact.by_boundary = true;

@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kNewtonTurns = 80;
-constexpr double kClosed = 1e-10;  // largest closure error of the size
 
 LinearConditions linear(const SizedMechanism& sized, const std::vector<ConstraintRow>& rows) {
   const auto n = static_cast<Eigen::Index>(rows.size());
@@ -62,7 +62,7 @@ MechanismPosition posed(const SizedMechanism& sized) {
     }
     const Separation here =
         separation(curve_of(mechanism, contact.first), pose(contact.first),
-                   curve_of(mechanism, contact.second), pose(contact.second), 1e-6 * sized.size);
+                   curve_of(mechanism, contact.second), pose(contact.second), kRoughNormal * sized.size);
     motion.at.n_W = here.n_W;
     motion.phi = angle_of(here.n_W);
     at.contacts.push_back(motion);
@@ -133,9 +133,9 @@ std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, cons
       return std::nullopt;
     }
     const double length = step.size() == 0 ? 0 : step.cwiseAbs().maxCoeff() / sized.size;
-    if (newton_has_settled(length, last, kNewtonQuadratic, 1e-14)) {
+    if (newton_has_settled(length, last, kNewtonQuadratic, kLeastFreeStep)) {
       const double error = conditions.values.cwiseAbs().maxCoeff();
-      return error <= kClosed * sized.size ? std::optional(std::move(position)) : std::nullopt;
+      return error <= kClosedMechanism * sized.size ? std::optional(std::move(position)) : std::nullopt;
     }
     last = length;
     step *= std::min(1.0, kNewtonTurn / length);

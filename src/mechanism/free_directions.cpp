@@ -1,5 +1,6 @@
 #include "free_directions.hpp"
 
+#include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/product.hpp"
 #include "numeric/singular_values.hpp"
 
@@ -10,10 +11,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMove = 0.03;      // of an angle [rad], or of the size
-constexpr int kShorterMoves = 3;    // each a quarter of the one before, where none closes
-constexpr int kCombinations = 3;    // moves along several basis vectors at once
-constexpr double kLeadsAway = 0.1;  // of the step: what comes back closer than that has not moved
+constexpr int kShorterMoves = 3;  // each a quarter of the one before, where none closes
+constexpr int kCombinations = 3;  // moves along several basis vectors at once
 
 std::vector<Eigen::VectorXd> directions_in(const Eigen::MatrixXd& basis) {
   std::vector<Eigen::VectorXd> directions;
@@ -38,7 +37,7 @@ struct Move {
 
 std::optional<Move> move_along(const SizedMechanism& sized, const MechanismPosition& start,
                                const Eigen::VectorXd& direction) {
-  double step = kMove * sized.size / direction.cwiseAbs().maxCoeff();
+  double step = kFreeMove * sized.size / direction.cwiseAbs().maxCoeff();
   for (int i = 0; i < kShorterMoves; ++i, step /= 4) {
     MechanismPosition to = start;
     add_step(sized, step * direction, to);

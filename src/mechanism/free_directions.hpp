@@ -1,6 +1,7 @@
 #pragma once
 
 #include "free_assembly.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <Eigen/Core>
 
@@ -13,10 +14,7 @@ struct NullSpaces {
   Eigen::MatrixXd left;   ///< yᵀJ = 0
 };
 
-/// Singular values below `kRankFloor` of the largest (or of 1, that of a row) count as zero: positions are
-/// closed to 1e-14 of the size or so, and at 1e-8 from a singular position one is at it for every purpose
-/// here.
-inline constexpr double kRankFloor = 1e-8;
+/// Singular values below `floor` of the largest (or of 1, that of a row) count as zero.
 [[nodiscard]] NullSpaces null_spaces(const Eigen::MatrixXd& J, double floor = kRankFloor);
 
 /// Where a mechanism can really go from an assembled position.

@@ -5,6 +5,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/product.hpp"
 #include "redundancy.hpp"
@@ -15,9 +16,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kMoves = 1e-6;       // of a unit vector of a null space: what is less does not move
-constexpr double kMovesShaky = 0.05;  // the same where directions are known from moves only
 
 // The motions that are left: orthonormal directions, and how sharply they are known.
 struct Freedom {
@@ -33,7 +31,7 @@ Eigen::MatrixXd without_rows(const Eigen::MatrixXd& matrix, Eigen::Index begin, 
 
 bool is_round_about(const Curve& curve, const Vector2d& p_B, double size) {
   const auto middle = round_center(curve);
-  return middle && (*middle - p_B).norm() <= 1e-7 * size;
+  return middle && (*middle - p_B).norm() <= kRoundAbout * size;
 }
 
 // Whether turning a body about a point of it changes nothing: all that holds it is round about that point.
@@ -43,7 +41,7 @@ bool is_idle_about(const SizedMechanism& sized, int body, const Vector2d& p_B) {
   for (const Joint& joint : mechanism.joints) {
     for (const PointRef& ref : {joint.first, joint.second}) {
       if (ref.body == body && (joint.type != JointType::kRevolute ||
-                               (point_of(mechanism, ref) - p_B).norm() > 1e-7 * sized.size)) {
+                               (point_of(mechanism, ref) - p_B).norm() > kRoundAbout * sized.size)) {
         return false;
       }
     }
@@ -181,7 +179,7 @@ std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const Mobilit
   }
   const Eigen::VectorXd solved = LeastNormSolver(J, kRankFloor).solve(rates);
   // A driver at its dead point moves nothing.
-  if (!((J * solved - rates).norm() <= 1e-6 * rates.norm())) {
+  if (!((J * solved - rates).norm() <= kDriversMove * rates.norm())) {
     return {};
   }
   std::vector<BodyMotion> bodies = start.bodies;

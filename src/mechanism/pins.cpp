@@ -1,6 +1,7 @@
 #include "higherpair/mechanism/pins.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +11,7 @@ namespace higherpair {
 namespace {
 
 bool is_same(const BodyPoint& a, const BodyPoint& b) {
-  return a.body == b.body && (a.p_B - b.p_B).norm() <= 1e-12 * (a.p_B.norm() + b.p_B.norm());
+  return a.body == b.body && (a.p_B - b.p_B).norm() <= kSameBodyPoint * (a.p_B.norm() + b.p_B.norm());
 }
 
 std::optional<std::size_t> pin_with(const std::vector<Pin>& pins, const BodyPoint& point) {

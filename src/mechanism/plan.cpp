@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/redimension.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "recognise.hpp"
 #include "structure.hpp"
 
@@ -19,12 +20,6 @@
 
 namespace higherpair {
 namespace {
-
-// Points coincide that are nearer to each other than this fraction of their coordinates: the rounding of the
-// coordinates alone, 1e-16 of them, would be more than the default tolerance, 1e-9 of the distance.
-constexpr double kCoincident = 1e-7;
-
-constexpr double kLeastSize = 1e-12;  // [m], a hundredth of an atom: what is smaller is rounding
 
 using HullPoint = boost::geometry::model::d2::point_xy<double>;
 

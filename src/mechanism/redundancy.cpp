@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/product.hpp"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kInvolved = 1e-6;  // entries of the projector on the left null space, at most 1
 
 // The joint or contact of every row: joints by their index, contacts after them.
 std::vector<int> owners_of_rows(const Mechanism& mechanism) {
@@ -91,7 +90,7 @@ std::vector<int> parallel_cranks(const std::vector<Link>& links, double size) {
     std::vector<int> same;
     for (const Link& other : links) {
       if (other.from == link.from && other.to == link.to &&
-          (other.along_W - link.along_W).norm() <= 1e-7 * size) {
+          (other.along_W - link.along_W).norm() <= kParallelLinks * size) {
         same.push_back(other.body);
       }
     }

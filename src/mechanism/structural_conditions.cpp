@@ -3,6 +3,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -90,7 +91,7 @@ private:
   [[nodiscard]] bool is_reference(int body, const Vector2d& p_B) const {
     const Vector2d reference =
         reference_[static_cast<std::size_t>(body)].value_or(Vector2d(Vector2d::Zero()));
-    return (p_B - reference).norm() <= 1e-12 * (p_B.norm() + reference.norm());
+    return (p_B - reference).norm() <= kSameBodyPoint * (p_B.norm() + reference.norm());
   }
 
   void enter(Condition& condition, int body, std::initializer_list<Coordinate> coordinates) const {

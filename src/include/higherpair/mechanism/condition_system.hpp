@@ -3,16 +3,13 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/mechanism/conditions.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <vector>
 
 #include <Eigen/Core>
 
 namespace higherpair {
-
-/// Pivots of the derivatives of all conditions below this share of the largest count as 0: conditions that
-/// repeat others.
-inline constexpr double kRepeatedConditions = 1e-10;
 
 /// The numbers of a mechanism that its conditions depend on.
 /// \tparam D  double, or Partials: the derivatives of all of them by one parameter or by several

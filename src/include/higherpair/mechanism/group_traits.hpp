@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/mechanism/plan.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <array>
 #include <cstddef>
@@ -31,16 +32,19 @@ template <>
 inline constexpr GroupTraits kOf<DrivenBody>{.one_branch = true};
 template <>
 inline constexpr GroupTraits kOf<RrrDyad>{
-    true,  true,
-    false, false,
-    1e-14, "the links are in line here: beyond this position of the driver they cannot reach each other"};
+    true,
+    true,
+    false,
+    false,
+    kDyadNoise,
+    "the links are in line here: beyond this position of the driver they cannot reach each other"};
 template <>
 inline constexpr GroupTraits kOf<RrpDyad>{
     true,
     true,
     false,
     false,
-    1e-14,
+    kDyadNoise,
     "the link stands at right angles to its slide here: beyond this position of the driver it cannot reach "
     "it"};
 template <>
@@ -49,22 +53,23 @@ inline constexpr GroupTraits kOf<RprDyad>{
     true,
     false,
     false,
-    1e-14,
+    kDyadNoise,
     "the two pins are as near as the offset of the slide here: beyond this position of the driver it cannot "
     "lead past both"};
 template <>
 inline constexpr GroupTraits kOf<SlideDyad>{
     .limit = "the two slides are parallel here: the point where they meet runs off to infinity"};
 template <>
-inline constexpr GroupTraits kOf<TrackedPair>{.can_cross = true, .sine_noise = 1e-12};
+inline constexpr GroupTraits kOf<TrackedPair>{.can_cross = true, .sine_noise = kTouchNoise};
 template <>
-inline constexpr GroupTraits kOf<TouchingBody>{.can_cross = true, .sine_noise = 1e-12};
+inline constexpr GroupTraits kOf<TouchingBody>{.can_cross = true, .sine_noise = kTouchNoise};
 template <>
 inline constexpr GroupTraits kOf<IdleBody>{.one_branch = true};
 template <>
 inline constexpr GroupTraits kOf<GearedBody>{.one_branch = true};
 template <>
-inline constexpr GroupTraits kOf<CoupledBodies>{.can_cross = true, .coupled = true, .sine_noise = 1e-11};
+inline constexpr GroupTraits kOf<CoupledBodies>{
+    .can_cross = true, .coupled = true, .sine_noise = kCoupledNoise};
 
 inline constexpr auto kTable = []<std::size_t... I>(std::index_sequence<I...>) {
   return std::array<GroupTraits, sizeof...(I)>{kOf<std::variant_alternative_t<I, GroupKind>>...};
