@@ -3,6 +3,7 @@
 #include "force_fit.hpp"
 #include "force_watch.hpp"
 #include "numeric/chebyshev.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,18 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-// Longest piece: of a turning driver [rad], of a sliding one relative to the size. Forces of ordinary cams
-// are resolved on pieces between one and a quarter of this.
-constexpr double kLongestPieceTurn = kPi / 6;
-constexpr double kLongestPieceSlide = 0.25;
-
-// A series has converged when its last coefficients are below this, relative to the largest multiplier.
-constexpr double kConverged = 1e-13;
-// Near crossings of branches rates have fewer digits: a series whose last coefficients are below this and do
-// not fall by kFalls when the piece is halved shows their rounding.
-constexpr double kRough = 1e-8;
-constexpr double kFalls = 8;
 
 class Recorder {
 public:
@@ -89,7 +78,7 @@ private:
       return;
     }
     const bool converged =
-        fit.tail <= kConverged || (fit.tail <= kRough && fit.tail * kFalls >= stretch.tail);
+        fit.tail <= kSeriesConverged || (fit.tail <= kRoughSeries && fit.tail * kSeriesFall >= stretch.tail);
     if (!fit.event && fit.defined == kNodes && converged) {
       keep(before, std::move(fit.piece));
       return;
@@ -99,7 +88,7 @@ private:
       left_out_.reset();
       return;
     }
-    if (!fit.event && stretch.to - stretch.from <= kShortestPiece * longest_) {
+    if (!fit.event && stretch.to - stretch.from <= kShortestForcePiece * longest_) {
       leave_out(stretch);
       return;
     }

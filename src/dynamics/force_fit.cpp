@@ -1,6 +1,7 @@
 #include "force_fit.hpp"
 
 #include "numeric/chebyshev.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,9 @@
 namespace higherpair {
 namespace {
 
-// Multipliers are balances of forces that may be much larger: below this share of the largest they are
-// rounding.
-constexpr double kMultiplierRounding = 1e-11;
-
-// Forces are resolved relative to the largest in their piece, but no smaller than kFloor of what they are on
-// all but the worst tenth of the path, which may be next to a pole.
+// Forces are resolved relative to the largest in their piece, but no smaller than kForceFloor of what they
+// are on all but the worst tenth of the path, which may be next to a pole.
 constexpr int kFloorSamples = 64;
-constexpr double kUsual = 0.9;
-constexpr double kFloor = 0.1;
 
 // Forces or their rates may be discontinuous there.
 bool breaks_forces(const RunEvent& event) {
@@ -70,9 +65,9 @@ void ForceFitter::set_floor() {
   for (std::size_t column = 0; column < largest.size(); ++column) {
     if (std::vector<double>& values = largest[column]; !values.empty()) {
       const auto usual =
-          values.begin() + static_cast<std::ptrdiff_t>(kUsual * static_cast<double>(values.size()));
+          values.begin() + static_cast<std::ptrdiff_t>(kUsualShare * static_cast<double>(values.size()));
       std::nth_element(values.begin(), usual, values.end());
-      floor_[column] = kFloor * *usual;
+      floor_[column] = kForceFloor * *usual;
     }
   }
 }
@@ -142,7 +137,7 @@ void ForceFitter::move(double to, ForceFit& fit) {
       const double at = place_of(event.share, to);
       const double near = kAtPieceEnd * longest_;
       const bool again =
-          last_break_ == event.type && std::abs(at - last_break_at_) < kShortestPiece * longest_;
+          last_break_ == event.type && std::abs(at - last_break_at_) < kShortestForcePiece * longest_;
       if (at > fit.piece.from + near && at < fit.piece.to - near && !again) {
         fit.event = at;
         last_break_ = event.type;

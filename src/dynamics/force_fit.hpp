@@ -2,6 +2,7 @@
 
 #include "force_columns.hpp"
 #include "higherpair/dynamics/contact_forces.hpp"
+#include "tolerances.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -9,11 +10,6 @@
 #include <vector>
 
 namespace higherpair {
-
-/// Shortest piece, relative to the longest; next to a pole or a root of the driver no piece converges.
-inline constexpr double kShortestPiece = 0x1p-16;
-/// Events nearer to the end of a piece, relative to the longest, are at the end.
-inline constexpr double kAtPieceEnd = 1e-9;
 
 /// A stretch of the path to be resolved.
 struct ForceStretch {

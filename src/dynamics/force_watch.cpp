@@ -1,6 +1,7 @@
 #include "force_watch.hpp"
 
 #include "numeric/chebyshev.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-// A force that has grown by this up to where it changes sign without a zero has a pole there.
-constexpr double kGrown = 1e3;
 
 // Sum of the parts of a contact's force.
 ForceSeries total(const ForcePiece& piece, std::size_t contact) {
@@ -36,7 +34,7 @@ ForceSeries negative(ForceSeries p) {
 // The zero in front of `below`, where p < 0 for the first time after `from`.
 double zero_before(const ForceSeries& p, double from, double below) {
   double low = below;
-  for (double step = 1e-13; low > from && value_at(p, low) < 0; step *= 4) {
+  for (double step = kStepToZero; low > from && value_at(p, low) < 0; step *= 4) {
     low = std::max(from, below - step);
   }
   const double at_low = value_at(p, low);
@@ -81,8 +79,8 @@ void ForceWatch::find_openings(const ForceFitter::Position& before, const ForceP
   const double level = -piece.noise;
   const double begin = value_at(force, -1);
   if (contact.state != State::kOpen && begin < level) {
-    const bool jumps = contact.end > 1e-6 * (std::abs(force[0]) + spread(force)) + piece.noise;
-    const bool grown = behind && contact.end > kGrown * contact.least;
+    const bool jumps = contact.end > kJumpOfForce * (std::abs(force[0]) + spread(force)) + piece.noise;
+    const bool grown = behind && contact.end > kGrownForce * contact.least;
     add_opening(i, behind.value_or(piece.from),
                 contact.state == State::kUnknown ? Kind::kPulled
                 : grown                          ? Kind::kPole
@@ -128,7 +126,7 @@ double ForceWatch::polished(const ForceFitter::Position& before, const ForcePiec
     }
     const double t = (at - piece.from) / half_length - 1;
     const double step = -value / value_at(slope, t) * half_length;
-    if (!(std::abs(step) < 1e-6 * half_length)) {
+    if (!(std::abs(step) < kNearZero * half_length)) {
       return zero;
     }
     at = std::clamp(at + step, piece.from, piece.to);
@@ -146,7 +144,7 @@ void ForceWatch::find_lowest(const ForcePiece& piece, std::size_t i, const Force
     return;
   }
   LowestValue best{-1, std::numeric_limits<double>::infinity()};
-  find_lower(force, 1e-15 * (std::abs(force[0]) + spread(force)), best);
+  find_lower(force, kLowestForce * (std::abs(force[0]) + spread(force)), best);
   if (!lowest || best.value < lowest->force - piece.noise) {
     const double t = settled_minimum(force, best.t);
     const double at = parameter(piece, t);

@@ -1,14 +1,13 @@
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 
 #include "higherpair/analysis/unit_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kRounding = 1e-11;  // of the largest multiplier: smaller pulling forces are rounding
 
 void clear(std::vector<Wrench>& wrenches) {
   std::fill(wrenches.begin(), wrenches.end(), Wrench(Wrench::Zero()));
@@ -94,8 +93,8 @@ void InverseDynamics::read_contacts(const Run& run) {
     }
     reaction.force = determined(first, 1);
     reaction.friction = run.mechanism().contacts[i].rolling ? determined(first + 1, 1) : 0.0;
-    reaction.pulls =
-        !run.mechanism().contacts[i].both_sides && reaction.force && *reaction.force < -kRounding * largest;
+    reaction.pulls = !run.mechanism().contacts[i].both_sides && reaction.force &&
+                     *reaction.force < -kMultiplierRounding * largest;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "least_sum.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostPivots = 10000;
-constexpr double kNothing = 1e-13;  // of the largest number of a tableau's row, or of a condition
 
 // A pivot of the simplex tableau, whose last row holds the reduced costs and last column the right-hand
 // sides.
@@ -26,7 +27,7 @@ void pivot(Eigen::MatrixXd& tableau, Eigen::Index row, Eigen::Index column) {
 Eigen::Index gaining_column(const Eigen::MatrixXd& tableau) {
   const Eigen::Index last = tableau.rows() - 1;
   for (Eigen::Index j = 0; j + 1 < tableau.cols(); ++j) {
-    if (tableau(last, j) < -kNothing) {
+    if (tableau(last, j) < -kTableauNothing) {
       return j;
     }
   }
@@ -37,7 +38,7 @@ Eigen::Index leaving_row(const Eigen::MatrixXd& tableau, Eigen::Index column) {
   const Eigen::Index right = tableau.cols() - 1;
   Eigen::Index best = -1;
   for (Eigen::Index i = 0; i + 1 < tableau.rows(); ++i) {
-    if (tableau(i, column) > kNothing &&
+    if (tableau(i, column) > kTableauNothing &&
         (best < 0 || tableau(i, right) / tableau(i, column) < tableau(best, right) / tableau(best, column))) {
       best = i;
     }

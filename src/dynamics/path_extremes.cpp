@@ -1,6 +1,7 @@
 #include "higherpair/dynamics/path_extremes.hpp"
 
 #include "numeric/peaks.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +11,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kLongestTurn = kPi / 360;   // between two samples [rad]
-constexpr double kLongestSlide = 1.0 / 360;  // relative to the size
-constexpr double kFewest = 48;               // parts of a path
-constexpr double kFewestInStretch = 3;       // parts between two breaks
-constexpr double kInside = 1e-6;             // of a stretch: so far from its ends are its outer samples
-constexpr double kApart = 0.25;      // of the way between two samples: nearer to a singular position is none
-constexpr double kShortest = 1e-12;  // of the path: where a jump lies is known to that
-constexpr double kValueRounding = 1e-11;  // of the largest value of a quantity
-constexpr double kMarks = 24;             // places from which the run can go on again
+constexpr double kFewest = 48;          // parts of a path
+constexpr double kFewestInStretch = 3;  // parts between two breaks
+constexpr double kMarks = 24;           // places from which the run can go on again
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Something may jump there.
@@ -123,8 +118,8 @@ private:
     for (std::size_t i = 0; i < first.size(); ++i) {
       const auto joint = static_cast<std::size_t>(start_.mechanism().drivers[i].joint);
       const double longest = has_angle(start_.mechanism().joints[joint].type)
-                                 ? kLongestTurn
-                                 : kLongestSlide * start_.plan().size;
+                                 ? kLongestSampleTurn
+                                 : kLongestSampleSlide * start_.plan().size;
       parts = std::max(parts, std::abs(last[i].position - first[i].position) / longest);
     }
     return std::ceil(parts);
@@ -133,7 +128,7 @@ private:
   void sample_between(Mover& mover, double from, double to, double parts) {
     begin(from);
     for (double k = 0; k <= parts && !is_stopped(start_); ++k) {
-      const double share = std::clamp(k / parts, kInside, 1 - kInside);
+      const double share = std::clamp(k / parts, kInsideStretch, 1 - kInsideStretch);
       take(mover, std::lerp(from, to, share));
     }
     end(to);
@@ -151,8 +146,8 @@ private:
     for (const RunEvent& event : run.events) {
       const double place = std::lerp(was, at, event.share);
       if (is_singular(event)) {
-        part_at(place, at, kApart * (at - was));
-        skip = skip || at - place < kApart * (at - was);
+        part_at(place, at, kApartFromSingular * (at - was));
+        skip = skip || at - place < kApartFromSingular * (at - was);
       } else if (is_break(event) && place > stretches_.back().from && !stretches_.back().at.empty() &&
                  place < at) {
         end(place);
@@ -229,7 +224,7 @@ private:
       return sign * values_of(blocks_[b], mover->move(at), at)[k];
     };
     PeakLimits limits;
-    limits.shortest = kShortest * (path_.knots.back() - path_.knots.front());
+    limits.shortest = kJumpPlace * (path_.knots.back() - path_.knots.front());
     limits.noise = std::max(kValueRounding * largest, blocks_[b].sought[k].noise);
     const auto peak = finder.largest(value, limits);
     if (!peak || is_stopped(start_)) {
@@ -258,7 +253,7 @@ private:
     const Stretch& stretch = after == stretches_.begin() ? stretches_.front() : after[-1];
     const auto is_end = [&](double distance) {
       const double share = distance / (stretch.to - stretch.from);
-      return share < kShortest * 10 || std::abs(share - kInside) < kShortest * 10;
+      return share < kJumpPlace * 10 || std::abs(share - kInsideStretch) < kJumpPlace * 10;
     };
     return stretch.singular_from || stretch.singular_to ? at
            : is_end(at - stretch.from)                  ? stretch.from

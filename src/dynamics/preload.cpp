@@ -3,6 +3,7 @@
 #include "higherpair/dynamics/contact_forces.hpp"
 #include "least_sum.hpp"
 #include "numeric/chebyshev.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostExchanges = 200;
-constexpr double kSumRounding = 1e-12;  // of the sum of a force's parts
 
 bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
@@ -48,7 +48,7 @@ std::optional<std::vector<double>> worst_place(const ContactForces& forces, std:
     }
     force[0] += piece.noise + kSumRounding * parts;
     const double before = lowest.value;
-    find_lower(force, 1e-15 * parts, lowest);
+    find_lower(force, kLowestForce * parts, lowest);
     worst = lowest.value < before ? &piece : worst;
   }
   if (worst == nullptr) {

@@ -4,15 +4,13 @@
 #include "higherpair/linkage/dyad_statics.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "numeric/least_norm.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kDetermined = 1e-9;  // share of a multiplier that other solutions may differ by
-constexpr double kBalanced = 1e-8;    // what may be left of the wrenches, of the largest
 
 // The conditions are those of run.row; drivers' values are not needed, only coefficients.
 template <class Items, class F>
@@ -288,7 +286,7 @@ bool Statics::solve_all(const std::vector<Wrench>& wrenches) {
     multipliers_[i] = x(static_cast<Eigen::Index>(i));
   }
   const double left = (jacobian_.transpose() * x - b).lpNorm<Eigen::Infinity>();
-  return left <= kBalanced * b.lpNorm<Eigen::Infinity>();
+  return left <= kBalancedWrenches * b.lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace higherpair
