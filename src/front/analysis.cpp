@@ -4,6 +4,7 @@
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,6 @@ namespace {
 Error input_error(Diagnostics mistakes) {
   return {ErrorKind::kInput, std::move(mistakes)};
 }
-
-// Of a driver, in sizes of the mechanism: farther away positions are rounded by more than the default
-// tolerance, and a path is followed in steps of a sixth of the size.
-constexpr double kLongestSlide = 1e7;
 
 constexpr std::int64_t kSlipsLookedFor = 1000;  // positions at which a rolling pair is tried before the run
 std::string text_of(const Slip& slip, const Profile& profile) {
@@ -91,7 +88,7 @@ double way_of(const DriverSchedule& schedule, std::size_t driver) {
 
 std::optional<Error> refuse_long_slide(const Model::Data& model, const DriverSchedule& schedule) {
   const Profile& profile = model.profile;
-  const double longest = kLongestSlide * model.plan->size;
+  const double longest = kLongestDriverSlide * model.plan->size;
   const auto length = [&](double metres) {
     return fmt::format("{:.6g} {}", from_si(dimension::kLength, profile.units).apply(metres),
                        unit_text(dimension::kLength, profile.units));

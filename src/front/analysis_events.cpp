@@ -1,5 +1,6 @@
 // What happens on the path to a row.
 #include "analysis_impl.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kAtEnd = 1e-9;  // share of the path between two rows: as near as this to the end is there
-
 constexpr std::array kRates = {"position", "velocity", "acceleration"};
 
 // In the order of the path: its driver may pass a place twice, so that only time or share tells.
@@ -25,7 +24,7 @@ bool is_earlier(const Event& a, const Event& b) {
 }
 
 bool is_fault(const Event& event, std::int64_t last_row) {
-  const bool at_end = (event.row == last_row && event.share >= 1 - kAtEnd) || event.row == 0;
+  const bool at_end = (event.row == last_row && event.share >= 1 - kAtRowEnd) || event.row == 0;
   const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
   return limit || event.type == EventType::kOverlap;
 }

@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,6 @@ namespace {
 
 using Quantity = ChainColumn::Quantity;
 
-constexpr double kLeastTolerance = 1e-9;           // of DyadChain
 constexpr std::int64_t kMostKeptRows = 1LL << 16;  // all of them are kept
 
 struct NamedQuantity {
@@ -244,7 +244,7 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
                                            const RunSettings& run, std::vector<Measure> measures,
                                            ModelVariants& models,
                                            std::span<const std::vector<double>> tries) {
-  if (run.jerk || run.derivatives || !(run.tolerance >= kLeastTolerance) || !model.data().plan ||
+  if (run.jerk || run.derivatives || !(run.tolerance >= kLeastChainTolerance) || !model.data().plan ||
       model.mechanism().drivers.size() != 1 || measures.empty()) {
     return std::nullopt;
   }

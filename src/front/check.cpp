@@ -2,6 +2,7 @@
 
 #include "check_parts.hpp"
 #include "higherpair/front/pictures.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace higherpair {
 namespace {
 
 constexpr std::int64_t kMostRows = 37;
-constexpr double kAtLimit = 1e-9;  // a value that differs from its limit by less is at it
 
 // Enough rows: what happens between them is found however far apart they are. None where they are given one
 // by one.
@@ -115,7 +115,7 @@ CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dim
   }
   use(limit);
   figure.limit = limit->profile.value_or(from_si(dimension, profile_.units).apply(limit->value));
-  const double slack = kAtLimit * std::abs(limit->value);
+  const double slack = kAtCheckLimit * std::abs(limit->value);
   const bool kept = !value || (bound == Bound::kMost ? std::abs(*value) <= limit->value + slack
                                                      : *value >= limit->value - slack);
   figure.verdict = kept ? Verdict::kKept : Verdict::kExceeded;

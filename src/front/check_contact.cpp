@@ -4,6 +4,7 @@
 #include "higherpair/contact/details.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,14 +16,6 @@ namespace higherpair {
 namespace {
 
 using Bound = CheckFigures::Bound;
-
-constexpr double kFlat = 1e-9;     // of the curvature 1/size: straight but for rounding
-constexpr double kAtRest = 1e-9;   // of the speed along a contact: rounding
-constexpr double kNoSpeed = 1e-9;  // of the largest entrainment speed: 0 but for rounding
-// Extremes of rounding are not looked for: they lie at places without meaning, thousands of steps away.
-constexpr double kNoAngle = 1e-13;          // [rad]
-constexpr double kNoCurvature = 1e-13;      // of the curvature 1/size
-constexpr double kSlidingRounding = 1e-13;  // of what the drivers' speed makes of the size
 
 bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
@@ -179,7 +172,7 @@ private:
       return false;
     }
     const Vector2d v = velocity(follower_.body);
-    return v.dot(at.n_W) < -kAtRest * (v.norm() + velocity(other_.body).norm());
+    return v.dot(at.n_W) < -kRestingContact * (v.norm() + velocity(other_.body).norm());
   }
 
   void read_pressure(const PathRanges& ranges, CheckFigures& figures) const {
@@ -208,7 +201,7 @@ private:
     if (flat_[side] || point_[side]) {
       return;
     }
-    const double straight = kFlat / size_;
+    const double straight = kStraightContact / size_;
     if (range.greatest && range.greatest->value > straight) {
       figures.add("convex_radius", dimension::kLength, 1 / range.greatest->value, range.greatest->driver,
                   figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast);
@@ -245,7 +238,7 @@ private:
         *fastest);
     const auto& [least, greatest] = ranges[kEntrainment];
     const bool reverses = least->value < 0 && greatest->value > 0;
-    const bool none = reverses || slowest->value < kNoSpeed * std::abs(fastest->value);
+    const bool none = reverses || slowest->value < kNoEntrainment * std::abs(fastest->value);
     figures.add("least_entrainment_speed", dimension::kVelocity, none ? 0 : slowest->value, slowest->driver,
                 figures.of_contact(index_, LimitKey::kMinEntrainmentSpeed), Bound::kLeast);
   }

@@ -4,6 +4,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kNothing = 1e-9;  // of a size: rounding
 
 const NamedCurve& curve_named(const Mechanism& mechanism, const CurveRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
@@ -122,7 +121,7 @@ PathLook look_at(const CheckedPath& checked, const DriverPath& path) {
     }
   }
   std::sort(look.breaks.begin(), look.breaks.end());
-  const double same = path.knots.empty() ? 0 : 1e-12 * (path.knots.back() - path.knots.front());
+  const double same = path.knots.empty() ? 0 : kSameBreak * (path.knots.back() - path.knots.front());
   look.breaks.erase(
       std::unique(look.breaks.begin(), look.breaks.end(), [&](double a, double b) { return b - a <= same; }),
       look.breaks.end());
@@ -181,7 +180,7 @@ private:
   }
 
   void add_size(const std::string& quantity, const std::optional<CamSize>& size) {
-    if (size && size->radius > kNothing * size_of(cam_)->radius) {
+    if (size && size->radius > kNoFlankSize * size_of(cam_)->radius) {
       const bool flat = is_line(cam_.curve);
       figures_.add(quantity, dimension::kLength, flat ? size->base_radius : size->radius, place(size->at),
                    rest_text(size->rest));
@@ -198,7 +197,7 @@ private:
     const auto here = smallest_for_pressure(cam_, limits);
     add_size("prime_circle_for_pressure_angle", here);
     const auto size = smallest_with_offset(cam_, limits);
-    if (size && !(here && here->radius <= size->radius * (1 + kNothing))) {
+    if (size && !(here && here->radius <= size->radius * (1 + kNoFlankSize))) {
       figures_.add("prime_circle_with_offset", dimension::kLength, size->radius, std::nullopt,
                    fmt::format("with the guide {:.10g} {} to the side of the cam's pivot",
                                from_si(dimension::kLength, profile_.units).apply(size->offset),

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/jerk.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
-constexpr double kTravelRounding = 1e-12;
-constexpr double kRoundingOfJerk = 1e-11;
 constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
 constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
 

@@ -1,15 +1,11 @@
 // What a check follows along the path, part by part, and the figures in their order.
 #include "check_parts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
-namespace {
-
-constexpr double kSameValue = 1e-9;  // of a value: equal but for rounding
-
-}  // namespace
 
 std::optional<PathExtreme> peak_of(const PathRange& range) {
   const auto& [least, greatest] = range;
@@ -17,7 +13,7 @@ std::optional<PathExtreme> peak_of(const PathRange& range) {
     return least ? least : greatest;
   }
   const double low = std::abs(least->value), high = std::abs(greatest->value);
-  const bool same = std::abs(low - high) <= kSameValue * std::max(low, high);
+  const bool same = std::abs(low - high) <= kSamePathValue * std::max(low, high);
   return (same ? least->at < greatest->at : low > high) ? least : greatest;
 }
 

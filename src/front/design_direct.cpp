@@ -2,6 +2,7 @@
 
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/row_path.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,6 @@
 
 namespace higherpair {
 namespace {
-
-// Of a driver, between two places where the reach of dyads is looked at: a pin's angle [rad], or of the size.
-constexpr double kGapStep = kPi / 30, kGapSlide = 0.05;
 
 constexpr double kMostParts = 1000;
 
@@ -56,7 +54,7 @@ private:
 
   void note(double step, std::optional<std::size_t> row) {
     const auto& gaps = motion_.gaps();
-    const bool even = before_.size() == 2 && std::abs(step - step_) <= 1e-6 * step;
+    const bool even = before_.size() == 2 && std::abs(step - step_) <= kEvenStep * step;
     for (std::size_t g = 0; g < gaps.size(); ++g) {
       if (!gaps[g]) continue;
       reader_.take_gap(g, *gaps[g], row ? std::vector<WeightedRow>{{*row, 1}} : std::vector<WeightedRow>());
@@ -100,7 +98,7 @@ int closure_parts(const DesignSetup& setup, std::span<const double> from, std::s
   for (std::size_t i = 0; i < to.size(); ++i) {
     const Joint& joint = driven_joint(mechanism, i);
     const double step = joint.type == JointType::kRevolute ? kGapStep : kGapSlide * setup.size;
-    parts = std::max(parts, std::ceil(std::abs(to[i] - from[i]) / step - 1e-9));
+    parts = std::max(parts, std::ceil(std::abs(to[i] - from[i]) / step - kWholeGapSteps));
   }
   return static_cast<int>(std::min(parts, kMostParts));
 }

@@ -3,6 +3,7 @@
 #include "design_gradient.hpp"
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ std::vector<std::size_t> timed_rows(const DesignSetup& setup, const DesignTask::
     std::size_t row = i;
     for (std::int64_t k = 0; !path.at.empty() && k < setup.schedule.size(); ++k) {
       const double position = setup.schedule.state(k).profile.position;
-      if (std::abs(position - path.at[i]) <= 1e-9 * (1 + std::abs(position))) {
+      if (std::abs(position - path.at[i]) <= kSamePosition * (1 + std::abs(position))) {
         row = static_cast<std::size_t>(k);
         break;
       }

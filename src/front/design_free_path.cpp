@@ -1,5 +1,7 @@
 #include "design_free_path.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -16,9 +18,6 @@ constexpr int kParts = 16;          // of another path: its stretches begin and 
 constexpr std::size_t kBest = 3;    // stretches that are followed
 constexpr int kMostRowPasses = 10;  // from row to row
 constexpr int kMostFits = 40;       // between rows
-constexpr double kSettledPlacement =
-    1e-13;  // of the path: a change of its placement as small as this ends it
-constexpr double kLeastScale = 1e-9;
 
 struct Placing {
   Complex z = 1, shift = 0;
@@ -116,7 +115,7 @@ private:
 Placing follow_rows_down(const Path& path, std::span<const Vector2d> points, Placing placing,
                          const std::function<std::vector<std::size_t>(const Path&)>& rows_for) {
   std::vector<std::size_t> last;
-  for (int pass = 0; pass < kMostRowPasses && std::abs(placing.z) > kLeastScale; ++pass) {
+  for (int pass = 0; pass < kMostRowPasses && std::abs(placing.z) > kLeastPathScale; ++pass) {
     std::vector<std::size_t> rows = rows_for(seen_from(placing, path));
     if (rows == last) break;
     std::vector<Vector2d> places;
@@ -162,7 +161,7 @@ private:
 
   // False where the path has become a point.
   bool go_to(const Placing& placing) {
-    const bool usable = std::abs(placing.z) > kLeastScale;
+    const bool usable = std::abs(placing.z) > kLeastPathScale;
     at_.placing = usable ? placing : Placing();
     at_.places = places_for_(seen_from(at_.placing, path_));
     at_.placing.cost = 0;

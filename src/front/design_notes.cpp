@@ -2,6 +2,7 @@
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
 #include "other_units.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,6 @@
 namespace higherpair {
 namespace {
 
-constexpr double kApart = 20;  // times what the profile has, or a part of it: a target that may be a slip
-constexpr double kAsMuch = 3;  // the same: where it is in the unit that is meant
-
 bool is_within(double a, double b, double times) {
   return a <= times * b && b <= times * a;
 }
@@ -24,11 +22,11 @@ bool is_within(double a, double b, double times) {
 // The unit in which a target is like what the profile has, where it is far from it as it is.
 std::optional<OtherUnit> meant_unit(double wanted, double present, const std::string& unit,
                                     const Units& units) {
-  if (!(wanted > 0) || !(present > 0) || is_within(wanted, present, kApart)) {
+  if (!(wanted > 0) || !(present > 0) || is_within(wanted, present, kTargetApart)) {
     return std::nullopt;
   }
   std::optional<OtherUnit> meant;
-  double least = kAsMuch;
+  double least = kTargetAsMuch;
   for (const OtherUnit& other : other_units(unit, units)) {
     const double times = std::max(wanted * other.factor / present, present / (wanted * other.factor));
     if (times < least) {

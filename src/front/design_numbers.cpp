@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kLinear = 1e-13;  // of the largest number: what rounding leaves of a linear function
 
 bool same_programs(const std::vector<DriverProgram>& a, const std::vector<DriverProgram>& b) {
   return std::equal(
@@ -128,7 +127,7 @@ bool DesignNumbers::find_slopes() {
     const std::vector<double> linear = numbers_of(mechanism_of(x));
     for (std::size_t k = 0; k < linear.size(); ++k) {
       const double largest = std::max(std::abs(base_[k]), std::abs((*numbers)[k]));
-      if (!(std::abs((*numbers)[k] - linear[k]) <= kLinear * (1 + 1e3) * largest)) {
+      if (!(std::abs((*numbers)[k] - linear[k]) <= kLinearRounding * (1 + 1e3) * largest)) {
         return false;
       }
     }

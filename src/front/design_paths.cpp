@@ -2,6 +2,7 @@
 
 #include "design_free_path.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +15,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostPasses = 12;         // of Newton's method
-constexpr double kSharp = 1e-13;        // of the distance between rows: a step as small as this ends it
 constexpr std::size_t kMostBegins = 4;  // places tried as the first of a closed path
-constexpr double kClosed = 1e-6;        // of the way round: ends that are no farther apart are one point
 
 using Rows = std::vector<std::size_t>;
 
@@ -62,7 +61,7 @@ Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost
 bool is_loop(std::span<const Vector2d> points) {
   double length = 0;
   for (std::size_t k = 1; k < points.size(); ++k) length += (points[k] - points[k - 1]).norm();
-  return points.size() > 3 && (points.front() - points.back()).norm() <= kClosed * length;
+  return points.size() > 3 && (points.front() - points.back()).norm() <= kClosedPath * length;
 }
 
 // Wherever the first target lies on a closed path, the others follow over one whole way round.
@@ -128,7 +127,7 @@ public:
       // Where the distance is not convex: a step downhill as of a straight path.
       const double step = -slope / (bend > 0.1 * v_.squaredNorm() ? bend : v_.squaredNorm());
       const double next = std::clamp(t + step, from, to);
-      const bool done = !(std::abs(next - t) > kSharp * reach);
+      const bool done = !(std::abs(next - t) > kSharpestStep * reach);
       if (done || pass + 1 == kMostPasses) break;
       t = next;
     }

@@ -3,6 +3,7 @@
 #include "design_direct.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ void PinnedRows::add_places(const DesignSetup& setup) {
         turns_.push_back(Rotation<double>::from_angle(std::lerp(from, next[i], double(part) / parts)));
         const double way = (next[i] - from) / parts;
         if (step.size() < next.size()) step.push_back(way);
-        even = even && std::abs(way - step[i]) <= 1e-6 * std::abs(way);
+        even = even && std::abs(way - step[i]) <= kEvenStep * std::abs(way);
         step[i] = way;
       }
       place.even = even;

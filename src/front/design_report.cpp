@@ -3,6 +3,7 @@
 
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kAtBound = 1e-6;  // of the range
-constexpr double kHolds = 1e-9;    // of a limit: what rounding may take from it
 
 // 0.3, not 0.30000000000000004, for three steps of 0.1.
 double decimal(double x) {
@@ -206,7 +204,7 @@ private:
         line.cost = cost_of(k, limit, place);
         if (task_.objectives.size() == 1) line.cost /= task_.objectives.front().weight;
         line.cost_unit = fmt::format("{}/({})", unit_of_all(report), unit);
-        if (std::abs(line.margin) <= kHolds * std::max(1.0, setup_.scales[k])) line.margin = 0;
+        if (std::abs(line.margin) <= kHoldsLimit * std::max(1.0, setup_.scales[k])) line.margin = 0;
         report.holds = report.holds && line.margin >= 0;
         report.constraints.push_back(std::move(line));
       };

@@ -7,6 +7,7 @@
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/analysis/direct_motion.hpp"
 #include "higherpair/front/measure.hpp"
+#include "tolerances.hpp"
 
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ struct DesignSetup {
   double cost_scale = 1;  ///< what costs are of the order of, in the unit of tables
 
   /// What dyads are to have to spare [m]: on the very edge of their reach rounding loses the motion.
-  [[nodiscard]] double spare() const { return 1e-7 * size; }
+  [[nodiscard]] double spare() const { return kSpareReach * size; }
   /// Whether they reach all the way, when this is the largest gap. Constraints ask for all of spare(), so
   /// that what an optimiser tolerates is no edge either.
   [[nodiscard]] bool closes(double gap) const { return gap < -spare() / 2; }

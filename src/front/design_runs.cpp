@@ -3,6 +3,7 @@
 #include "analysis_impl.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/row_path.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -31,7 +32,7 @@ void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
     limits +=
         static_cast<int>(std::count_if(run.events.begin(), run.events.end(), [&](const RunEvent& event) {
           return is_end(event.type) &&
-                 (inner || event.type == EventType::kOverlap || (k > 0 && event.share < 1 - 1e-9));
+                 (inner || event.type == EventType::kOverlap || (k > 0 && event.share < 1 - kBeforeRow));
         }));
     const bool there = run.row.status != RowStatus::kNotAssemblable;
     reader.take(run.row.bodies, there, motions.front().position, run.row.status);

@@ -1,6 +1,7 @@
 #include "design_setup.hpp"
 
 #include "analysis_impl.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ Diagnostics missing_in(const DesignTask& task) {
 bool has_row_at(const DriverSchedule& schedule, double position) {
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const double there = schedule.state(k).profile.position;
-    if (std::abs(there - position) <= 1e-9 * (1 + std::abs(there))) return true;
+    if (std::abs(there - position) <= kSamePosition * (1 + std::abs(there))) return true;
   }
   return false;
 }
@@ -155,7 +156,6 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
 }
 
 Diagnostics idle_parts(const DesignSetup& setup) {
-  constexpr double kShares[] = {1e-3, 0.02};  // of a range: how far from the start things are tried
   const DesignTask& task = setup.numbers.task();
   const DesignProblem problem =
       problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup));
@@ -174,7 +174,7 @@ Diagnostics idle_parts(const DesignSetup& setup) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     const DesignVariable& range = task.variables[i].range;
     bool does_something = false;
-    for (const double share : kShares) {
+    for (const double share : kIdleShares) {
       std::vector<double> other = x;
       const double way = share * (range.high - range.low);
       other[i] += other[i] + way <= range.high ? way : -way;

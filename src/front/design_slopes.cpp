@@ -4,6 +4,7 @@
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
         return grashof_room(displaced(*candidate.mechanism, derivatives[v].numbers, h), *grashof).value_or(0);
       };
       slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) =
-          unit * eighth_order_difference(room, 1e-6 * setup.size);
+          unit * eighth_order_difference(room, kGrashofStep * setup.size);
     }
   }
 }

@@ -2,6 +2,7 @@
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,7 @@ namespace {
 
 using NewValue = ProfileDocument::NewValue;
 
-constexpr double kSamePose = 1e-6;  // of the size: bodies that are no farther apart have the same pose
-constexpr int kPoseDigits = 6;      // of a pose, which is an estimate
+constexpr int kPoseDigits = 6;  // of a pose, which is an estimate
 
 bool stand_alike(const Run& a, const Run& b) {
   for (std::size_t i = 0; i < a.at.state.bodies.size(); ++i) {

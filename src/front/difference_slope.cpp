@@ -1,14 +1,10 @@
 #include "difference_slope.hpp"
 
+#include "tolerances.hpp"
+
 #include <cmath>
 
 namespace higherpair {
-namespace {
-
-constexpr double kKink = 0.75;    // of the bend with two steps: with one step as much is a kink
-constexpr double kKinkOf = 1e-3;  // of the slope: less is no kink
-
-}  // namespace
 
 Slope slope_by_differences(const std::array<double, 5>& r, double h, double rounding) {
   Slope slope;
@@ -22,7 +18,7 @@ Slope slope_by_differences(const std::array<double, 5>& r, double h, double roun
   slope.kind = SlopeKind::kDifferences;
   slope.error = std::abs(slope.up - one);
   // Of a smooth function the bend grows by 4, of a kink by 2.
-  if (wide < kKink * 4 * bend && bend > kKinkOf * h * std::abs(slope.up) + rounding) {
+  if (wide < kKinkOfDifference * 4 * bend && bend > kKinkOfSlope * h * std::abs(slope.up) + rounding) {
     slope.kind = SlopeKind::kKink;
     slope.up = (2 * (r[3] - r[2]) - (r[4] - r[2]) / 2) / h;
     slope.down = (2 * (r[2] - r[1]) - (r[2] - r[0]) / 2) / h;

@@ -5,6 +5,7 @@
 #include "higherpair/io/driver_schedule.hpp"
 #include "model_data.hpp"
 #include "reach.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,7 @@ Result<Scenes> scenes_every(const Model& model, RunSettings settings, double ste
     return wrong(model, fmt::format("every {} from {} to {}: give a step > 0 that makes at most {} pictures",
                                     step, from, to, kMostScenes));
   }
-  for (double k = 0; k * step <= std::abs(to - from) * (1 + 1e-12); ++k) {
+  for (double k = 0; k * step <= std::abs(to - from) * (1 + kLastScene); ++k) {
     settings.positions.push_back(from + std::copysign(k * step, to - from));
   }
   const auto rows = rows_of(model, settings);

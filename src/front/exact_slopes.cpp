@@ -3,6 +3,7 @@
 #include "arena.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-// Slopes at places where a column is equally large that differ by less are equal, of the larger one.
-constexpr double kSameSlope = 1e-7;
 
 constexpr std::size_t kChunk = 64;  // rows that are differentiated at once
 

@@ -2,6 +2,7 @@
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
 #include "model_data.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +108,7 @@ private:
     }
     expect(joint.first.body != joint.second.body, at, "joins a body with itself");
     expect(joint.type == JointType::kRevolute || couples_turning(joint.type) ||
-               std::abs(joint.direction_A.norm() - 1) <= 1e-9,
+               std::abs(joint.direction_A.norm() - 1) <= kUnitDirection,
            at + ".direction_A", "must be a unit vector");
     expect(!joint.from || !joint.to || *joint.from < *joint.to, at + ".from", "must be below `to`");
     expect(std::isfinite(joint.relative_angle), at + ".relative_angle", "must be finite");

@@ -6,6 +6,7 @@
 #include "fit_search.hpp"
 #include "fit_units.hpp"
 #include "higherpair/analysis/branch_run.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSameMotion = 1e-9;  // of a column's largest value: the new profile moves as was fitted
 
 // The branch on which the profile starts.
 Result<int> branch_of_model(const Model& model) {
@@ -33,7 +32,6 @@ Result<int> branch_of_model(const Model& model) {
 
 // Unknowns of which no measured value depends.
 Diagnostics idle_variables(const FitProblem& problem, const Eigen::VectorXd& x) {
-  constexpr double kNothing = 1e-12;  // of the most that a variable changes, each by its own scale
   Diagnostics mistakes;
   const auto jacobian = problem.jacobian(x);
   if (!jacobian) return mistakes;
@@ -45,7 +43,7 @@ Diagnostics idle_variables(const FitProblem& problem, const Eigen::VectorXd& x) 
   Eigen::VectorXd effects = J.colwise().norm();
   for (std::size_t i = 0; i < variables.size(); ++i) effects(place(i)) *= problem.motion().scale(i);
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (effects(place(i)) > kNothing * effects.maxCoeff()) continue;
+    if (effects(place(i)) > kNoFitChange * effects.maxCoeff()) continue;
     mistakes.push_back(
         {variables[i].place,
          fmt::format("design.variables.{}: changes none of the measured columns: leave it out, or measure "

@@ -6,6 +6,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kFourthOrderStep = 1e-3;  // of a variable's scale, for differences of the fourth order
-constexpr double kOffsetStep = 1e-3;       // of a driver's position [rad], and of what moves it by as much
-constexpr double kAgree = 1e-5;            // of the largest: derivatives by two ways that agree
 
 // The variables alone, each with finite bounds about its start.
 DesignTask ranges_of(const DesignTask& task) {
@@ -137,7 +134,7 @@ void FitMotion::choose_derivatives(std::span<const double> variables, std::span<
         largest = std::max(largest, std::abs(other));
         if (!(std::abs(one - other) <= off)) off = std::abs(one - other);
       }
-      exact_ = exact_ && off <= kAgree * largest + 1e-12;
+      exact_ = exact_ && off <= kDerivativesAgree * largest + kNoDerivative;
     }
   }
 }

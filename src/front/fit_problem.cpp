@@ -2,6 +2,7 @@
 
 #include "fit_columns.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ FitProblem::FitProblem(const FitData& data, const FitMotion& motion)
       if (!std::isnan(value)) spread = std::max(spread, std::abs(value - sum / count));
     }
     largest_.push_back(largest > 0 ? largest : 1);
-    spreads_.push_back(spread > 1e-12 * largest ? spread : largest_.back());
+    spreads_.push_back(spread > kNoSpread * largest ? spread : largest_.back());
   }
   const std::vector<DesignTask::Variable>& variables = data.variables->variables;
   low_ = Eigen::VectorXd::Constant(size(), -kInf);

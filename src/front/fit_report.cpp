@@ -1,6 +1,7 @@
 #include "fit_report.hpp"
 
 #include "fit_statistics.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,7 @@ private:
           if (problem_.values()[i].column == c) sizes.push_back(std::abs(solution_.residuals(place(i))));
         }
         std::nth_element(sizes.begin(), sizes.begin() + std::ssize(sizes) / 2, sizes.end());
-        robust_.push_back(std::max(1.4826 * sizes[sizes.size() / 2], 1e-12 * problem_.largest(c)));
+        robust_.push_back(std::max(1.4826 * sizes[sizes.size() / 2], kNoSpread * problem_.largest(c)));
       }
     }
     return data_.columns[column].deviation.value_or(robust_[column]);
@@ -139,7 +140,7 @@ private:
       for (const auto& [where, off] : by_place) residuals.push_back(off);
       // What rounding leaves of exact values has a pattern of its own.
       const Succession succession = succession_of(residuals);
-      const bool noisy = column.rms > 1e-9 * problem_.largest(c);
+      const bool noisy = column.rms > kNoisyColumn * problem_.largest(c);
       column.succession = succession.correlation;
       column.systematic = noisy && succession.systematic;
       report_.columns.push_back(column);
@@ -176,11 +177,10 @@ private:
   }
 
   void add_correlation_note() {
-    constexpr double kClose = 0.99;
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
       for (Eigen::Index k = i + 1; k < problem_.size(); ++k) {
         const double correlation = report_.correlation(i, k);
-        if (!(std::abs(correlation) > kClose)) continue;
+        if (!(std::abs(correlation) > kCloseCorrelation)) continue;
         report_.notes.push_back(
             fmt::format("{} and {} are hard to tell apart (correlation {:.4f}): their intervals are large, "
                         "what they have in "

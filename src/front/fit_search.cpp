@@ -2,6 +2,7 @@
 
 #include "fit_loss.hpp"
 #include "fit_starts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kOfDeviation = 1.4826;   // of normal noise: standard deviation over median of sizes
-constexpr double kNoiseRounding = 1e-13;  // of the largest value of a column: what no noise is smaller than
-constexpr double kSettled = 1e-6;         // noise and weights that change by less
+constexpr double kOfDeviation = 1.4826;  // of normal noise: standard deviation over median of sizes
 constexpr int kMostRounds = 60;
 constexpr int kHuberRounds = 3;  // before Tukey's loss, which forgets what is far off at once
 
@@ -58,7 +57,6 @@ public:
 
 private:
   void find_constant_columns() {
-    constexpr double kNothing = 1e-12;  // of the largest change
     const auto jacobian = problem_.jacobian(solution_.x);
     const std::size_t count = problem_.data().columns.size();
     solution_.constant.assign(count, false);
@@ -75,7 +73,7 @@ private:
       }
     }
     for (std::size_t c = 0; c < count; ++c) {
-      solution_.constant[c] = effects(place(c)) <= kNothing * effects.maxCoeff();
+      solution_.constant[c] = effects(place(c)) <= kNoFitChange * effects.maxCoeff();
     }
   }
 
@@ -158,7 +156,7 @@ private:
         solution_.end = FitEnd::kStopped;
         return;
       }
-      const bool settled = is_plain() || (!huber && change <= kSettled);
+      const bool settled = is_plain() || (!huber && change <= kNoiseSettled);
       if (settled) {
         solution_.end = found.end == LeastSquaresEnd::kConverged ? FitEnd::kConverged : FitEnd::kNotConverged;
         return;

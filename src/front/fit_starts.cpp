@@ -2,6 +2,7 @@
 
 #include "arena.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace {
 constexpr int kMostIterations = 100;
 constexpr int kBoundedStarts = 12;  // where all variables have bounds
 constexpr int kCandidates = 10;     // random ones of which the best is where a search begins
-constexpr double kSameEnd = 1e-4;   // of a range: ends of two searches are one
 
 class Starts {
 public:
@@ -49,7 +49,7 @@ public:
                        [&](const LeastSquaresFit* other) { return is_same(end.x, other->x); })) {
         different.push_back(&end);
       }
-      if (best == nullptr || end.sum < best->sum * (1 - 1e-9)) best = &end;
+      if (best == nullptr || end.sum < best->sum * (1 - kBetterSum)) best = &end;
     }
     found.different = static_cast<int>(different.size());
     if (best != nullptr) found.x = best->x;
@@ -94,7 +94,7 @@ private:
 
   [[nodiscard]] bool is_same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
-      if (std::abs(a(i) - b(i)) > kSameEnd * range(i)) return false;
+      if (std::abs(a(i) - b(i)) > kSameFitEnd * range(i)) return false;
     }
     return true;
   }
@@ -158,8 +158,8 @@ LeastSquaresFit minimise(const FitProblem& problem, const Eigen::VectorXd& from,
   options.iterations = kMostIterations;
   options.stop = stop;
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    options.rounding =
-        std::max(options.rounding, 1e-15 * problem.largest(problem.values()[i].column) * scales(place(i)));
+    options.rounding = std::max(options.rounding,
+                                kValueNoise * problem.largest(problem.values()[i].column) * scales(place(i)));
   }
   return least_squares(squares, from, options);
 }

@@ -3,6 +3,7 @@
 #include "fit_loss.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/singular_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kRank = 1e-8;   // of the largest singular value: columns scaled to length 1
-constexpr double kPart = 1e-5;   // of a direction: an unknown with a smaller part has none
-constexpr double kAlike = 1e-4;  // changes that are alike
 
 // A basis of the directions in which as many unknowns as possible have no part: reduced row echelon form.
 Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
@@ -44,7 +41,7 @@ std::string direction_text(const std::vector<double>& z, const std::vector<doubl
                            const std::vector<std::string>& names) {
   if (z.size() == 1) return fmt::format("these columns do not say what {} is", names[0]);
   const auto alike = [](double a, double b) {
-    return std::abs(a - b) <= kAlike * std::max(std::abs(a), std::abs(b));
+    return std::abs(a - b) <= kAlikeChanges * std::max(std::abs(a), std::abs(b));
   };
   const bool all_sized = std::all_of(x.begin(), x.end(), [](double value) { return value != 0; });
   bool one_share = all_sized;
@@ -75,7 +72,7 @@ Eigen::MatrixXd covariance_shape(const Eigen::MatrixXd& J) {
   const SingularValues svd = singular_values(triangular_factor(J * lengths.cwiseInverse().asDiagonal()));
   Eigen::MatrixXd root = Eigen::MatrixXd::Zero(J.cols(), J.cols());
   for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
-    if (svd.values(k) > kRank * svd.values(0)) root.col(k) = svd.V.col(k) / svd.values(k);
+    if (svd.values(k) > kFitRank * svd.values(0)) root.col(k) = svd.V.col(k) / svd.values(k);
   }
   root = lengths.cwiseInverse().asDiagonal() * root;
   return root * root.transpose();
@@ -188,7 +185,7 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
   }
   const SingularValues svd = singular_values(triangular_factor(scaled));
   Eigen::Index rank = 0;
-  while (rank < svd.values.size() && svd.values(rank) > kRank * svd.values(0)) ++rank;
+  while (rank < svd.values.size() && svd.values(rank) > kFitRank * svd.values(0)) ++rank;
   const Eigen::Index idle = J.cols() - rank;
   if (idle == 0 || !(longest > 0)) return sentences;
   const Eigen::MatrixXd basis = sparse_basis(svd.V.rightCols(idle).transpose());
@@ -196,7 +193,7 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
     std::vector<double> z, values;
     std::vector<std::string> own;
     for (Eigen::Index i = 0; i < J.cols(); ++i) {
-      if (std::abs(basis(k, i)) < kPart) continue;
+      if (std::abs(basis(k, i)) < kPartOfDirection) continue;
       z.push_back(lengths(i) > 0 ? basis(k, i) / lengths(i) : 1);
       values.push_back(x(i));
       own.push_back(names[static_cast<std::size_t>(i)]);

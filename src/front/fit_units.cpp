@@ -1,6 +1,7 @@
 #include "fit_units.hpp"
 
 #include "other_units.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@
 
 namespace higherpair {
 namespace {
-
-// Misfit, as a share of the values' own size, that is no matter of dimensions, and one that may be.
-constexpr double kFar = 0.5, kNear = 0.25;
-constexpr double kBetter = 0.2;  // of the misfit as it is
 
 // Root of the mean square of what is left of `measured` · factor beside `fitted`, over that of `fitted`; of a
 // column whose zero is not known without the means.
@@ -79,9 +76,9 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
     for (const FitFrame& frame : data.frames) in_frame = in_frame || frame.x == c || frame.y == c;
     const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
     const double as_it_is = misfit(column.values, fitted, 1, column.offset);
-    if (column.unit_given || in_frame || !(as_it_is > kFar)) continue;
+    if (column.unit_given || in_frame || !(as_it_is > kFarMisfit)) continue;
     std::optional<OtherUnit> best;
-    double least = std::min(kNear, kBetter * as_it_is);
+    double least = std::min(kNearMisfit, kBetterMisfit * as_it_is);
     for (const OtherUnit& other : other_units(column.unit, data.model.units())) {
       const double there = misfit(column.values, fitted, other.factor, column.offset);
       if (there < least) {
@@ -93,10 +90,10 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   }
   if (!suspicions.empty()) return suspicions;
   const auto as_it_is = whole_misfit(problem, variables, data);
-  for (std::size_t i = 0; as_it_is && *as_it_is > kFar && i < data.where.size(); ++i) {
+  for (std::size_t i = 0; as_it_is && *as_it_is > kFarMisfit && i < data.where.size(); ++i) {
     if (data.where_unit_given[i] || data.where_offset[i]) continue;
     std::optional<OtherUnit> best;
-    double least = std::min(kNear, kBetter * *as_it_is);
+    double least = std::min(kNearMisfit, kBetterMisfit * *as_it_is);
     for (const OtherUnit& other : other_units(data.where_unit(), data.model.units())) {
       FitData scaled = data;
       for (double& value : scaled.where[i]) value *= other.factor;

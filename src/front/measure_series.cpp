@@ -1,5 +1,7 @@
 #include "measure_series.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kScalingRounding = 1e-15;  // of a value: what scaling may make of two neighbours, generously
-constexpr std::size_t kParallel = 8;        // comparisons that do not wait for each other
+constexpr std::size_t kParallel = 8;  // comparisons that do not wait for each other
 
 }  // namespace
 

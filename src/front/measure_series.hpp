@@ -2,13 +2,11 @@
 
 #include "higherpair/front/measure.hpp"
 #include "higherpair/io/units.hpp"
+#include "tolerances.hpp"
 
 #include <span>
 
 namespace higherpair {
-
-/// Of the span of all rows: a row as near to a place is there.
-inline constexpr double kAtPlace = 1e-9;
 
 struct Extremes {
   double low = 0;

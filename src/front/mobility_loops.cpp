@@ -6,6 +6,7 @@
 #include "higherpair/linkage/quick_return.hpp"
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 #include "higherpair/mechanism/loops.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -125,7 +126,7 @@ public:
                         {"outer", dead_centre(stroke->outer)},
                         {"inner", dead_centre(stroke->inner)}};
     }
-    const bool central = std::abs(linkage.r4) <= 1e-12 * (linkage.r2 + linkage.r3);
+    const bool central = std::abs(linkage.r4) <= kCentralOffset * (linkage.r2 + linkage.r3);
     if (central && linkage.r2 < linkage.r3) {
       const HarmonicError error = harmonic_error(linkage.r2 / linkage.r3);
       json["harmonic"] = {

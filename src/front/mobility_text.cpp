@@ -2,6 +2,7 @@
 
 #include "mobility_gears.hpp"
 #include "mobility_json.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ private:
   }
 
   static std::string number(double value) {
-    return fmt::format("{:.7g}", std::abs(value) < 1e-12 ? 0 : value);
+    return fmt::format("{:.7g}", std::abs(value) < kNoNumber ? 0 : value);
   }
   static std::string number(const Json& value) { return number(value.get<double>()); }
   [[nodiscard]] std::string length(const Json& value) const { return number(value) + " " + length_; }
@@ -198,7 +199,7 @@ private:
     const Json& stroke = loop["stroke"];
     const double slack =
         loop["r3"].get<double>() - loop["r2"].get<double>() - std::abs(loop["offset"].get<double>());
-    if (stroke.is_null() && std::abs(slack) <= 1e-12 * loop["r3"].get<double>()) {
+    if (stroke.is_null() && std::abs(slack) <= kChangePointSlack * loop["r3"].get<double>()) {
       add("  the crank turns fully only through a change point: r3 = r2 + |offset|");
     } else if (stroke.is_null()) {
       add("  the crank does not turn fully against the guide: r3 must exceed r2 + |offset|");

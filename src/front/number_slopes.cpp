@@ -3,6 +3,7 @@
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kReach = 4;  // steps of a number to either side
-
-// Change of a number of the mechanism over all steps, of the mechanism's largest: less is rounding.
-constexpr double kNoChange = 1e-14;
 
 double scale_of(const ProfileNumber& number, double size, const Units& units) {
   const double value = std::abs(number.number.value);
@@ -41,7 +39,7 @@ bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double cha
   double largest = 0, changed = 0;
   for_each_number(mechanism, [&](double number) { largest = std::max(largest, std::abs(number)); });
   for_each_number(derivative, [&](double slope) { changed = std::max(changed, std::abs(slope) * change); });
-  return changed <= kNoChange * largest;
+  return changed <= kNoNumberChange * largest;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "packed_series.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -69,7 +71,7 @@ int exponent_for(std::span<const double> values, double step) {
   }
   const double rounded = std::max(step, largest / kMostSteps);
   return static_cast<int>(
-      std::clamp(std::ceil(-std::log10(rounded) - 1e-9), -1.0 * kMostExponent, 1.0 * kMostExponent));
+      std::clamp(std::ceil(-std::log10(rounded) - kPowerOfTen), -1.0 * kMostExponent, 1.0 * kMostExponent));
 }
 
 }  // namespace

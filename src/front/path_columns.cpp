@@ -1,17 +1,13 @@
 #include "path_columns.hpp"
 
 #include "higherpair/io/coordinate.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace higherpair {
-namespace {
-
-constexpr double kOnRow = 1e-9;  // of the distance of two rows: as near as this is there
-
-}  // namespace
 
 std::optional<std::int64_t> PathPlace::on_row() const {
   const double nearest = std::round(row);
@@ -105,7 +101,7 @@ double PathColumns::parameter_of(std::int64_t row) const {
     return static_cast<double>(row);
   }
   double low = path_.path.knots.front(), high = path_.path.knots.back();
-  while (high - low > 1e-15 * std::abs(high)) {
+  while (high - low > kPlaceOnPath * std::abs(high)) {
     const double middle = (low + high) / 2;
     if (middle == low || middle == high) break;
     (path_.row(middle) < static_cast<double>(row) ? low : high) = middle;

@@ -4,6 +4,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +13,6 @@
 
 namespace higherpair {
 namespace {
-
-// Of what lengths and the drivers' speed make of a column's dimension: smaller values are rounding.
-constexpr double kResultRounding = 1e-12;
-
-// Of the spread of a column: extremes that differ by less are equal.
-constexpr double kSameResult = 1e-9;
-
-// Of the whole path: so far to either side of an extreme the column is looked at, and by so much of its
-// spread it may be lower there if it is smooth.
-constexpr double kBeside = 1e-5;
-constexpr double kSmoothFall = 3e-7;
 
 constexpr int kSamples = 720;   // of a path, where other extremes are looked for
 constexpr int kMarkEvery = 24;  // samples: from there the run can go on again
@@ -298,7 +288,7 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
 // At the ends of the path the place is fixed. Anywhere else the column has to be level.
 bool PathResults::jumps_at(std::size_t column, const PathExtreme& found, double spread) {
   const std::vector<double>& knots = columns_.path().path.knots;
-  const double beside = kBeside * (knots.back() - knots.front());
+  const double beside = kBesideExtreme * (knots.back() - knots.front());
   const bool end = found.at - knots.front() <= beside || knots.back() - found.at <= beside;
   if (end || knots.size() == 1) {
     return false;

@@ -1,5 +1,7 @@
 #include "plot_marks.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -85,7 +87,7 @@ std::vector<Happening> happenings(const std::vector<Event>& events) {
   for (const Event& event : events) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const Happening& other) {
       return other.first->type == event.type && other.first->row == event.row &&
-             std::abs(other.first->driver_si - event.driver_si) < 1e-6;
+             std::abs(other.first->driver_si - event.driver_si) < kSameMark;
     });
     if (same == all.end()) {
       all.push_back({&event, event.item});

@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/front/model.hpp"
+#include "tolerances.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -30,13 +31,11 @@ struct ReportData {
   std::vector<MotionRow> motions;        ///< the same
   std::vector<Reactions> reactions;      ///< the same, of a run with forces
   std::vector<ColumnExtremes> extremes;  ///< of columns, over the whole run
-  /// Of columns: what is small against it by kNoise is rounding.
+  /// Of columns: what is small against it by kReportNoise is rounding.
   std::vector<double> scales;
   std::vector<Event> events;
   bool good = true;
 };
-
-inline constexpr double kNoise = 1e-9;
 
 /// The largest of all values in the unit of each column; of an acceleration at least speed²/way.
 [[nodiscard]] std::vector<double> scales_of(const ReportData& data);

@@ -19,7 +19,7 @@ struct Found {
     return std::abs(extremes.low.value) > std::abs(extremes.high.value) ? extremes.low : extremes.high;
   }
   [[nodiscard]] bool is_constant() const {
-    return range() <= noise || range() <= kNoise * std::abs(largest().value);
+    return range() <= noise || range() <= kReportNoise * std::abs(largest().value);
   }
   [[nodiscard]] double rounded(double value) const { return std::abs(value) <= noise ? 0 : value; }
 };
@@ -28,7 +28,7 @@ struct Found {
 std::optional<Found> find(const ReportData& data, const std::string& name) {
   for (std::size_t k = 0; k < data.columns.size(); ++k) {
     if (data.columns[k].name == name && !std::isnan(data.extremes[k].low.value)) {
-      return Found{data.columns[k], data.extremes[k], kNoise * data.scales[k]};
+      return Found{data.columns[k], data.extremes[k], kReportNoise * data.scales[k]};
     }
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +67,8 @@ MapPlace place_on(const ContactMapReport& map, double driver, double position, s
     const auto& rows = map.branches[i].rows;
     if (rows.empty()) continue;
     const double lap = turn.value_or(0);
-    const double first = turn ? std::ceil((rows.front().driver - driver) / lap - 1e-9) : 0;
-    for (double x = driver + first * lap; x <= rows.back().driver + 1e-9 * std::abs(lap); x += lap) {
+    const double first = turn ? std::ceil((rows.front().driver - driver) / lap - kWholeLap) : 0;
+    for (double x = driver + first * lap; x <= rows.back().driver + kWholeLap * std::abs(lap); x += lap) {
       const auto y = position_on(map.branches[i], std::clamp(x, rows.front().driver, rows.back().driver));
       if (!y) break;
       const double shift = follower_turn ? *follower_turn * std::round((*y - position) / *follower_turn) : 0;
@@ -123,7 +124,7 @@ void write_map(JsonWriter& json, const Model& model, const ReportData& data, con
 
 void write_maps(JsonWriter& json, const Model& model, const ReportData& data, const std::atomic<bool>* stop) {
   json.key("maps").open('[');
-  if (auto maps = map_of(model, {kMapSamples, 1e-9, stop}); maps && !maps->stopped) {
+  if (auto maps = map_of(model, {kMapSamples, kMapOverlap, stop}); maps && !maps->stopped) {
     maps->title.clear();
     const std::vector<PlotData> plots = plots_of(*maps);
     std::size_t drawn = 0;

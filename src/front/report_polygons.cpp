@@ -2,6 +2,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,6 @@ struct MovingPolygon {
 };
 
 bool is_flat(const Polygon& polygon) {
-  constexpr double kNarrow = 1e-6;
   Vector2d longest = Vector2d::Zero();
   for (const PolygonArrow& arrow : polygon.arrows) {
     const Vector2d along = arrow.to - arrow.from;
@@ -47,7 +47,7 @@ bool is_flat(const Polygon& polygon) {
   return polygon.arrows.size() > 1 &&
          std::all_of(polygon.arrows.begin(), polygon.arrows.end(), [&](const PolygonArrow& arrow) {
            return std::abs(cross(longest, Vector2d(arrow.to - arrow.from))) <=
-                  kNarrow * longest.squaredNorm();
+                  kFlatPolygon * longest.squaredNorm();
          });
 }
 

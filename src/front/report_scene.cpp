@@ -3,6 +3,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kPlaceStep = 1e-8;    // of the picture: places of bodies
-constexpr double kAngleStep = 1e-8;    // [rad]
-constexpr double kShapeStep = 1e-6;    // of the picture: what is drawn in one row alone
-constexpr double kSamePicture = 1e-6;  // of the picture, and [rad]: first and last row show one picture
 
 void write(JsonWriter& json, std::span<const double> numbers) {
   json.open('[');

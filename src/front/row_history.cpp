@@ -2,14 +2,13 @@
 
 #include "higherpair/contact/details.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kSameArc = 1e-9;  // of the size
 
 ContactDetails details_in(const Run& run, const Contact& contact, const ContactMotion& motion) {
   const auto side = [&](const CurveRef& ref) {
@@ -63,8 +62,8 @@ bool RowHistory::is_like(const RowHistory& other, double size) const {
       return false;
     }
     return a.broken || !a.start ||
-           (std::abs((*a.start)[0] - (*b.start)[0]) <= kSameArc * size &&
-            std::abs((*a.start)[1] - (*b.start)[1]) <= kSameArc * size);
+           (std::abs((*a.start)[0] - (*b.start)[0]) <= kSameRowArc * size &&
+            std::abs((*a.start)[1] - (*b.start)[1]) <= kSameRowArc * size);
   };
   return std::equal(arcs_.begin(), arcs_.end(), other.arcs_.begin(), other.arcs_.end(), alike);
 }

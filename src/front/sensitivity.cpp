@@ -10,6 +10,7 @@
 #include "path_results.hpp"
 #include "run_settings.hpp"
 #include "sensitivity_numbers.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,13 +23,6 @@
 
 namespace higherpair {
 namespace {
-
-// Change of a result by a change of a number over its whole scale, of the largest value of its column: less
-// is rounding; and of the rounding of a column that is the same everywhere.
-constexpr double kNoSlope = 1e-10;
-constexpr double kNoSlopeOfRounding = 100;
-
-constexpr double kKinkRounding = 1e-8;  // of the result: a bend of less is no kink
 
 // Everything that the slopes of one report are made from.
 class Differentiator {

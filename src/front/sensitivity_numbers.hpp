@@ -1,13 +1,11 @@
 #pragma once
 
 #include "number_slopes.hpp"
+#include "tolerances.hpp"
 
 #include <vector>
 
 namespace higherpair {
-
-/// Steps of differences, of the scale of the number.
-inline constexpr double kDifferenceStep = 2e-4;
 
 /// The numbers by which a report differentiates: see SensitivitySettings::by.
 [[nodiscard]] Result<std::vector<ProfileNumber>> numbers_for(const Model& model,

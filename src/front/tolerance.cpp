@@ -1,4 +1,5 @@
 #include "higherpair/front/sensitivity.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ public:
     const double others = variance_ - own - 2 * common;
     // own f² + 2 common f + others = target
     const double square = common * common + own * (target - others);
-    const double rounding = 1e-14 * own * variance_;
+    const double rounding = kVarianceRounding * own * variance_;
     const double factor = (std::sqrt(std::max(square, 0.0)) - common) / own;
     return square >= -rounding && factor >= 0 ? std::optional(factor) : std::nullopt;
   }
@@ -93,7 +94,7 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
   band.within = within;
   if (within) {
     const auto fits = [&](double low, double high) {
-      const double slack = 1e-12 * (std::abs(result.value) + *within);
+      const double slack = kBandSlack * (std::abs(result.value) + *within);
       return high - result.value <= *within + slack && result.value - low <= *within + slack;
     };
     band.kept = fits(band.low, band.high);
