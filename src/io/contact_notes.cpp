@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 #include "tooth_notes.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ double outer_radius(const Curve& curve) {
 std::string behind_face(const PosedCurve& face, const PosedCurve& other, const Units& units) {
   const double behind = face.axis_W.dot(other.middle_W - face.middle_W);
   const double reach = other.curve->q > 0 ? inner_radius(*other.curve) / 2 : 0;
-  if (!(behind > reach) || !(behind > 1e-9 * (other.middle_W.norm() + face.middle_W.norm()))) {
+  if (!(behind > reach) || !(behind > kBehindFace * (other.middle_W.norm() + face.middle_W.norm()))) {
     return "";
   }
   return fmt::format(

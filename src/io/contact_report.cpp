@@ -1,6 +1,7 @@
 #include "higherpair/io/contact_report.hpp"
 
 #include "higherpair/io/row_path.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ double rounded_up(double value) {
     return 0;
   }
   const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
-  return std::copysign(std::ceil(std::abs(value) / digit * (1 - 1e-12)) * digit, value);
+  return std::copysign(std::ceil(std::abs(value) / digit * (1 - kLastDigitUp)) * digit, value);
 }
 
 // A multiple of 10^-decimals, as the double that its decimal number is read as.
@@ -74,7 +75,7 @@ public:
   // Half a unit of the last decimal.
   [[nodiscard]] double margin(int decimals) const {
     const double half = 0.5 * std::pow(10.0, -decimals);
-    return std::abs(rate_ * (si(half) - si(0))) * (1 + 1e-9);
+    return std::abs(rate_ * (si(half) - si(0))) * (1 + kHalfDigit);
   }
 
 private:

@@ -1,6 +1,7 @@
 #include "higherpair/io/driver_schedule.hpp"
 
 #include "schedule_timing.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -67,7 +68,7 @@ tl::expected<std::int64_t, Diagnostic> analyze_rows(const Profile& profile, std:
 // When a law comes to a value first.
 std::optional<double> first_time(const MotionLaw& law, double value) {
   const LawExtremes range = law.extremes(0, 0, std::max(law.end(), 0.0));
-  const double rounding = 1e-12 * (range.greatest - range.least);
+  const double rounding = kBeyondLaw * (range.greatest - range.least);
   if (value < range.least - rounding || value > range.greatest + rounding) {
     return std::nullopt;
   }

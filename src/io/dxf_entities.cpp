@@ -2,6 +2,7 @@
 
 #include "dxf_numbers.hpp"
 #include "higherpair/geometry/spline_span.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -79,10 +80,9 @@ Shape ellipse(DxfNumbers& numbers) {
   if (numbers.fault()) {
     return tl::unexpected(*numbers.fault());
   }
-  constexpr double kWhole = 1e-9;  // of a turn: parameters are written with some digits
   double sweep = std::fmod(to - from, 2 * kPi);
-  sweep = sweep > kWhole ? sweep : sweep + 2 * kPi;
-  if (sweep >= 2 * kPi - kWhole) {
+  sweep = sweep > kWholeTurn ? sweep : sweep + 2 * kPi;
+  if (sweep >= 2 * kPi - kWholeTurn) {
     return DxfShape{{conic_span(*curve, 0, 2 * kPi)}, *curve};
   }
   const double turn = angle_of(axis);

@@ -4,6 +4,7 @@
 #include "dxf_pairs.hpp"
 #include "names.hpp"
 #include "numeric/decimal.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,9 +76,9 @@ public:
 
   /// -1 where the entity is drawn as seen from below.
   double facing() {
-    constexpr double kPlane = 1e-9;
     const double z = find(230).value_or(1);
-    if (std::abs(find(210).value_or(0)) > kPlane || std::abs(find(220).value_or(0)) > kPlane || z == 0) {
+    if (std::abs(find(210).value_or(0)) > kPlanarDrawing ||
+        std::abs(find(220).value_or(0)) > kPlanarDrawing || z == 0) {
       refuse("does not lie in the plane of the drawing: its extrusion is not along z");
     }
     return z < 0 ? -1 : 1;

@@ -2,6 +2,7 @@
 
 #include "dxf_units.hpp"
 #include "numeric/decimal.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,6 @@ struct Circle {
 
 // A closed polyline whose arcs all lie on one circle.
 std::optional<Circle> circle_of(const ArcPolyline& line) {
-  constexpr double kOneCircle = 1e-12;  // of the radius
   std::optional<Circle> circle;
   for (std::size_t i = 0; line.closed && i < line.vertices.size(); ++i) {
     const ArcVertex& vertex = line.vertices[i];

@@ -1,4 +1,5 @@
 #include "laws.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,13 @@ namespace {
 constexpr int kMostDecimals = 7;
 constexpr std::size_t kFewestPoints = 12;
 
-// Noise below this share of the peak acceleration is not worth a note.
-constexpr double kWorthSaying = 0.01;
-
 // The unit of the last decimal that all values make do with; none where they have many.
 std::optional<double> guessed_rounding(const std::vector<Vector2d>& points) {
   for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
     const double power = std::pow(10.0, decimals);
     const bool enough = std::all_of(points.begin(), points.end(), [&](const Vector2d& point) {
       const double scaled = point.y() * power;
-      return std::abs(scaled - std::round(scaled)) <= 1e-9 * std::max(1.0, std::abs(scaled));
+      return std::abs(scaled - std::round(scaled)) <= kWholeNumber * std::max(1.0, std::abs(scaled));
     });
     if (enough) {
       return 1 / power;
@@ -65,7 +63,7 @@ void note_rounding(TableReader& table, const LawQuantities& quantities, const Re
   }
   const double noise = largest_difference(*law.made, *beside, smooth.points);
   const double peak = std::abs(beside->extremes(2).peak());
-  if (!(noise > kWorthSaying * peak)) {
+  if (!(noise > kNoiseWorthSaying * peak)) {
     return;
   }
   const Dimension acceleration = quantities.value / quantities.coordinate / quantities.coordinate;

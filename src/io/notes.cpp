@@ -4,6 +4,7 @@
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kFar = 2.0 / 3;  // of the mechanism's size, of a point from its place in the poses
 
 struct Moved {
   std::string name;
@@ -72,7 +71,7 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     const Moved moved = farthest(body, bodies[i].X_WB);
-    if (moved.by > kFar * size && !is_driven_body(mechanism, static_cast<int>(i))) {
+    if (moved.by > kFarFromPose * size && !is_driven_body(mechanism, static_cast<int>(i))) {
       const std::string_view unit = name_of(profile.units.length);
       notes.push_back(
           about(profile.source,

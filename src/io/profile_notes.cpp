@@ -3,6 +3,7 @@
 #include "contact_notes.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr double kEarth = 9.80665;   // [m/s²]
-constexpr double kRoundedPi = 4e-3;  // what a quarter turn in radians loses by two decimals, up to 6.28
+constexpr double kEarth = 9.80665;  // [m/s²]
 
 // A number that is written without a unit of its own.
 std::optional<double> plain_number(const Value* value) {
@@ -25,7 +25,7 @@ bool is_near(double a, double b, double relative) {
 }
 
 bool is_whole(double x) {
-  return std::abs(x - std::round(x)) <= 1e-9 * std::max(1.0, std::abs(x)) && std::abs(x) >= 0.5;
+  return std::abs(x - std::round(x)) <= kWholeNumber * std::max(1.0, std::abs(x)) && std::abs(x) >= 0.5;
 }
 
 class Notes {
@@ -155,8 +155,7 @@ private:
       extent = std::max(extent, (curve.curve.vertex_B - center_B).norm());
     }
     const double gyration = std::sqrt(body.mass->inertia / body.mass->mass);
-    constexpr double kOff = 100;
-    if (extent > 0 && (gyration > kOff * extent || gyration < extent / kOff)) {
+    if (extent > 0 && (gyration > kGyrationOff * extent || gyration < extent / kGyrationOff)) {
       add_with_value(
           "bodies." + body.name + ".inertia",
           fmt::format("a radius of gyration of {:.3g} {} in a body of {:.3g} {}: numbers here are in {}",

@@ -1,5 +1,8 @@
 #include "read_boundary.hpp"
 
+#include "higherpair/geometry/tolerances.hpp"
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,8 +11,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-constexpr double kSlightTurn = 0.02;  // below it a corner is rather a smooth joint of rounded numbers [rad]
 
 bool turned_round(TableReader& table, bool has_inside) {
   const char* const key = has_inside ? "side" : "material";
@@ -31,8 +32,7 @@ void note_slight_corners(TableReader& table, const Outline& outline) {
     const PieceEnd end = end_of(outline.pieces[i]);
     const Vector2d t = begin_of(outline.pieces[(i + 1) % count]).t_B;
     const double turn = std::atan2(cross(end.t_B, t), end.t_B.dot(t));
-    constexpr double kNone = 1e-7;
-    if (std::abs(turn) > kNone && std::abs(turn) < kSlightTurn) {
+    if (std::abs(turn) > kNoTurn && std::abs(turn) < kSlightTurn) {
       note_whole(
           table,
           fmt::format("{} and {} meet in a {} of {:.2g} deg at {}: if the joint is to be smooth, "
@@ -113,7 +113,7 @@ std::string point_text(const Reading& reading, const Vector2d& p) {
   const Scaling scaling = from_si(dimension::kLength, reading.units);
   // Neither "-0" nor what is left of one by rounding.
   const auto text = [&](double x) {
-    return fmt::format("{:.6g}", std::abs(x) > 1e-12 * p.norm() ? scaling.apply(x) : 0.0);
+    return fmt::format("{:.6g}", std::abs(x) > kNoCoordinate * p.norm() ? scaling.apply(x) : 0.0);
   };
   return fmt::format("({}, {})", text(p.x()), text(p.y()));
 }

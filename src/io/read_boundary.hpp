@@ -3,6 +3,7 @@
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/spline_span.hpp"
 #include "reading.hpp"
+#include "tolerances.hpp"
 
 #include <optional>
 #include <string>
@@ -72,8 +73,5 @@ struct Outline {
 [[nodiscard]] std::string length_text(const Reading& reading, double metres);
 [[nodiscard]] std::string point_text(const Reading& reading, const Vector2d& p);
 /// @}
-
-/// Ends that are no farther apart meet, unless the table has a `tolerance`.
-inline constexpr double kDefaultGap = 1e-5;  // of the curve's size
 
 }  // namespace higherpair::io_detail

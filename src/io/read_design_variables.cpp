@@ -1,6 +1,7 @@
 // The variables of a design.
 #include "higherpair/io/diagnostic.hpp"
 #include "read_design.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -159,7 +160,8 @@ private:
       report(reading_, *min, "must be > 0 with `log`: logarithms have no 0");
     }
     if (step && range.step > 0 &&
-        std::floor(range.high / range.step + 1e-9) < std::ceil(range.low / range.step - 1e-9)) {
+        std::floor(range.high / range.step + kOnVariableStep) <
+            std::ceil(range.low / range.step - kOnVariableStep)) {
       report(reading_, *step, "no multiple of it lies between min and max");
     }
   }

@@ -1,4 +1,5 @@
 #include "sweep_reading.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +10,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-// Of a truncated normal distribution: less is rounding.
-constexpr double kLeastShare = 1e-9;
 
 std::optional<std::vector<double>> numbers(TableReader& table, const std::string& key, std::size_t count) {
   const auto list = table.take(key, as_list, {dimension::kNumber}, count);
@@ -57,7 +55,7 @@ void read_normal(TableReader& table, Distribution& d) {
     }
   }
   read_limits(table, d);
-  if (d.deviation > 0 && d.low < d.high && share_within(d) < kLeastShare) {
+  if (d.deviation > 0 && d.low < d.high && share_within(d) < kLeastShareWithin) {
     wrong(table, "normal", "next to nothing of this distribution lies between min and max");
   }
 }

@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/plan.hpp"
 #include "read_boundary.hpp"
 #include "reading.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,8 +14,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-constexpr double kMeets = 1e-9;  // of the size of a flank: where it closes to within rounding
 
 Body& body_named(Mechanism& mechanism, const std::string& name) {
   return *std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
@@ -138,7 +137,7 @@ private:
       report(reading_, late.law, explain(spans.error(), {motion, curve, outer}));
       return;
     }
-    auto boundary = Boundary::make(*std::move(spans), closes(motion), kMeets);
+    auto boundary = Boundary::make(*std::move(spans), closes(motion), kFlankMeets);
     if (!boundary) {
       report(reading_, late.law,
              velocity_jump(motion).value_or(

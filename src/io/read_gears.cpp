@@ -2,6 +2,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "reading.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 
@@ -10,10 +11,8 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr double kLargestRatio = 1e9;  // beyond, a turn of one wheel is within the rounding of the other's
-
 bool is_same_point(const Vector2d& a, const Vector2d& b) {
-  return (a - b).norm() <= 1e-12 * (a.norm() + b.norm());
+  return (a - b).norm() <= kSameGearPoint * (a.norm() + b.norm());
 }
 
 // The bodies on the pin of a wheel, without the wheel; none where nothing is pinned there.
@@ -156,7 +155,7 @@ void read_ratio(TableReader& table, Joint& joint) {
   const auto quantity =
       item ? as_quantity(table.reading(), *item, {dimension::kNumber, Sign::kPositive}) : std::nullopt;
   const double ratio = quantity ? quantity->value : 1;
-  if (!(ratio >= 1 / kLargestRatio && ratio <= kLargestRatio)) {
+  if (!(ratio >= 1 / kLargestGearRatio && ratio <= kLargestGearRatio)) {
     report(table.reading(), *item, "must be between 1e-9 and 1e9");
   }
   const bool gears = joint.type == JointType::kGears;

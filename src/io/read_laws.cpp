@@ -1,5 +1,6 @@
 #include "laws.hpp"
 #include "named_file.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-// Segments that miss one turn by less than this, relative to a turn, are one: degrees as decimals of radians.
-constexpr double kOneTurn = 1e-6;
 
 constexpr std::int64_t kFewestForOpenTurn = 8;  // points of which the last is a step short of the turn
 

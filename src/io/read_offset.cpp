@@ -1,4 +1,5 @@
 #include "read_boundary.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 
@@ -71,7 +72,7 @@ std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& sour
   Outline outline;
   outline.closed = whole.is_closed();
   outline.pieces.assign(spans->begin(), spans->end());
-  outline.tolerance = 1e-3 * whole.size();  // its ends meet as exactly as those of the other curve
+  outline.tolerance = kOffsetGap * whole.size();  // its ends meet as exactly as those of the other curve
   return boundary_curve(table, outline);
 }
 

@@ -1,4 +1,5 @@
 #include "read_boundary.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 
@@ -23,15 +24,14 @@ std::optional<ContourPiece> arc_piece(TableReader& table) {
     return std::nullopt;
   }
   const double sweep = to - arc.from;
-  constexpr double kRounding = 1e-12;
-  if (std::abs(sweep) < kRounding || sweep > 2 * kPi + kRounding) {
+  if (std::abs(sweep) < kSweepRounding || sweep > 2 * kPi + kSweepRounding) {
     report(table.reading(), *table.take("to"),
            fmt::format("an arc goes counter-clockwise from `from` to `to`: {} from here to there",
                        sweep > 0 ? "more than a turn" : "0 deg"));
     return std::nullopt;
   }
   // From 350 to 10 is 20 degrees.
-  arc.sweep = sweep > 2 * kPi - kRounding ? 2 * kPi : sweep - 2 * kPi * std::floor(sweep / (2 * kPi));
+  arc.sweep = sweep > 2 * kPi - kSweepRounding ? 2 * kPi : sweep - 2 * kPi * std::floor(sweep / (2 * kPi));
   return arc;
 }
 

@@ -1,6 +1,7 @@
 #include "named_file.hpp"
 #include "numeric/decimal.hpp"
 #include "read_boundary.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -145,8 +146,7 @@ double median(std::vector<double> values) {
 // to some 3.5 δ/h².
 void note_noise(TableReader& table, const Given& given, const Span& span, double rounding, double smoothing) {
   constexpr double kAmplification = 3.5;
-  constexpr double kWorthANote = 0.05;  // of the curve's own curvature
-  constexpr std::size_t kTable = 24;    // fewer points are rather meant exactly
+  constexpr std::size_t kTable = 24;  // fewer points are rather meant exactly
   if (given.points.size() < kTable || smoothing >= rounding / 2) {
     return;
   }
@@ -162,7 +162,7 @@ void note_noise(TableReader& table, const Given& given, const Span& span, double
   }
   const double own = median(curvatures);
   const double noise = kAmplification * rounding / (h * h);
-  if (noise < kWorthANote * own) {
+  if (noise < kCurvatureWorthANote * own) {
     return;
   }
   const Reading& reading = table.reading();

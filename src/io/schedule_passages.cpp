@@ -1,5 +1,6 @@
 // What the drivers of a schedule in time do between its rows.
 #include "higherpair/io/driver_schedule.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,9 +9,6 @@
 
 namespace higherpair {
 namespace {
-
-// Places nearer to each other than this, relative to the duration or the time between rows, are one.
-constexpr double kSameTime = 1e-12;
 
 // Of the times at which a law is at rest, those at which it turns back.
 std::vector<double> where_it_turns(const MotionLaw& law, double from, double to) {

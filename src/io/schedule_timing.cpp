@@ -1,5 +1,7 @@
 #include "schedule_timing.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +11,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-// A remainder of the duration that is smaller, in time steps, is the rounding of the two numbers.
-constexpr double kRemainderTolerance = 1e-9;
 
 // How messages call a key of a driver.
 std::string key_name(const Profile& profile, std::size_t driver, std::string_view key) {
@@ -49,8 +48,7 @@ std::optional<Steps> steps_in(double duration, double time_step) {
   }
   const double nearest = std::round(ratio);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * nearest;
-  if (std::abs(ratio - nearest) <= std::max(kRemainderTolerance, rounding) &&
-      (nearest > 0 || duration == 0)) {
+  if (std::abs(ratio - nearest) <= std::max(kNoRemainder, rounding) && (nearest > 0 || duration == 0)) {
     return Steps{static_cast<std::int64_t>(nearest), false};
   }
   return Steps{static_cast<std::int64_t>(std::floor(ratio)), true};

@@ -1,6 +1,7 @@
 #include "tooth_notes.hpp"
 
 #include "higherpair/geometry/involute_span.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-constexpr double kSame = 1e-9;  // of the base radius
 
 // The involutes of one side of a contact: about one centre, which is a pivot on ground.
 struct Flanks {
@@ -53,7 +52,7 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
       if (own == nullptr) {
         continue;
       }
-      const double near = kSame * own->base_radius;
+      const double near = kSameBaseRadius * own->base_radius;
       if (all && (std::abs(all->base_radius - own->base_radius) > near ||
                   (all->center_B - own->center_B).norm() > near)) {
         return std::nullopt;
@@ -64,7 +63,8 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
     }
   }
   const auto pivot =
-      all ? ground_pivot(mechanism, ref.body, all->center_B, kSame * all->base_radius) : std::nullopt;
+      all ? ground_pivot(mechanism, ref.body, all->center_B, kSameBaseRadius * all->base_radius)
+          : std::nullopt;
   if (!pivot) {
     return std::nullopt;
   }
@@ -75,7 +75,7 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
 // Both rolls of a contact make up the common tangent of the base circles, r1 φ1 + r2 φ2 = √(a² - (r1 + r2)²).
 std::string interference(const Flanks& root, const Flanks& tip, double tangent, const Units& units) {
   const double met = (tangent - tip.base_radius * tip.roll.high) / root.base_radius;
-  if (met >= root.roll.low - kSame) {
+  if (met >= root.roll.low - kSameBaseRadius) {
     return "";
   }
   const Scaling angle = from_si(dimension::kAngle, units);
