@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "sketch.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +11,6 @@ namespace {
 
 constexpr double kLongestArrow = 14;        // [units]
 constexpr double kLongestTurn = 1.5 * kPi;  // of the arc of a torque
-constexpr double kOutOfProportion = 1e-4;   // of the largest: at rest but for these rows
 
 // By which the longest arrow of all rows has the length `longest`, or where some are out of proportion, as
 // near a limit position, four times the middle one of the rows: those go beyond.

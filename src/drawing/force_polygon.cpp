@@ -2,14 +2,13 @@
 #include "higherpair/dynamics/applied_loads.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace higherpair {
 namespace {
-
-constexpr double kNegligible = 1e-9;  // of the largest force in the mechanism: less is rounding
 
 // A force on a body; names of what it comes from.
 struct Force {
@@ -157,7 +156,7 @@ std::vector<Polygon> force_polygons(const Mechanism& mechanism, const MotionRow&
   ForceList list(mechanism, row);
   list.add_applied();
   list.add_reactions(reactions);
-  const double least = kNegligible * list.largest();
+  const double least = kNegligibleForce * list.largest();
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     Polygon polygon;
     if (list.missing(i).empty()) {

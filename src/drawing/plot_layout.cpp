@@ -1,5 +1,7 @@
 #include "plot_layout.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,7 +45,8 @@ AxisRange x_range(const PlotData& data) {
     return {0, 1};
   }
   const AxisRange padded = padded_range(extent.low, extent.high);
-  const bool wide = extent.high - extent.low > 1e-9 * std::max(std::abs(extent.low), std::abs(extent.high));
+  const bool wide =
+      extent.high - extent.low > kNoTickSpread * std::max(std::abs(extent.low), std::abs(extent.high));
   return wide && data.points.empty() && is_monotone(data) ? AxisRange{extent.low, extent.high} : padded;
 }
 

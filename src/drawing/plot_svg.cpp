@@ -3,6 +3,7 @@
 #include "plot_lines.hpp"
 #include "point_labels.hpp"
 #include "svg_writer.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,7 @@ private:
     open_axis("y", panel.unit, y);
     for (const double value : y.ticks.values) {
       const double at = y.px(value);
-      const bool zero = std::abs(value) < 1e-9 * y.ticks.step;
+      const bool zero = std::abs(value) < kTickAtZero * y.ticks.step;
       line(zero ? "zero" : "grid", x.begin, at, x.end, at);
       svg_.open("g", {{"data-role", "tick"}});
       line("tick", x.begin - kTickLength, at, x.begin, at);

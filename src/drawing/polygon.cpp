@@ -3,6 +3,7 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "polygon_nodes.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -12,8 +13,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kNegligibleArrow = 1e-9;  // of the longest arrow: shorter ones are rounding
 
 using ArrowKind = PolygonArrow::Kind;
 

@@ -4,6 +4,7 @@
 #include "rich_text.hpp"
 #include "text_layout.hpp"
 #include "ticks.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,8 @@ namespace {
 
 constexpr double kTallest = 400;  // drawn part of a polygon of motion, and of forces [px]
 constexpr double kTallestForces = 240;
-constexpr double kApart = 11;          // between arrows that would lie on each other [px]
-constexpr double kFlat = 0.015;        // of its longest arrow: a force polygon thinner than this is a line
-constexpr double kFlatMotion = 0.004;  // the same of velocities, where points are compared
-constexpr double kThin = 1e-3;         // the same, to find the scale
-constexpr double kNamed = 14;          // the shortest arrow with a name [px]
+constexpr double kApart = 11;  // between arrows that would lie on each other [px]
+constexpr double kNamed = 14;  // the shortest arrow with a name [px]
 
 struct PolygonExtent {
   Vector2d low = Vector2d::Zero();  // the pole is always part of it
@@ -46,7 +44,7 @@ std::optional<Vector2d> common_line(const Polygon& polygon, double longest) {
                                       });
   if (first == polygon.arrows.end()) return std::nullopt;
   const Vector2d along = (first->to - first->from).normalized();
-  const double flat = polygon.kind == Polygon::Kind::kForce ? kFlat : kFlatMotion;
+  const double flat = polygon.kind == Polygon::Kind::kForce ? kFlatForces : kFlatMotion;
   const bool all = std::all_of(polygon.arrows.begin(), polygon.arrows.end(), [&](const PolygonArrow& arrow) {
     return std::abs(cross(along, arrow.to)) < flat * longest;
   });
@@ -86,7 +84,7 @@ std::vector<PolygonPoint> merged_points(const PolygonLayout& layout) {
   if (layout.polygon->kind != Polygon::Kind::kForce) merged.push_back({"o", Vector2d::Zero()});
   for (const PolygonPoint& point : layout.polygon->points) {
     const auto same = std::find_if(merged.begin(), merged.end(), [&](const PolygonPoint& other) {
-      return (other.at - point.at).norm() < 1e-6 * layout.longest;
+      return (other.at - point.at).norm() < kSameLabelledPoint * layout.longest;
     });
     if (same == merged.end()) {
       merged.push_back(point);
@@ -129,8 +127,8 @@ PolygonLayout lay_out(const Polygon& polygon, double width, double top) {
   const Vector2d size = extent.high - extent.low;
   const double room = kDrawnShare * width - 2 * kPolygonAround;
   layout.scale =
-      std::min(room / std::max(size.x(), kThin * layout.longest),
-               (is_force ? kTallestForces : kTallest) / std::max(size.y(), kThin * layout.longest));
+      std::min(room / std::max(size.x(), kThinPolygon * layout.longest),
+               (is_force ? kTallestForces : kTallest) / std::max(size.y(), kThinPolygon * layout.longest));
   const double left = kPolygonMargin + kPolygonAround + std::max(0.0, (room - size.x() * layout.scale) / 2);
   layout.origin = {left - extent.low.x() * layout.scale,
                    top + kPolygonLine + kPolygonAround + extent.high.y() * layout.scale};

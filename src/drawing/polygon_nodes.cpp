@@ -1,6 +1,7 @@
 #include "polygon_nodes.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -8,8 +9,6 @@
 
 namespace higherpair {
 namespace {
-
-constexpr double kSame = 1e-9;  // of the size of what is drawn: points nearer to each other are one
 
 const Body& body_at(const Mechanism& mechanism, int index) {
   return mechanism.bodies[static_cast<std::size_t>(index)];
@@ -79,7 +78,7 @@ private:
   std::size_t node_at(int body, const Vector2d& p_B) {
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
       for (const Node::Place& place : graph_.nodes[i].places) {
-        if (place.body == body && (place.p_B - p_B).norm() <= kSame * size_) return i;
+        if (place.body == body && (place.p_B - p_B).norm() <= kSameNode * size_) return i;
       }
     }
     Node& node = graph_.nodes.emplace_back();

@@ -1,5 +1,7 @@
 #include "ticks.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,17 +11,14 @@
 namespace higherpair {
 namespace {
 
-constexpr double kNoise = 1e-10;       // values below this are rounding, in any unit a profile would have
-constexpr double kRounding = 1e-9;     // a spread below this share of the values is rounding as well
 constexpr double kValueMargin = 0.05;  // of the span of the values, above and below
-constexpr double kWhole = 1e-6;        // of a step: how near an end of the axis a tick may be to be on it
 constexpr int kLargestExponent = 5;    // 99 999 is written out
 constexpr int kSmallestExponent = -3;
 
 double round_step(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least * (1 - kWhole)) {
+    if (factor * power >= least * (1 - kOnTick)) {
       return factor * power;
     }
   }
@@ -32,7 +31,7 @@ double degree_step(double least) {
     return round_step(least);
   }
   for (const double step : kSteps) {
-    if (step >= least * (1 - kWhole)) {
+    if (step >= least * (1 - kOnTick)) {
       return step;
     }
   }
@@ -51,7 +50,7 @@ std::string raised(int number) {
 
 // The power of ten, a multiple of 3, that leaves numbers of few digits.
 int exponent_of(double largest) {
-  const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest) + kWhole)) : 0;
+  const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest) + kOnTick)) : 0;
   if (exponent < kLargestExponent && exponent > kSmallestExponent) {
     return 0;
   }
@@ -72,7 +71,7 @@ std::string printed_number(double value, int decimals) {
 
 std::string Ticks::label(double value) const {
   const double unit = std::pow(10, exponent);
-  const int decimals = static_cast<int>(std::ceil(-std::log10(step / unit) - kWhole));
+  const int decimals = static_cast<int>(std::ceil(-std::log10(step / unit) - kOnTick));
   const std::string text = fmt::format("{:.{}f}", value / unit, std::clamp(decimals, 0, 15));
   const bool zero = text.find_first_not_of("-0.") == std::string::npos;
   return text.front() == '-' ? (zero ? "" : "−") + text.substr(1) : text;
@@ -85,8 +84,8 @@ Ticks make_ticks(double low, double high, std::string_view unit, int most) {
   const double least = (high - low) / most;
   ticks.step = unit == "deg" ? degree_step(least) : round_step(least);
   ticks.exponent = exponent_of(std::max(std::abs(low), std::abs(high)));
-  const double first = std::ceil(low / ticks.step - kWhole);
-  const double last = std::floor(high / ticks.step + kWhole);
+  const double first = std::ceil(low / ticks.step - kOnTick);
+  const double last = std::floor(high / ticks.step + kOnTick);
   for (double k = first; k <= last; ++k) {
     ticks.values.push_back(k * ticks.step);
   }
@@ -95,11 +94,11 @@ Ticks make_ticks(double low, double high, std::string_view unit, int most) {
 
 AxisRange padded_range(double lowest, double highest) {
   const double largest = std::max(std::abs(lowest), std::abs(highest));
-  if (largest < kNoise) {
+  if (largest < kNoTickValue) {
     return {-1, 1};
   }
   const double span = highest - lowest;
-  if (span < kRounding * largest) {
+  if (span < kNoTickSpread * largest) {
     return {lowest - 0.5 * largest, highest + 0.5 * largest};
   }
   return {lowest - kValueMargin * span, highest + kValueMargin * span};
