@@ -1,13 +1,12 @@
 #include "numeric/least_norm.hpp"
 #include "search.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 namespace {
-
-constexpr double kActive = 1e-6;  // a constraint, or a distance from a bound, as small as this is active
 
 DesignMethod method_for(const DesignProblem& problem, DesignMethod method) {
   if (method == DesignMethod::kAuto) {
@@ -21,13 +20,12 @@ DesignMethod method_for(const DesignProblem& problem, DesignMethod method) {
 // Again from the best point, as long as that gains: a new start forgets a bad model of the surroundings.
 void repeat(Search& search, DesignMethod method, std::uint64_t seed) {
   constexpr int kMostRounds = 4;
-  constexpr double kWorthwhile = 1e-6;
   for (int round = 0; round < kMostRounds && !search.stopped(); ++round) {
     const DesignPoint before = search.best();
     search_by_nlopt(search, search.best_unit(), method, seed);
     const DesignPoint& after = search.best();
     const bool gains = after.violation < before.violation - kConstraintTolerance ||
-                       after.objective < before.objective - kWorthwhile * std::abs(before.objective);
+                       after.objective < before.objective - kWorthwhileGain * std::abs(before.objective);
     if (!gains) {
       return;
     }
@@ -52,11 +50,11 @@ void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod metho
       return;
     }
     // The best point of the way may be inside of what the squares at its end press against.
-    const bool inside = search.best().violation <= -kActive;
-    if (inside && violation_of(search.evaluate(end)) > -kActive) {
+    const bool inside = search.best().violation <= -kActiveConstraint;
+    if (inside && violation_of(search.evaluate(end)) > -kActiveConstraint) {
       search_by_nlopt(search, end, DesignMethod::kSlsqp, seed);
     }
-    if (!inside || search.best().violation > -kActive) {
+    if (!inside || search.best().violation > -kActiveConstraint) {
       repeat(search, DesignMethod::kSlsqp, seed);
     }
     return;
@@ -84,8 +82,8 @@ DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMet
     left.erase(next);
     DesignPoint best;
     double kept = at.x[i];
-    for (const double side :
-         {std::floor(at.x[i] / variables[i].step + 1e-9), std::ceil(at.x[i] / variables[i].step - 1e-9)}) {
+    for (const double side : {std::floor(at.x[i] / variables[i].step + kOnDesignStep),
+                              std::ceil(at.x[i] / variables[i].step - kOnDesignStep)}) {
       const double value = variables[i].step * side;
       if (value < variables[i].low || value > variables[i].high) continue;
       search.fix(i, value);
@@ -111,7 +109,7 @@ std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
   std::vector<double> multipliers(static_cast<std::size_t>(values.constraints.size()), 0.0);
   std::vector<Eigen::Index> active;
   for (Eigen::Index k = 0; k < values.constraints.size(); ++k) {
-    if (values.constraints(k) > -kActive) active.push_back(k);
+    if (values.constraints(k) > -kActiveConstraint) active.push_back(k);
   }
   if (!search.problem().smooth || active.empty()) {
     return multipliers;
@@ -120,7 +118,7 @@ std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
   Eigen::VectorXd slope = (jacobian.cost + 2 * values.residuals.transpose() * jacobian.residuals).transpose();
   Eigen::VectorXd free = Eigen::VectorXd::Ones(u.size());
   for (Eigen::Index i = 0; i < u.size(); ++i) {
-    if (u(i) < kActive || u(i) > 1 - kActive) free(i) = 0;
+    if (u(i) < kActiveConstraint || u(i) > 1 - kActiveConstraint) free(i) = 0;
   }
   while (!active.empty()) {
     Eigen::MatrixXd A(u.size(), static_cast<Eigen::Index>(active.size()));

@@ -1,4 +1,5 @@
 #include "search.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,8 @@ void search_by_nlopt(Search& search, const Eigen::VectorXd& u, DesignMethod meth
     nlopt_add_inequality_mconstraint(opt.get(), count, constraints, &bridge, tolerances.data());
   }
   nlopt_set_maxeval(opt.get(), chosen.most);
-  nlopt_set_xtol_rel(opt.get(), 1e-12);
-  nlopt_set_ftol_rel(opt.get(), 1e-14);
+  nlopt_set_xtol_rel(opt.get(), kVariablesSettled);
+  nlopt_set_ftol_rel(opt.get(), kObjectiveSettled);
   nlopt_set_initial_step1(opt.get(), 0.05);
   nlopt_srand(static_cast<unsigned long>(seed));
   double value = 0;

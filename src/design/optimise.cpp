@@ -2,6 +2,7 @@
 
 #include "higherpair/numeric/stop.hpp"
 #include "search.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,11 +25,9 @@ constexpr int kBatch = 16;
 // Random candidates of which the best is where a search begins: most linkages cannot turn at all.
 constexpr int kCandidates = 40;
 
-// Every third search begins near the best so far; how far is drawn from these ranges, as shares.
+// Every third search begins near the best so far.
 constexpr int kNearBest = 3;
-constexpr double kNearest = 0.003, kFarthest = 0.3;
 
-constexpr double kSame = 1e-3;  // of the range of each variable: ends of two searches are one
 constexpr std::size_t kMostOptima = 10;
 
 // Random numbers that are the same on every machine, for each start its own.
@@ -128,7 +127,7 @@ private:
 
   [[nodiscard]] Eigen::VectorXd near_best(const Search& search, Random& random) const {
     Eigen::VectorXd u = search.unit_of(best_.x);
-    const double share = kNearest * std::pow(kFarthest / kNearest, random.uniform());
+    const double share = kNearBestLeast * std::pow(kNearBestMost / kNearBestLeast, random.uniform());
     for (double& v : u) {
       v = std::clamp(v + share * (2 * random.uniform() - 1), 0.0, 1.0);
     }
@@ -178,7 +177,7 @@ private:
   [[nodiscard]] bool is_same(const DesignPoint& a, const DesignPoint& b) const {
     for (std::size_t i = 0; i < a.x.size(); ++i) {
       const DesignVariable& variable = problem_.variables[i];
-      if (std::abs(to_unit(variable, a.x[i]) - to_unit(variable, b.x[i])) > kSame) {
+      if (std::abs(to_unit(variable, a.x[i]) - to_unit(variable, b.x[i])) > kSameOptimum) {
         return false;
       }
     }

@@ -1,5 +1,7 @@
 #include "search.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +11,6 @@ namespace {
 
 // What stands for values that are not finite: far from any that is.
 constexpr double kRefused = 1e30;
-
-// Central differences: the step of u that loses least, of the cube root of the rounding in the values.
-constexpr double kDifference = 1e-6;
 
 }  // namespace
 
@@ -167,7 +166,7 @@ void Search::by_differences(const Eigen::VectorXd& u) {
       continue;
     }
     const double at = std::clamp(u(i), 0.0, 1.0);
-    const double h = at > 0.5 ? -kDifference : kDifference;
+    const double h = at > 0.5 ? -kDesignDifference : kDesignDifference;
     const bool central = at - std::abs(h) >= 0 && at + std::abs(h) <= 1;
     const auto add = [&](double offset, double weight) {
       Eigen::VectorXd there = u;
