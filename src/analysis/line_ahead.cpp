@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace higherpair {
+
 LineAhead::LineAhead(const Run& run, const std::vector<double>& from, const std::vector<double>& to)
     : begin_(run.at.lost.at) {
   aim(run, to);

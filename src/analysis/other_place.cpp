@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 namespace higherpair {
+
 double jump_size(const Run& run, const TouchingBody& touching, const RateJump& jump) {
   return std::abs(jump.after - jump.before) / (touching.follower.freedom.turns ? 1 : run.plan().size);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 namespace higherpair {
+
 std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, const TraceLeg& leg, double share) const {
   const TangencySheet& sheet = this->sheet(path.opposed);
   const auto found = place_on(sheet, leg.step, share);
