@@ -2,7 +2,6 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/contact/gap_scale.hpp"
-#include "tolerances.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,6 @@
 
 #include "step.hpp"
 #include "straight_path.hpp"
-#include "tolerances.hpp"
 
 namespace higherpair {
 

@@ -1,6 +1,7 @@
 #include "series_motion.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 
 #include <algorithm>

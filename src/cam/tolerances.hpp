@@ -41,7 +41,7 @@ inline constexpr double kOnceRound = 1e-12;
 inline constexpr double kEnvelopeSettled = 1e-14;
 /// Of a speed or an angle.
 inline constexpr double kEnvelopeRounding = 1e-13;
-/// Of a coordinate.
+/// Of a coordinate: a law is not looked at as near to a join, where derivatives of the next piece count too.
 inline constexpr double kBesideJoin = 64 * std::numeric_limits<double>::epsilon();
 
 // Sizes and cutters.

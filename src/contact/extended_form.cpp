@@ -1,5 +1,7 @@
 #include "extended_form.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
+
 #include <cmath>
 
 namespace higherpair {

@@ -2,7 +2,6 @@
 
 #include "contact_pencil.hpp"
 #include "extended.hpp"
-#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/support.hpp"
 
 #include <optional>

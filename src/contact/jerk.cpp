@@ -2,7 +2,6 @@
 
 #include "contact_points.hpp"
 #include "higherpair/geometry/body_jerk.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,6 @@
 
 #include "force_columns.hpp"
 #include "higherpair/dynamics/contact_forces.hpp"
-#include "tolerances.hpp"
 
 #include <cstddef>
 #include <limits>

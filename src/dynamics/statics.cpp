@@ -3,6 +3,7 @@
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/linkage/dyad_statics.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 #include "tolerances.hpp"
 

@@ -4,6 +4,7 @@
 #include "higherpair/contact/boundary_enumeration.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"

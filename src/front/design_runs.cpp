@@ -32,7 +32,7 @@ void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
     limits +=
         static_cast<int>(std::count_if(run.events.begin(), run.events.end(), [&](const RunEvent& event) {
           return is_end(event.type) &&
-                 (inner || event.type == EventType::kOverlap || (k > 0 && event.share < 1 - kBeforeRow));
+                 (inner || event.type == EventType::kOverlap || (k > 0 && event.share < 1 - kAtRowEnd));
         }));
     const bool there = run.row.status != RowStatus::kNotAssemblable;
     reader.take(run.row.bodies, there, motions.front().position, run.row.status);

@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "measure_series.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,6 @@
 
 #include "higherpair/front/measure.hpp"
 #include "higherpair/io/units.hpp"
-#include "tolerances.hpp"
 
 #include <span>
 

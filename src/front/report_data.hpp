@@ -2,7 +2,6 @@
 
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/front/model.hpp"
-#include "tolerances.hpp"
 
 #include <atomic>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "report_data.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

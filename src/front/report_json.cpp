@@ -6,6 +6,7 @@
 #include "packed_series.hpp"
 #include "report_data.hpp"
 #include "report_parts.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

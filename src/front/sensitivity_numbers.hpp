@@ -1,7 +1,6 @@
 #pragma once
 
 #include "number_slopes.hpp"
-#include "tolerances.hpp"
 
 #include <vector>
 

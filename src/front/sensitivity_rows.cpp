@@ -7,6 +7,7 @@
 #include "number_slopes.hpp"
 #include "run_settings.hpp"
 #include "sensitivity_numbers.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>

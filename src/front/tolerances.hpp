@@ -21,7 +21,7 @@ inline constexpr double kPlaceOnPath = 1e-15;
 inline constexpr double kAtPlace = 1e-9;
 /// Positions of a driver that are one, of itself and of 1 in its unit.
 inline constexpr double kSamePosition = 1e-9;
-/// What is known of a contact in one row goes on in the next: places along a curve, of the size.
+/// Arcs that a contact has run along its curves up to a row, and that are alike, of the size.
 inline constexpr double kSameRowArc = 1e-9;
 /// Travel of a driver that slides, in sizes of the mechanism: farther away positions are rounded by more than
 /// the default tolerance, and a path is followed in steps of a sixth of the size.
@@ -85,10 +85,10 @@ inline constexpr double kReportNoise = 1e-9;
 inline constexpr double kPlaceStep = 1e-8;  // of the picture: places of bodies
 inline constexpr double kAngleStep = 1e-8;  // [rad]
 inline constexpr double kShapeStep = 1e-6;  // of the picture: what is drawn in one row alone
-inline constexpr double kSamePicture =
-    1e-6;                                    // of the picture, and [rad]: first and last row show one picture
-inline constexpr double kPowerOfTen = 1e-9;  // of a digit: a step that is a power of ten
-/// Across a polygon, of its longest arrow, squared: it is a line.
+// Of the picture, and [rad]: first and last row show one picture.
+inline constexpr double kSamePicture = 1e-6;
+inline constexpr double kPowerOfTen = 1e-9;  // of an exponent: that of a step that is a power of ten
+/// Of the longest arrow: a polygon none of whose arrows leads farther across it is a line.
 inline constexpr double kFlatPolygon = 1e-6;
 /// Positions of a driver with one mark in a plot, in SI units.
 inline constexpr double kSameMark = 1e-6;
@@ -148,7 +148,6 @@ inline constexpr double kGapStep = kPi / 30;
 inline constexpr double kGapSlide = 0.05;
 inline constexpr double kWholeGapSteps = 1e-9;  // a count of them that is whole
 inline constexpr double kEvenStep = 1e-6;       // of a step: steps that are even
-inline constexpr double kBeforeRow = 1e-9;      // of a step: an event that is not in the row itself
 
 /// Of the distance between rows: a step as small as this ends Newton's method.
 inline constexpr double kSharpestStep = 1e-13;
@@ -156,7 +155,7 @@ inline constexpr double kSharpestStep = 1e-13;
 inline constexpr double kClosedPath = 1e-6;
 /// Of the path: a change of its placement as small as this ends it.
 inline constexpr double kSettledPlacement = 1e-13;
-/// Of the wanted path, in the size of the other one: a placement that shrinks it to a point.
+/// Scale of a placement: a path that is placed smaller has become a point.
 inline constexpr double kLeastPathScale = 1e-9;
 
 // Fits to a measured motion.
@@ -167,7 +166,7 @@ inline constexpr double kNoiseRounding = 1e-13;
 inline constexpr double kNoiseSettled = 1e-6;
 /// Of the most that a variable changes, each by its own scale: nothing.
 inline constexpr double kNoFitChange = 1e-12;
-/// Of the largest value of a column: a spread that is none, a robust deviation of values that are exact.
+/// Of the largest value of a column: a spread that is none, and the least robust deviation.
 inline constexpr double kNoSpread = 1e-12;
 /// The same of residuals that are noise, and not what rounding leaves of exact values.
 inline constexpr double kNoisyColumn = 1e-9;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/geometry/boundary_fit.hpp"
-#include "higherpair/geometry/tolerances.hpp"
 
 #include <array>
 #include <optional>

@@ -3,7 +3,6 @@
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/spline_span.hpp"
 #include "reading.hpp"
-#include "tolerances.hpp"
 
 #include <optional>
 #include <string>

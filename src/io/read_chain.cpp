@@ -1,4 +1,5 @@
 #include "read_boundary.hpp"
+#include "tolerances.hpp"
 
 #include <array>
 

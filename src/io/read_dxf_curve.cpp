@@ -2,6 +2,7 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "named_file.hpp"
 #include "read_boundary.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <limits>

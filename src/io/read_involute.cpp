@@ -1,6 +1,7 @@
 #include "higherpair/geometry/gear_outline.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
 #include "read_boundary.hpp"
+#include "tolerances.hpp"
 
 #include <cmath>
 

@@ -71,7 +71,7 @@ inline constexpr double kRoundedPi = 4e-3;
 inline constexpr double kGyrationOff = 100;
 /// Of the mechanism's size, of a point from its place in the poses.
 inline constexpr double kFarFromPose = 2.0 / 3;
-/// Of the distances of two curves: one that lies behind the face of the other.
+/// Of the distances of a face and of a curve from the origin: farther behind the face the curve is behind it.
 inline constexpr double kBehindFace = 1e-9;
 /// Rounding of what is rounded up to a last digit, and of half a unit of it.
 inline constexpr double kLastDigitUp = 1e-12;

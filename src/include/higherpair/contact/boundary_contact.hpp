@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/contact/contact_pair.hpp"
-#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary.hpp"
 
 #include <array>

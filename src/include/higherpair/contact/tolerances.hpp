@@ -63,8 +63,8 @@ inline constexpr double kTouching = 1e-9;   // nearer bodies touch: the last ite
 inline constexpr double kFineGap = 1e-12;   // precision of a distance that decides between touch and overlap
 inline constexpr double kRoughGap = 0.1;    // of the distance itself, where only a safe step is asked for
 inline constexpr double kSameTouch = 1e-2;  // of a unit: so near a touch leads to its own contact
-inline constexpr double kBesideTouch =
-    1e-6;  // of a unit: a start beyond a contact that is not the wanted one
+// Of a unit: a start beyond a contact that is not the wanted one.
+inline constexpr double kBesideTouch = 1e-6;
 inline constexpr double kFreeOverlap = 1e-10;  // overlap of bodies that only touch, by rounding
 inline constexpr double kFinestArc = 1e-15;    // [rad]: arcs of normals are not halved below it
 
@@ -79,11 +79,9 @@ inline constexpr double kNoDirection = 1e-12;
 // fourfold one by its fourth root, 1e-4.
 inline constexpr double kSplitTangency = 1e-4;  // a root of the contact polynomial as near to a real position
 inline constexpr double kSplitFoot = 1e-6;      // of the quartic of normals through a pivot
-inline constexpr double kSplitCrossing = 1e-3;  // of the quartic of two conics' common points
 inline constexpr double kOnCurve = 1e-13;       // distance of a point from a curve on which it lies
 inline constexpr double kAligned = 1e-5;        // sine of the angle between normals at a double root
 inline constexpr double kTwoTangencies = 1e-4;  // squared distance of two that need no closer look
-inline constexpr double kTwoPoints = 1e-2;      // distance of two common points that need none
 inline constexpr double kNotDefinite = 1e-13;   // eigenvalue of a semidefinite matrix
 inline constexpr double kSameCurvature = 1e-7;  // difference of curvatures that conform
 inline constexpr double kOnAxis = 1e-14;        // distance of a pivot from an axis, or of a foot from a pivot
@@ -125,10 +123,10 @@ inline constexpr double kSameConforming = 1e-7;  // mirror images meet at the ed
 /// A depth of two bodies in each other that is none, of the sizes of their boundaries together.
 inline constexpr double kTouchingDepth = 1e-7;
 inline constexpr double kBesideBody = 0.1;  // of the sizes: how far beside a body samples are looked at
-inline constexpr double kNearFoot =
-    1e-9;  // of the size: so near a foot its depth is off by the square of that
-inline constexpr double kLeastFootStretch =
-    0.1;  // near the center of curvature a whole step would go anywhere
+// Of the size: so near a foot its depth is off by the square of that.
+inline constexpr double kNearFoot = 1e-9;
+// Near the center of curvature a whole step would go anywhere.
+inline constexpr double kLeastFootStretch = 0.1;
 
 // The iteration towards a contact.
 inline constexpr double kLongestPass = 0.25;      // of the size of a pair: step of one pass
@@ -147,6 +145,7 @@ inline constexpr double kSlackOfNormal = 0.5;      // the same of its normals
 inline constexpr double kRoundingOfNormal = 1e-9;  // added to the chords of cones of normals that are opposed
 // Of the length of a radian: a gap at a joint that is rounding.
 inline constexpr double kSmoothJoint = 1e-12;
+// Rounding of places of a boundary, of its size and their distance from the pivot, and of normals [rad].
 inline constexpr double kErrorOfPoints = 8 * kEps;
 
 // The enumeration, of the larger boundary's size:
@@ -186,17 +185,17 @@ inline constexpr double kOffMiddleOfFace = 0.37;      // the same of the nodes o
 inline constexpr double kBisectedCoordinate = 1e-13;  // where a contact stops being free, of the coordinate
 
 // Maps of boundaries.
-inline constexpr double kAtRangeStart =
-    1e-7;  // an event so little below the start belongs to the range [rad]
+// An event so little below the start belongs to the range [rad].
+inline constexpr double kAtRangeStart = 1e-7;
 inline constexpr double kShortestRest = 1e-4;  // of the driver's unit: a shorter rest is none
-inline constexpr double kBackwards =
-    1e-8;  // [rad, of the size]: by which u may fall along a branch, by rounding
+// [rad, of the size]: by which u may fall along a branch, by rounding.
+inline constexpr double kBackwards = 1e-8;
 inline constexpr double kNotConcave = 1e-9;  // of 1 per size: κ1 + κ2 below 0 by rounding
 
 // Sheets of tangencies.
 inline constexpr double kParallelSlides = 1e-12;  // sine between two slides that are parallel
-inline constexpr double kGridLifted =
-    1e-12;  // of the size: above the rounding of F, below what changes its zeros
+// Of the size: above the rounding of F, below what changes its zeros.
+inline constexpr double kGridLifted = 1e-12;
 inline constexpr double kGridBeside = 1e-8;  // of a part: a zero that is moved so little stays the same
 // Speed at one end of a part, of that at the other. Far parts of lines and open conics are halved: of even
 // parts the last ones would be nearly all of them.
@@ -207,8 +206,8 @@ inline constexpr double kMostSheetTurn = 0.3;        // of a body along a step [
 
 // Rolling: singular values of the Jacobian below this share are 0, as of discs about their centres.
 inline constexpr double kRollingRank = 1e-9;
-inline constexpr double kRollingFullRank =
-    1e-4;  // determinant of the normal equations, of their trace squared
+// Determinant of the normal equations, of their trace squared.
+inline constexpr double kRollingFullRank = 1e-4;
 inline constexpr double kRollingSettled = 1e-8;    // of a step of Newton's: its square is rounding
 inline constexpr double kRollingQuadratic = 1e-2;  // of a step to the one before, where steps square
 inline constexpr double kRollingLeast = 1e-15;     // a step that is none

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/geometry/boundary.hpp"
-#include "higherpair/geometry/tolerances.hpp"
 
 namespace higherpair {
 

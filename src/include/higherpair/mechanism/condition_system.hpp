@@ -3,7 +3,6 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/mechanism/conditions.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "higherpair/mechanism/tolerances.hpp"
 
 #include <vector>
 
