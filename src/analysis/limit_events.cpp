@@ -47,7 +47,7 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
 
 bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b) {
   return is_same_item(a, b) &&
-         std::abs(a.driver - b.driver) <= kSamePlace * (driver_scale(run, 0) + std::abs(a.driver));
+         std::abs(a.driver - b.driver) <= kSameLimit * (driver_scale(run, 0) + std::abs(a.driver));
 }
 
 void report_limit(Run& run, const Path& path, RunEvent event) {

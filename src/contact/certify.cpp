@@ -1,9 +1,9 @@
 #include "higherpair/contact/certify.hpp"
 
 #include "exact/exact_decision.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "tangency.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/critical_positions.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <array>

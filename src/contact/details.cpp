@@ -1,7 +1,7 @@
 #include "higherpair/contact/details.hpp"
 
-#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/contact/tolerances.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 #include "contact_points.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/critical_positions.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "polynomial_roots.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "listed_contact.hpp"
 
 #include "higherpair/contact/separation.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "place_points.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "map_branches.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "inner_step.hpp"
 #include "map_layout.hpp"
 #include "map_points.hpp"
 #include "place_points.hpp"
 #include "stroke_end.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

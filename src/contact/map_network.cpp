@@ -1,7 +1,7 @@
 #include "map_network.hpp"
 
-#include "inner_step.hpp"
 #include "higherpair/contact/tolerances.hpp"
+#include "inner_step.hpp"
 
 #include <algorithm>
 #include <cmath>

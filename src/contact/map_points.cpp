@@ -1,8 +1,8 @@
 #include "map_points.hpp"
 
 #include "higherpair/contact/separation.hpp"
-#include "inner_step.hpp"
 #include "higherpair/contact/tolerances.hpp"
+#include "inner_step.hpp"
 
 #include <algorithm>
 #include <cmath>

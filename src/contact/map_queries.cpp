@@ -1,8 +1,8 @@
 #include "boundary_trace.hpp"
 #include "higherpair/contact/contact_map.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "map_network.hpp"
 #include "map_points.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

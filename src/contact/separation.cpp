@@ -1,8 +1,8 @@
 #include "higherpair/contact/separation.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "higherpair/contact/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

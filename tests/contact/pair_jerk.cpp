@@ -1,7 +1,7 @@
 #include "contact/pair_jerk.hpp"
 
-#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/contact/jerk.hpp"
+#include "higherpair/contact/tolerances.hpp"
 
 #include <cmath>
 
