@@ -52,10 +52,11 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   return {JointOutcome::kDiverted};
 }
 
-// To run.work.trial, whose overlaps have been found; whether a second contact has been gone over to.
-bool go_on(OnPath& at, double x) {
+// To run.work.trial, whose overlaps have been found, and are others there; whether a second contact has been
+// gone over to.
+bool go_on(OnPath& at, double x, bool overlaps_change) {
   note_events(at.run, at.path, at.s, x);
-  const bool gone_over = watch_overlaps(at.run, at.path, at.s, x);
+  const bool gone_over = overlaps_change && watch_overlaps(at.run, at.path, at.s, x);
   std::swap(at.run.at.state, at.run.work.trial);
   at.s += x;
   return gone_over;
@@ -67,18 +68,17 @@ OnPath::OnPath(Run& run_on_it, const Path& its_path)
     : run(run_on_it), path(its_path), scale(unit_of(run, path)), open(has_open_contact(run.at.state)) {}
 
 void advance(OnPath& at, double x) {
-  find_overlaps(at.run);
-  (void)go_on(at, x);
+  (void)go_on(at, x, find_overlaps(at.run));
 }
 
 StepTaken take_step(OnPath& at, double h) {
-  find_overlaps(at.run);
+  const bool overlaps_change = find_overlaps(at.run);
   const double beyond = std::copysign(kBehindSecondContact * at.scale, h);
-  const auto x = second_contact_within(at.run, at.path, at.s, h);
+  const auto x = overlaps_change ? second_contact_within(at.run, at.path, at.s, h) : std::nullopt;
   if (x && std::abs(h - *x) > 2 * std::abs(beyond)) {
     return {*x + beyond};
   }
-  return {std::nullopt, go_on(at, h)};
+  return {std::nullopt, go_on(at, h, overlaps_change)};
 }
 
 bool close_open_contact(OnPath& at, double h) {

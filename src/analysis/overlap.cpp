@@ -207,8 +207,9 @@ void renew_overlaps(Run& run) {
   }
 }
 
-void find_overlaps(Run& run) {
+bool find_overlaps(Run& run) {
   const double touching = kOverlapDepth * run.plan().size;
+  bool changes = false;
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
     const OverlapWatch& watch = run.at.watches[i];
     const Contact& contact = run.mechanism().contacts[i];
@@ -222,7 +223,9 @@ void find_overlaps(Run& run) {
       const Separation here = separation_in(run, contact, run.work.trial);
       found = {here.gap < -touching, here.n_W};
     }
+    changes = changes || found.overlaps != watch.overlaps;
   }
+  return changes;
 }
 
 std::optional<double> second_contact_within(Run& run, const Path& path, double s, double h) {

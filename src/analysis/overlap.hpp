@@ -16,7 +16,8 @@ void renew_overlaps(Run& run);
 
 /// Whether touching bodies are in each other elsewhere in run.work.trial: into run.work.overlaps. Of
 /// boundaries, whose meetings are looked for before a step is taken, it says only whether they still are.
-void find_overlaps(Run& run);
+/// Whether that is another answer than before the step; if not, nothing is to be taken note of.
+[[nodiscard]] bool find_overlaps(Run& run);
 
 /// Where in the step of `h` to run.work.trial, whose overlaps have been found, a driver and follower go over
 /// to a second contact; none where none does.

@@ -237,11 +237,11 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (run.at.limit_here || run.at.limit_before) {
     run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
   }
-  run.work.row_before = run.at.targets;
   // The row before once more, where run.at.state is short of it.
   bool held = run.at.held && run.at.beside.has_value();
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     held = held && run.at.targets[i] == drivers[i].position;
+    run.work.row_before[i] = run.at.targets[i];
     run.at.targets[i] = drivers[i].position;
   }
   if (held) {
