@@ -125,14 +125,14 @@ template <class T>
 
 /// The same of a parabola or hyperbola from where its point is: x along the axis and y along the normal at
 /// the vertex turned +90°, from the vertex [m]. Far out, where a rounding of ψ is a length, this one keeps
-/// its digits, with Y = y/ℓ = sin ψ/w or, of the longer coordinate, Y² = (2x - q x²/ℓ)/ℓ:
+/// its digits, with Y = y/ℓ = sin ψ/w or, where x is the longer one, Y² = (2x - q x²/ℓ)/ℓ:
 ///     sin²ψ = Y²/(1 + (1 - q) Y²),   w² = 1/(1 + (1 - q) Y²).
 /// \pre q <= 0
 template <class T>
 [[nodiscard]] T open_arc_length(const T& semi_latus, const T& q, const T& x, const T& y) {
   using std::sqrt;
   T Y = y / semi_latus;
-  if (T(x * x) > T(y * y)) {
+  if (x > semi_latus) {
     const T longer = sqrt(T((2.0 * x - q * x * x / semi_latus) / semi_latus));
     Y = y > T(0.0) ? longer : T(-longer);
   }
