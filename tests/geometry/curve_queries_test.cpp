@@ -129,5 +129,30 @@ TEST(AngleBetween, IsThatOfTheArcTangentNearAndFar) {
   }
 }
 
+// Of y² = 2 ℓ x: s = (y √(1 + y²) + asinh y)/2 in units of ℓ, at the vertex with whatever rounding makes of
+// it.
+TEST(ArcToPoint, OfAParabolaIsThatOfItsClosedForm) {
+  constexpr double kSemiLatus = 0.06;
+  const Curve parabola = make_parabola(Vector2d::Zero(), kSemiLatus / 2, 0).value();
+  for (const double y : {0.0, 1e-17, -1e-12, 1e-8, -1e-3, 0.5, -1.4, 1.42, -3.0, 1e3, -1e6}) {
+    const double arc = (y * std::sqrt(1 + y * y) + std::asinh(y)) / 2 * kSemiLatus;
+    for (const double off : {0.0, -1e-17, 1e-17}) {
+      const Vector2d p = kSemiLatus * Vector2d(y * y / 2, -y) + Vector2d(off, 0);
+      EXPECT_NEAR(arc_to_point(parabola, p), arc, 4e-16 * (1 + std::abs(arc))) << y << ' ' << off;
+    }
+  }
+}
+
+TEST(ArcToPoint, OfAHyperbolaIsThatToItsNormal) {
+  const Curve hyperbola = make_hyperbola(Vector2d::Zero(), {0.03, 0.02}, 0).value();
+  for (const double y : {0.0, -1e-9, 1e-4, -0.01, 0.02, -0.5, 20.0}) {
+    const Vector2d p(0.03 * std::sqrt(1 + y * y / 4e-4), -y);
+    // The gradient of y²/b² - x²/a² leads out of the body.
+    const Vector2d n(-p.x() / 9e-4, p.y() / 4e-4);
+    const double arc = arc_to_normal(hyperbola, nearest_turn(angle_of(n), kPi));
+    EXPECT_NEAR(arc_to_point(hyperbola, p), arc, 1e-9 * y * y + 1e-15) << y;
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
