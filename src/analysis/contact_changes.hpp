@@ -33,12 +33,13 @@ struct OnPath {
 /// Goes on to run.work.trial, `x` beyond run.at.state, with the events on the way.
 void advance(OnPath& at, double x);
 
-/// The same with a step of `h`, unless it should rather be another, where a driver and follower go over to a
-/// second contact: they do so just behind the place, since what else happens is that of the one or the other.
 struct StepTaken {
-  std::optional<double> rather;  ///< nothing has been taken
+  std::optional<double> rather;  ///< the step to try instead: nothing has been taken
   bool gone_over = false;        ///< to a second contact
 };
+
+/// The same with a step of `h`, unless a driver and follower go over to a second contact well within it: they
+/// do so just behind the place, since what else happens is that of the one contact or of the other.
 [[nodiscard]] StepTaken take_step(OnPath& at, double h);
 
 /// Goes to where an open contact closes in a step of `h` to run.work.trial, unless another contact comes to a

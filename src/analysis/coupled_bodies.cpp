@@ -71,7 +71,7 @@ private:
 void set_rank(const Solver& solver, GroupState& group) {
   group.sine = solver.determinant();
   group.mode = group.sine < 0 ? -1 : 1;
-  group.noise = 1e-14;
+  group.noise = kCoupledRounding;
 }
 
 bool place_contacts(const Planned& model, const Group& group, State& to) {
@@ -198,9 +198,10 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     // Where the conditions have lost their rank the steps fall to the root of rounding only.
     const bool singular = std::abs(solver.determinant()) <= kAllButSingular && length <= kSingularStep &&
                           values.cwiseAbs().maxCoeff() <= kCoupledClosure * size;
-    if (singular || newton_has_settled(length, last, 1e-9)) {
+    if (singular || newton_has_settled(length, last, kCoupledNear)) {
       set_rank(solver, to.groups[g]);
-      return values.cwiseAbs().maxCoeff() <= 1e-9 * size ? GroupStatus::kOk : GroupStatus::kOutOfReach;
+      return values.cwiseAbs().maxCoeff() <= kCoupledResidual * size ? GroupStatus::kOk
+                                                                     : GroupStatus::kOutOfReach;
     }
     last = length;
     step *= std::min(1.0, kLargestCoupledStep / length);

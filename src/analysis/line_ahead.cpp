@@ -22,13 +22,9 @@ LineAhead::LineAhead(const Run& run, const std::vector<double>& from, const std:
 }
 
 void LineAhead::aim(const Run& run, const std::vector<double>& to) {
-  const auto way = [&](std::size_t i) { return (to[i] - begin_[i]) / driver_scale(run, i); };
-  leading_ = 0;
-  for (std::size_t i = 1; i < to.size(); ++i) {
-    leading_ = std::abs(way(i)) > std::abs(way(leading_)) ? i : leading_;
-  }
+  leading_ = leading_driver(run, begin_, to);
   scale_ = driver_scale(run, leading_);
-  sense_ = way(leading_) < 0 ? -1 : 1;
+  sense_ = to[leading_] < begin_[leading_] ? -1 : 1;
   slope_.resize(to.size());
   for (std::size_t i = 0; i < to.size(); ++i) {
     slope_[i] = i == leading_ ? 1 : (to[i] - begin_[i]) / (to[leading_] - begin_[leading_]);

@@ -14,9 +14,9 @@ namespace higherpair {
 /// Where a run starts, or a branch is taken up again: sets which bodies overlap in run.at.state.
 void renew_overlaps(Run& run);
 
-/// Whether touching bodies are in each other elsewhere in run.work.trial: into run.work.overlaps. Of
+/// Sets run.work.overlaps: which touching bodies are in each other elsewhere in run.work.trial. Of
 /// boundaries, whose meetings are looked for before a step is taken, it says only whether they still are.
-/// Whether that is another answer than before the step; if not, nothing is to be taken note of.
+/// False where that is as before the step, so that there is nothing to take note of.
 [[nodiscard]] bool find_overlaps(Run& run);
 
 /// Where in the step of `h` to run.work.trial, whose overlaps have been found, a driver and follower go over

@@ -71,7 +71,7 @@ std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lamb
     }
     point.x += step.head(n);
     point.value += step(n);
-    if (length <= kReductionSettled * size || (length <= 1e-9 * size && length >= last / 2)) {
+    if (length <= kReductionSettled * size || (length <= kReductionNear * size && length >= last / 2)) {
       Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(n + 1, 2);
       wanted(n, 0) = 1;
       wanted.col(1).head(n) = -F_s_;

@@ -65,11 +65,7 @@ bool has_come_back(const Run& run, const std::vector<double>& drivers) {
 double share_of(const Run& run, const std::vector<double>& drivers) {
   const std::vector<double>& from = run.work.row_before;
   const std::vector<double>& to = run.at.targets;
-  std::size_t leading = 0;
-  const auto way = [&](std::size_t i) { return std::abs(to[i] - from[i]) / driver_scale(run, i); };
-  for (std::size_t i = 1; i < to.size(); ++i) {
-    leading = way(i) > way(leading) ? i : leading;
-  }
+  const std::size_t leading = leading_driver(run, from, to);
   const double whole = to[leading] - from[leading];
   return whole == 0 ? 1 : (drivers[leading] - from[leading]) / whole;
 }
@@ -98,10 +94,8 @@ bool come_back(Run& run, const std::vector<double>& drivers) {
   renew_overlaps(run);
   run.at.held = true;
   report_limit(run, path, run.at.lost.event);
-  const LineAhead back(run, run.at.lost.from, drivers);
-  const double to_limit = std::abs(back.x_of(run.at.lost.at) - back.x_of(run.at.lost.from));
-  const double first_step = std::max(to_limit, kNearestBegin * back.scale());
-  return follow_part(run, path, first_step * unit_of(run, path) / back.scale());
+  const double to_limit = way_between(run, run.at.lost.from, run.at.lost.at);
+  return follow_part(run, path, std::max(to_limit, kNearestBegin) * unit_of(run, path));
 }
 
 // Whether a group is so near to its limit that its place is known to half its digits only. Beside a limit

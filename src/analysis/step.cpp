@@ -191,15 +191,22 @@ GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, 
 
 }  // namespace
 
+std::size_t leading_driver(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
+  const auto way = [&](std::size_t i) { return std::abs(to[i] - from[i]) / driver_scale(run, i); };
+  std::size_t leading = 0;
+  for (std::size_t i = 1; i < to.size(); ++i) {
+    leading = way(i) > way(leading) ? i : leading;
+  }
+  return leading;
+}
+
+double way_between(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
+  const std::size_t i = leading_driver(run, from, to);
+  return std::abs(to[i] - from[i]) / driver_scale(run, i);
+}
+
 double unit_of(const Run& run, const Path& path) {
-  if (path.is_single()) {
-    return driver_scale(run, 0);
-  }
-  double fastest = 0;
-  for (std::size_t i = 0; i < path.from.size(); ++i) {
-    fastest = std::max(fastest, std::abs(path.to[i] - path.from[i]) / driver_scale(run, i));
-  }
-  return 1 / fastest;
+  return path.is_single() ? driver_scale(run, 0) : 1 / way_between(run, path.from, path.to);
 }
 
 double size_at(const Run& run, const Path& path, double s) {

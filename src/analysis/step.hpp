@@ -57,6 +57,14 @@ struct StepResult {
 /// What counts as one unit of a driver's coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
 
+/// The driver that moves most between two positions, in its unit.
+[[nodiscard]] std::size_t leading_driver(const Run& run, const std::vector<double>& from,
+                                         const std::vector<double>& to);
+
+/// How far that one moves, in its unit.
+[[nodiscard]] double way_between(const Run& run, const std::vector<double>& from,
+                                 const std::vector<double>& to);
+
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);
 

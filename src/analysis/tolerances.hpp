@@ -122,6 +122,8 @@ inline constexpr double kSameChangePoint = 1e-7;
 
 /// Of the size: last change of a solution.
 inline constexpr double kReductionSettled = 1e-13;
+/// Of the size: changes below this fall fast, until they are rounding.
+inline constexpr double kReductionNear = 1e-9;
 /// Of the size and of the unit of s: for second derivatives.
 inline constexpr double kReductionDifference = 1e-5;
 /// Of the size: how far λ may lead.
@@ -152,6 +154,11 @@ inline constexpr double kSurelyPlaced = 1e-9;
 inline constexpr double kAllButSingular = 1e-6;
 inline constexpr double kSingularStep = 1e-6;
 inline constexpr double kCoupledClosure = 1e-14;
+/// Determinant, scaled, of a coupled group that is rounding.
+inline constexpr double kCoupledRounding = 1e-14;
+/// Of the size: steps of Newton's method below this fall fast, and conditions are met to this.
+inline constexpr double kCoupledNear = 1e-9;
+inline constexpr double kCoupledResidual = 1e-9;
 
 // Overlap of bodies.
 

@@ -1,4 +1,5 @@
 // Where a motion ends, and where it goes on behind that, is the same however far apart the rows are.
+#include "coupled_cranks.hpp"
 #include "run_testing.hpp"
 
 #include <algorithm>
@@ -102,31 +103,8 @@ start = 200
 end = -880
 )";
 
-double room_between_tips(double theta) {
-  const testing::Complex i(0, 1);
-  const double phase = 200 * kPi / 180;
-  return 91.115 - std::abs(100.0 + 30.0 * std::exp(i * (phase - 3 * theta)) - 30.0 * std::exp(i * theta));
-}
-
-std::vector<double> limits_between_tips() {
-  constexpr int kParts = 7200;
-  std::vector<double> found;
-  for (int k = 0; k < kParts; ++k) {
-    double a = 2 * kPi * k / kParts, b = 2 * kPi * (k + 1) / kParts;
-    if ((room_between_tips(a) > 0) == (room_between_tips(b) > 0)) {
-      continue;
-    }
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = (a + b) / 2;
-      ((room_between_tips(middle) > 0) == (room_between_tips(a) > 0) ? a : b) = middle;
-    }
-    found.push_back(a);
-  }
-  return found;
-}
-
 TEST(BeyondLimits, StretchesOfSeveralDriversAreThoseOfTheirLine) {
-  const std::vector<double> limits = limits_between_tips();
+  const std::vector<double> limits = testing::CoupledCranks{200 * kPi / 180, 91.115}.limits(0);
   ASSERT_EQ(limits.size(), 6U);
   for (const int rows : {7, 61, 601}) {
     SCOPED_TRACE(rows);

@@ -1,5 +1,6 @@
 // Linkages and contacts whose branches cross stay on theirs, wherever they start and however far apart the
 // rows are: random ones, and those whose rows fall on a crossing or a hair beside it.
+#include "coupled_cranks.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "run_testing.hpp"
 
@@ -233,36 +234,8 @@ TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
                "touch.normal");
 }
 
-// Two geared cranks hold two links that reach so far together: they can be assembled while the tips of the
-// cranks are no farther from each other.
-struct GearedCranks {
-  double phase = 0;  // of the second crank [rad], which turns back at three times the speed
-  double reach = 0;  // [mm]
-
-  [[nodiscard]] double room(double theta) const {
-    const testing::Complex i(0, 1);
-    return reach - std::abs(100.0 + 30.0 * std::exp(i * (phase - 3 * theta)) - 30.0 * std::exp(i * theta));
-  }
-  // The limits over a turn from a position at which it can be.
-  [[nodiscard]] std::vector<double> limits(double start) const {
-    constexpr int kParts = 7200;
-    std::vector<double> found;
-    for (int k = 0; k < kParts; ++k) {
-      double a = start + 2 * kPi * k / kParts, b = start + 2 * kPi * (k + 1) / kParts;
-      for (int halving = 0; (room(a) > 0) != (room(b) > 0) && halving < 60; ++halving) {
-        const double middle = (a + b) / 2;
-        ((room(middle) > 0) == (room(a) > 0) ? a : b) = middle;
-      }
-      if ((room(a) > 0) != (room(b) > 0)) {
-        found.push_back(a);
-      }
-    }
-    return found;
-  }
-};
-
 // The limits that a run over the same turn finds, forwards or backwards, by their driver's position.
-std::vector<double> found_limits(const GearedCranks& cranks, double start, int rows, bool back) {
+std::vector<double> found_limits(const testing::CoupledCranks& cranks, double start, int rows, bool back) {
   constexpr double kOneDegree = kPi / 180;
   const double from = (back ? start + 2 * kPi : start) / kOneDegree;
   const testing::RunTable motion = testing::analyze(testing::shipped(
@@ -284,7 +257,7 @@ std::vector<double> found_limits(const GearedCranks& cranks, double start, int r
 
 // The second of three stretches is 0.5° long.
 TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
-  const GearedCranks cranks{200 * kPi / 180, 91.115};
+  const testing::CoupledCranks cranks{200 * kPi / 180, 91.115};
   const std::vector<double> limits = cranks.limits(0);
   ASSERT_EQ(limits.size(), 6U);
   for (const int rows : {7, 61, 601}) {
@@ -303,7 +276,7 @@ TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
 TEST(LimitPositions, BoundTheShortestStretches) {
   int shortest = 0;
   for (int phase = 0; phase < 360; phase += 7) {
-    GearedCranks cranks{phase * kPi / 180, 0};
+    testing::CoupledCranks cranks{phase * kPi / 180, 0};
     std::vector<double> tops;
     double start = 0;
     for (int k = 0; k < 3600; ++k) {
