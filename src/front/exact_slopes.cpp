@@ -144,9 +144,8 @@ Slope ExactSlopes::of(std::size_t number, std::size_t measure) const {
   }
   const bool kink =
       std::abs(slope.up - slope.down) > kSameSlope * std::max(std::abs(slope.up), std::abs(slope.down));
-  slope.kind = std::isnan(slope.up) || std::isnan(slope.down) ? SlopeKind::kNone
-               : kink                                         ? SlopeKind::kKink
-                                                              : SlopeKind::kExact;
+  if (!kink) slope.down = slope.up = (slope.down + slope.up) / 2;
+  slope.kind = std::isnan(slope.up) ? SlopeKind::kNone : kink ? SlopeKind::kKink : SlopeKind::kExact;
   return slope;
 }
 
