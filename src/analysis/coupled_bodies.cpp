@@ -3,13 +3,12 @@
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/least_norm.hpp"
+#include "numeric/lu_solver.hpp"
 #include "series_motion.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/LU>
 
 namespace higherpair {
 namespace {
@@ -44,7 +43,10 @@ public:
   }
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    return square_ ? Eigen::VectorXd(lu_.solve(b)) : Eigen::VectorXd(least_norm_.solve(b));
+    if (square_) {
+      return lu_.solve(b);
+    }
+    return least_norm_.solve(b);
   }
 
   // The determinant, scaled; its sign is that of the branch. 1 where there is a surplus of conditions.
@@ -52,19 +54,12 @@ public:
     if (!square_) {
       return 1;
     }
-    const Eigen::MatrixXd& factors = lu_.matrixLU();
-    double smallest = INFINITY;
-    auto sign = static_cast<double>(lu_.permutationP().determinant());
-    for (Eigen::Index i = 0; i < factors.rows(); ++i) {
-      smallest = std::min(smallest, std::abs(factors(i, i)));
-      sign *= factors(i, i) < 0 ? -1 : 1;
-    }
-    return sign * smallest;
+    return lu_.sign() * lu_.pivots().cwiseAbs().minCoeff();
   }
 
 private:
   bool square_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  LuSolver lu_;
   LeastNormSolver least_norm_{kCoupledRank};
 };
 

@@ -1,13 +1,13 @@
 #include "reduction.hpp"
 
 #include "group_system.hpp"
+#include "numeric/lu_solver.hpp"
+#include "numeric/singular_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/SVD>
 
 namespace higherpair {
 namespace {
@@ -27,9 +27,9 @@ bool Reduction::make_border() {
   if (start_.size() == 0 || !system_at(0, start_) || J_.rows() != J_.cols()) {
     return false;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J_, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  b_ = svd.matrixU().col(J_.cols() - 1);
-  c_ = svd.matrixV().col(J_.cols() - 1);
+  const SingularValues svd = singular_values(J_);
+  b_ = svd.U.col(J_.cols() - 1);
+  c_ = svd.V.col(J_.cols() - 1);
   return b_.allFinite() && c_.allFinite();
 }
 
@@ -63,7 +63,7 @@ std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lamb
     }
     M << J_, b_, c_.transpose(), 0;
     r << F_ + point.value * b_, c_.dot(point.x - start_) - lambda;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M);
+    const LuSolver lu(M);
     const Eigen::VectorXd step = lu.solve(-r);
     const double length = step.cwiseAbs().maxCoeff();
     if (!(length <= kReductionFarthest * size)) {

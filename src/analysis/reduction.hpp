@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 namespace higherpair {
 

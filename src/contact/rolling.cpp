@@ -6,13 +6,12 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/geometry/newton.hpp"
+#include "numeric/least_norm.hpp"
 #include "place_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-
-#include <Eigen/QR>
 
 namespace higherpair {
 namespace {
@@ -101,10 +100,7 @@ Eigen::Vector2d least_squares(const Jacobian& J, const Eigen::Vector3d& r) {
     const double y = -J.col(1).dot(r);
     return Eigen::Vector2d(c * x - b * y, a * y - b * x) / determinant;
   }
-  Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition;
-  decomposition.setThreshold(kRollingRank);
-  decomposition.compute(J);
-  return decomposition.solve(-r);
+  return LeastNormSolver(J, kRollingRank).solve(-r);
 }
 
 // Gauss-Newton on the three conditions; false where a curve has no such point.

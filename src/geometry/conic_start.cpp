@@ -3,6 +3,7 @@
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/least_squares.hpp"
+#include "numeric/product.hpp"
 #include "numeric/singular_values.hpp"
 
 #include <cmath>
@@ -48,7 +49,7 @@ Coefficients taubin_conic(const std::vector<Vector2d>& points) {
     slopes.row(k + 1) << 0, 2 * p.y(), p.x(), 0, 1;
   }
   const Eigen::MatrixXd metric = LeastNormSolver(triangular_factor(slopes), kSlopesRank).pseudoinverse();
-  const SingularValues svd = singular_values(triangular_factor(rows) * metric);
+  const SingularValues svd = singular_values(product(triangular_factor(rows), metric));
   const Eigen::VectorXd least = metric * svd.V.col(4);
   Coefficients conic;
   conic << least, -mean.dot(least);
@@ -61,13 +62,14 @@ std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points) 
   const Eigen::MatrixXd rows = monomial_rows(points);
   const Eigen::MatrixXd squares = rows.leftCols(3);
   const LeastNormSolver linear(rows.rightCols(3), kLinearRank);
-  const Eigen::MatrixXd by_squares = -linear.pseudoinverse() * squares;
-  const SingularValues left = singular_values(triangular_factor(squares + rows.rightCols(3) * by_squares));
+  const Eigen::MatrixXd by_squares = -product(linear.pseudoinverse(), squares);
+  const SingularValues left =
+      singular_values(triangular_factor(squares + product(rows.rightCols(3), by_squares)));
   const Eigen::MatrixXd metric =
       left.V * left.values.cwiseMax(kLeastEllipseResidue * left.values(0)).cwiseInverse().asDiagonal();
   Eigen::MatrixXd form(3, 3);
   form << 0, 2, 0, 2, 0, 0, 0, 0, -1;
-  const SingularValues signs = singular_values(metric.transpose() * form * metric);
+  const SingularValues signs = singular_values(product(metric.transpose(), product(form, metric)));
   for (Eigen::Index k = 0; k < 3; ++k) {
     if (!(signs.U.col(k).dot(signs.V.col(k)) > 0)) continue;
     const Eigen::VectorXd a = metric * signs.V.col(k);

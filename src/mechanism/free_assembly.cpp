@@ -4,6 +4,7 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
+#include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"

@@ -89,7 +89,7 @@ BandSolver::BandSolver(const BandMatrix& A, Pivoting pivoting)
   if (border > 0) {
     solve_inner(right_);
     corner_.compute(corner - below_ * right_);
-    const Eigen::VectorXd pivots = corner_.matrixLU().diagonal();
+    const Eigen::VectorXd pivots = corner_.pivots();
     regular_ = pivots.allFinite() && pivots.cwiseAbs().minCoeff() > 0;
   }
 }

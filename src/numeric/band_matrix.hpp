@@ -1,8 +1,10 @@
 #pragma once
 
+#include "numeric/lu_solver.hpp"
+
 #include <vector>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 namespace higherpair {
 
@@ -64,7 +66,7 @@ private:
   Eigen::MatrixXd lower_;    // a column has the factors of a step
   std::vector<Eigen::Index> pivots_;
   Eigen::MatrixXd right_, below_;  // the border's columns, solved for, and its rows
-  Eigen::PartialPivLU<Eigen::MatrixXd> corner_;
+  LuSolver corner_;
 };
 
 }  // namespace higherpair

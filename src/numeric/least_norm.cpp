@@ -7,11 +7,15 @@ void LeastNormSolver::compute(const Eigen::MatrixXd& J) {
 }
 
 Eigen::VectorXd LeastNormSolver::solve(const Eigen::VectorXd& b) const {
-  return decomposition_.solve(b);
+  return solve_all(b);
 }
 
 Eigen::MatrixXd LeastNormSolver::pseudoinverse() const {
-  return decomposition_.pseudoInverse();
+  return solve_all(Eigen::MatrixXd::Identity(decomposition_.rows(), decomposition_.rows()));
+}
+
+Eigen::MatrixXd LeastNormSolver::solve_all(const Eigen::MatrixXd& b) const {
+  return decomposition_.solve(b);
 }
 
 int rank_of(const Eigen::MatrixXd& matrix, double floor) {

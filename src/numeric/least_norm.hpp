@@ -25,6 +25,8 @@ public:
   [[nodiscard]] Eigen::MatrixXd pseudoinverse() const;
 
 private:
+  [[nodiscard]] Eigen::MatrixXd solve_all(const Eigen::MatrixXd& b) const;
+
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition_;
 };
 

@@ -117,7 +117,7 @@ private:
     A << R_, std::sqrt(damping_) * Eigen::MatrixXd::Identity(n, n);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(A.rows());
     b.head(c_.size()) = -c_;
-    const Eigen::VectorXd scaled = A.colPivHouseholderQr().solve(b);
+    const Eigen::VectorXd scaled = LeastNormSolver(A).solve(b);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(fit_.x.size());
     for (Eigen::Index k = 0; k < n; ++k) {
       const Eigen::Index i = free_[static_cast<std::size_t>(k)];

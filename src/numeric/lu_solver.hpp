@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace higherpair {
+
+/// Solves A x = b for a square A of any size by LU decomposition, rows exchanged. Finite only where A is
+/// regular.
+class LuSolver {
+public:
+  LuSolver() = default;
+  explicit LuSolver(const Eigen::MatrixXd& A) { compute(A); }
+
+  void compute(const Eigen::MatrixXd& A);
+
+  /// Any number of right-hand sides, as columns.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  [[nodiscard]] auto pivots() const { return factors_.matrixLU().diagonal(); }
+  /// Of the determinant, -1 or 1.
+  [[nodiscard]] int sign() const;
+
+private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+};
+
+}  // namespace higherpair
