@@ -14,8 +14,9 @@ function(higherpair_add_exact_sources)
   # It goes into the shared library where there is one; a static library stays free of the cost.
   set_target_properties(higherpair_exact PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
   higherpair_set_warnings(higherpair_exact)
+  higherpair_optimise_less(higherpair_exact -O1)
   # GCC 12 takes CGAL's reference counting for a use after free.
   target_compile_options(higherpair_exact PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-use-after-free>)
-  target_sources(higherpair PRIVATE $<TARGET_OBJECTS:higherpair_exact>)
+  target_link_libraries(higherpair PRIVATE $<BUILD_INTERFACE:higherpair_exact>)
   target_link_libraries(higherpair PRIVATE gmp mpfr)
 endfunction()

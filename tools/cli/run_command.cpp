@@ -17,10 +17,10 @@ namespace higherpair::cli {
 namespace {
 
 // A signal handler can reach nothing but a flag of this kind.
-std::atomic<bool> interrupted = false;
+std::atomic<bool> signalled = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 void on_interrupt(int) {
-  interrupted = true;
+  signalled = true;
 }
 
 void end_at_once(int) {
@@ -138,7 +138,7 @@ public:
 
   /// Unless it comes from an interruption.
   void print_failure() const {
-    if (interrupted) return;
+    if (signalled) return;
     const bool said = std::any_of(writers_.begin(), writers_.end(),
                                   [](const auto& one) { return report_failure(one.file()); });
     if (!said && hdf5_) (void)report_failure(hdf5_->file());
@@ -202,7 +202,7 @@ RunSettings settings_of(const RunOptions& options) {
   settings.derivatives = options.derivatives;
   settings.columns = options.columns;
   settings.tolerance = options.tolerance;
-  settings.stop = &interrupted;
+  settings.stop = &signalled;
   return settings;
 }
 
@@ -233,11 +233,11 @@ void print_passed(const std::vector<Event>& passed, const Model& model) {
 }
 
 const std::atomic<bool>& interruption() {
-  return interrupted;
+  return signalled;
 }
 
 int exit_unwritten() {
-  return interrupted ? kExitInterrupted : kExitMachine;
+  return signalled ? kExitInterrupted : kExitMachine;
 }
 
 int report_error(const Error& error) {
@@ -254,7 +254,7 @@ int report_error(const Error& error) {
 }
 
 int exit_failed(const Error& error) {
-  return interrupted ? kExitInterrupted : report_error(error);
+  return signalled ? kExitInterrupted : report_error(error);
 }
 
 void print_notes(const Diagnostics& notes, bool quiet) {
