@@ -158,10 +158,37 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   return rows;
 }
 
+// The same but for what the drivers' coordinates leave.
+std::vector<ConstraintRow> rows_at(const Planned& model, const Group& group, const State& state) {
+  return group_rows(model, group, std::vector<double>(model.mechanism.drivers.size()), state);
+}
+
 Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
-  const std::vector<double> drivers(model.mechanism.drivers.size());
-  return Solver(jacobian_of(group, group_rows(model, group, drivers, state), model.plan.size));
+  return Solver(jacobian_of(group, rows_at(model, group, state), model.plan.size));
+}
+
+// What the bodies' velocities make of the conditions of a group's contacts: those of the material points, as
+// no turning of the normal changes gap or slip to first order. The series has its terms as well, each as
+// large as the radius of curvature; far out on an open curve what is left of their difference is rounding.
+void set_contact_speeds(const Mechanism& mechanism, const Group& group,
+                        const std::vector<ConstraintRow>& rows, const std::vector<BodyMotion>& bodies,
+                        Eigen::VectorXd& left) {
+  std::size_t row = 0;
+  for (const int index : group.joints) {
+    row += static_cast<std::size_t>(row_count(mechanism.joints[static_cast<std::size_t>(index)]));
+  }
+  std::size_t end = row;
+  for (const int index : group.contacts) {
+    end += static_cast<std::size_t>(row_count(mechanism.contacts[static_cast<std::size_t>(index)]));
+  }
+  for (; row < end; ++row) {
+    double& speed = left(static_cast<Eigen::Index>(row)) = 0;
+    for (std::size_t k = 0; k < rows[row].body.size(); ++k) {
+      const BodyMotion& body = bodies[static_cast<std::size_t>(rows[row].body[k])];
+      speed += rows[row].coefficient[k].dot(Eigen::Vector3d(body.v_WB.x(), body.v_WB.y(), body.omega));
+    }
+  }
 }
 
 }  // namespace
@@ -220,7 +247,8 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
   using Series = PowerSeries<double, 2>;
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
-  const Solver solver = solver_at(model, g, state);
+  const std::vector<ConstraintRow> rows = rows_at(model, group, state);
+  const Solver solver(jacobian_of(group, rows, size));
   const Dimensions<double> dimensions = dimensions_of(model.mechanism);
   const ConditionSet set = condition_set(model.plan, group);
   for (const int index : group.bodies) {
@@ -241,6 +269,9 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
     Eigen::VectorXd left(static_cast<Eigen::Index>(conditions.size()));
     for (std::size_t i = 0; i < conditions.size(); ++i) {
       left(static_cast<Eigen::Index>(i)) = conditions[i].c[order];
+    }
+    if (order == 1) {
+      set_contact_speeds(model.mechanism, group, rows, state.bodies, left);
     }
     Eigen::VectorXd rates = kFactorials[order] * solver.solve(-left);
     hold_idle(model, group, rates);

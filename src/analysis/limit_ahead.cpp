@@ -11,6 +11,7 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -103,38 +104,57 @@ std::optional<Asymptote> asymptote_near(const Run& run, const State& state, cons
   return best;
 }
 
-// Where the asymptotes of both curves coincide their contact is at infinity: w, the distance between them,
-// falls to 0 like a power p of what is left, with p = 1/2 where the bodies' angles alone decide on it.
-Rest left_to_asymptotes(const Run& run, const State& state, std::size_t g) {
-  for (const int index : run.plan().groups[g].contacts) {
-    const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
-    const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
-    const Vector2d p_W = motion.at.p_W();
-    if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
-      continue;
+// The asymptotes of a contact that is far out.
+struct Asymptotes {
+  std::size_t group = 0;
+  bool roll = false;  // their bodies
+  Asymptote one, two;
+};
+
+// Of the first such contact of group g, or of one before it.
+std::optional<Asymptotes> asymptotes_up_to(const Run& run, const State& state, std::size_t g) {
+  for (std::size_t group = 0; group <= g; ++group) {
+    for (const int index : run.plan().groups[group].contacts) {
+      const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
+      const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
+      const Vector2d p_W = motion.at.p_W();
+      if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
+        continue;
+      }
+      const auto one = asymptote_near(run, state, contact.first, p_W);
+      const auto two = asymptote_near(run, state, contact.second, p_W);
+      if (one && two) {
+        return Asymptotes{group, contact.rolling, *one, *two};
+      }
     }
-    const auto one = asymptote_near(run, state, contact.first, p_W);
-    const auto two = asymptote_near(run, state, contact.second, p_W);
-    if (!one || !two) {
-      continue;
-    }
-    const Vector2d n = perp(Vector2d(one->body->X_WB.R_WB * one->opening.direction_B));
-    const PointMotion from = point_motion(*one->body, one->opening.point_B);
-    const PointMotion to = point_motion(*two->body, two->opening.point_B);
-    const Vector2d d = to.p_W - from.p_W, v = to.v_W - from.v_W, a = to.a_W - from.a_W;
-    const double omega = one->body->omega;
-    const Vector2d n_dot = omega * perp(n);
-    const Vector2d n_ddot = one->body->alpha * perp(n) - omega * omega * n;
-    const double w = n.dot(d);
-    if (w == 0) {
-      return {0, kNearLimit};
-    }
-    const double rate = (n.dot(v) + n_dot.dot(d)) / w;
-    const double second = (n.dot(a) + 2 * n_dot.dot(v) + n_ddot.dot(d)) / w;
-    const double p = second < -0.5 * rate * rate ? 0.5 : 1;
-    return {root_of_taylor(-rate / p, (1 / p - 1) / p * rate * rate + second / p), kNearLimit};
   }
-  return {};
+  return std::nullopt;
+}
+
+// The distance between them at fixed points of theirs, and its time derivatives.
+std::array<double, 3> distance_of(const Asymptotes& asymptotes) {
+  const auto& [body, opening] = asymptotes.one;
+  const Vector2d n = perp(Vector2d(body->X_WB.R_WB * opening.direction_B));
+  const PointMotion from = point_motion(*body, opening.point_B);
+  const PointMotion to = point_motion(*asymptotes.two.body, asymptotes.two.opening.point_B);
+  const Vector2d d = to.p_W - from.p_W, v = to.v_W - from.v_W, a = to.a_W - from.a_W;
+  const Vector2d n_dot = body->omega * perp(n);
+  const Vector2d n_ddot = body->alpha * perp(n) - body->omega * body->omega * n;
+  return {n.dot(d), n.dot(v) + n_dot.dot(d), n.dot(a) + 2 * n_dot.dot(v) + n_ddot.dot(d)};
+}
+
+// What is left to where the asymptotes of both curves coincide: their contact is at infinity there. Their
+// distance falls to 0 like a power p of what is left, with p = 1/2 where the bodies' angles alone decide on
+// it.
+double left_until_they_coincide(const std::array<double, 3>& distance, bool roll) {
+  const auto& [w, w_dot, w_ddot] = distance;
+  if (w == 0) {
+    return 0;
+  }
+  const double rate = w_dot / w;
+  const double second = w_ddot / w;
+  const double p = !roll && second < -0.5 * rate * rate ? 0.5 : 1;
+  return root_of_taylor(-rate / p, (1 / p - 1) / p * rate * rate + second / p);
 }
 
 }  // namespace
@@ -178,13 +198,23 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
 
 void LimitAhead::look_how_far(double s) {
   double farthest = 0;
+  bool rolls = false;
   for (std::size_t i = 0; i < run_.mechanism().contacts.size(); ++i) {
+    const Contact& contact = run_.mechanism().contacts[i];
     const ContactMotion& motion = run_.at.state.contacts[i];
-    const bool counts = motion.touches && !run_.mechanism().contacts[i].by_boundary;
-    farthest = std::max(farthest, counts ? motion.at.p_W().norm() : 0.0);
+    const double distance = motion.touches && !contact.by_boundary ? motion.at.p_W().norm() : 0;
+    rolls = distance > farthest ? contact.rolling : rolls;
+    farthest = std::max(farthest, distance);
   }
-  if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {
+  const double size = run_.plan().size;
+  if (!(farthest > kFarAway * size)) {
+    return;
+  }
+  if (!far_ || farthest < (rolls ? kTooFarRolling : kTooFar) * size) {
     far_ = Far{run_.at.state, s};
+  }
+  if (!less_far_ || farthest < kTooFarToBend * size) {
+    less_far_ = run_.at.state;
   }
 }
 
@@ -206,16 +236,35 @@ bool LimitAhead::rests_before(double s) {
   return true;
 }
 
+// Steps may lead over asymptotes that coincide, or end before, by a rounding of the contact's place. Of
+// rolling bodies accelerations lose their digits long before velocities do: that of an earlier position is as
+// good.
+std::optional<PathLimit> LimitAhead::asymptotes_coincide(std::size_t g, double s) const {
+  const auto asymptotes = asymptotes_up_to(run_, far_ ? far_->state : run_.at.state, g);
+  if (!asymptotes) {
+    return std::nullopt;
+  }
+  std::array<double, 3> distance = distance_of(*asymptotes);
+  const auto before = less_far_ && asymptotes->roll ? asymptotes_up_to(run_, *less_far_, g) : std::nullopt;
+  if (before && before->group == asymptotes->group) {
+    const auto [w, w_dot, w_ddot] = distance_of(*before);
+    distance[2] = w_ddot * std::pow(distance[1] / w_dot, 2);
+  }
+  const double left = left_until_they_coincide(distance, asymptotes->roll);
+  const double at = (far_ ? far_->s : s) + left;
+  if (!(std::abs(at - s) <= std::max(kNearLimit * scale_, kShareToLimit * std::abs(left)))) {
+    return std::nullopt;
+  }
+  return PathLimit{asymptotes->group, at};
+}
+
 PathLimit LimitAhead::assumed(std::size_t g, double s) const {
   const Rest infinity = left_to_infinity(run_, g);
   if (std::abs(infinity.left) <= infinity.most * scale_ && infinity.left * path_.length > 0) {
     return {g, s + infinity.left};
   }
-  // Steps may lead over asymptotes that coincide, by a rounding of the contact's place.
-  const Rest asymptotes = left_to_asymptotes(run_, far_ ? far_->state : run_.at.state, g);
-  const double at = (far_ ? far_->s : s) + asymptotes.left;
-  if (std::abs(at - s) <= asymptotes.most * scale_) {
-    return {g, at};
+  if (const auto limit = asymptotes_coincide(g, s)) {
+    return *limit;
   }
   return {g, s + std::copysign(shortest_step(scale_, size_at(run_, path_, s)), path_.length)};
 }

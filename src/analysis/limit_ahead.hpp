@@ -26,6 +26,7 @@ public:
   void forget() {
     limit_.reset();
     far_.reset();
+    less_far_.reset();
   }
 
   /// Keeps run.at.state, at s where a step has failed, if a contact is far away and on its way to infinity:
@@ -64,12 +65,16 @@ private:
   };
 
   [[nodiscard]] bool is_within(double share, double s) const;
+  /// Where the asymptotes of a contact of group g, or of one before it, coincide, if that is near s, where no
+  /// step is left.
+  [[nodiscard]] std::optional<PathLimit> asymptotes_coincide(std::size_t g, double s) const;
 
   Run& run_;
   const Path& path_;
   double scale_;
   std::optional<PathLimit> limit_;
   std::optional<Far> far_;
+  std::optional<State> less_far_;  // the last whose accelerations have their digits
 };
 
 }  // namespace higherpair
