@@ -202,5 +202,99 @@ TEST(BeyondLimits, ArcsKeepTheirDigitsFarOut) {
   }
 }
 
+// A hyperbola turns about O, 60 from its middle. On it rolls the face of a blade, whose pin, 40 from where it
+// touches at first, is on a slide through O.
+constexpr const char* kRollingBlade = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+pose = { x = 57.470, y = -17.241, angle = 73.3 }
+points.O = [0, 60]
+curves.branch = { type = "hyperbola", center = [0, 0], semi_axes = [30, 20] }
+[bodies.slider]
+pose = { x = 104.403065089105502 }
+points.P = [0, 0]
+[bodies.blade]
+pose = { x = 104.403065089105502, angle = -16.6992442339936065 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = 90 }
+[joints]
+turn = { type = "revolute", between = ["ground.O", "cam.O"] }
+slide = { type = "prismatic", between = ["ground.O", "slider.P"], direction = 0 }
+pin = { type = "revolute", between = ["slider.P", "blade.P"] }
+[contacts]
+roll = { between = ["cam.branch", "blade.face"], rolling = true }
+[driver]
+joint = "turn"
+start = 73.3007557660063935
+end = 130
+)";
+
+// That mechanism, in the frame of the hyperbola, by the parameter t of its point (30 cosh t, 20 sinh t) at
+// which the face touches.
+struct RollingBlade {
+  double a = 30, b = 20, c = std::hypot(a, b);
+
+  // How much longer the asymptote is up to its point c exp(t) / 2 than the hyperbola from its vertex on.
+  [[nodiscard]] double arc_saved(double end) const {
+    const auto slower = [&](double t) {
+      const double on_asymptote = c * std::exp(t) / 2;
+      const double on_curve = std::hypot(a * std::sinh(t), b * std::cosh(t));
+      // The difference of their squares, without what is large.
+      const double squares = (a * a - b * b) / 2 - c * c * std::exp(-2 * t) / 4;
+      return squares / (on_asymptote + on_curve);
+    };
+    constexpr int kIntervals = 4000;  // Simpson's rule
+    const double step = end / kIntervals;
+    double sum = slower(0) + slower(end);
+    for (int i = 1; i < kIntervals; ++i) sum += (i % 2 == 1 ? 4 : 2) * slower(i * step);
+    return c / 2 + sum * step / 3;
+  }
+
+  [[nodiscard]] Vector2d tangent(double t) const {
+    return Vector2d(a * std::tanh(t), b) / std::hypot(a * std::tanh(t), b);
+  }
+
+  // The pin, seen from O.
+  [[nodiscard]] Vector2d arm(double t) const {
+    const Vector2d u = tangent(t);
+    const Vector2d off_asymptote =
+        Vector2d(a, -b) * std::exp(-t) / 2 - (c * u - Vector2d(a, b)) * std::exp(t) / 2;
+    return off_asymptote + (arc_saved(t) - 40) * u - Vector2d(0, 60);
+  }
+};
+
+TEST(BeyondLimits, RollingEndsWhereTheFaceLiesOnTheAsymptote) {
+  const double end = -angle_of(RollingBlade().arm(40));
+  for (const int rows : {7, 13, 61, 241, 601}) {
+    SCOPED_TRACE(rows);
+    const RunTable motion = analyze_text(kRollingBlade, {fmt::format("driver.samples={}", rows)});
+    ASSERT_EQ(motion.failure(), "");
+    const auto limit =
+        std::find_if(motion.events().begin(), motion.events().end(),
+                     [](const RunEvent& event) { return event.type == EventType::kLimitPosition; });
+    ASSERT_NE(limit, motion.events().end());
+    EXPECT_NEAR(limit->driver, end, 1e-10);
+  }
+}
+
+// The face turns about where it touches, so that its pin goes at right angles to it, however far that is.
+TEST(BeyondLimits, SpeedsOfRollingBodiesKeepTheirDigitsFarOut) {
+  const RollingBlade blade;
+  for (const double t : {2.0, 6.0, 9.0}) {
+    SCOPED_TRACE(t);
+    const Vector2d arm = blade.arm(t);
+    const RunTable motion = analyze_text(
+        kRollingBlade,
+        {fmt::format("driver.positions=[73.3007557660063935, {:.17g}]", -angle_of(arm) * 180 / kPi)});
+    ASSERT_EQ(motion.failure(), "");
+    ASSERT_EQ(motion.status(1), RowStatus::kOk);
+    const Vector2d normal = perp(blade.tangent(t));
+    const double omega = motion.value(1, "driver.velocity") * kPi / 180;
+    const double speed = -omega * arm.norm() * normal.dot(arm) / cross(arm, normal);
+    EXPECT_NEAR(motion.value(1, "slider.vx") / speed, 1, 1e-10);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
