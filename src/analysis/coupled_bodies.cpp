@@ -1,5 +1,7 @@
 #include "coupled_bodies.hpp"
 
+#include "group_kinds.hpp"
+#include "group_solver.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/least_norm.hpp"
@@ -158,37 +160,44 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   return rows;
 }
 
-// The same but for what the drivers' coordinates leave.
-std::vector<ConstraintRow> rows_at(const Planned& model, const Group& group, const State& state) {
-  return group_rows(model, group, std::vector<double>(model.mechanism.drivers.size()), state);
-}
-
 Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
-  return Solver(jacobian_of(group, rows_at(model, group, state), model.plan.size));
+  const std::vector<double> drivers(model.mechanism.drivers.size());
+  return Solver(jacobian_of(group, group_rows(model, group, drivers, state), model.plan.size));
 }
 
-// What the bodies' velocities make of the conditions of a group's contacts: those of the material points, as
-// no turning of the normal changes gap or slip to first order. The series has its terms as well, each as
-// large as the radius of curvature; far out on an open curve what is left of their difference is rounding.
-void set_contact_speeds(const Mechanism& mechanism, const Group& group,
-                        const std::vector<ConstraintRow>& rows, const std::vector<BodyMotion>& bodies,
-                        Eigen::VectorXd& left) {
-  std::size_t row = 0;
+// Number of the rows of a group's joints, which come first.
+std::ptrdiff_t joint_row_count(const Mechanism& mechanism, const Group& group) {
+  std::ptrdiff_t count = 0;
   for (const int index : group.joints) {
-    row += static_cast<std::size_t>(row_count(mechanism.joints[static_cast<std::size_t>(index)]));
+    count += row_count(mechanism.joints[static_cast<std::size_t>(index)]);
   }
-  std::size_t end = row;
+  return count;
+}
+
+// What the motions of bodies leave of the conditions of a group's contacts, as derivatives of this order, of
+// which the second needs the contacts' rates. No turning of the normal changes gap or slip to first order,
+// and of rolling bodies the points that touch have an acceleration along the normal alone. Derivatives of the
+// conditions themselves have terms beside these that are as large as the radius of curvature, or as its
+// derivative: far out on an open curve what is left of their difference is rounding.
+std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group& group, std::size_t order,
+                                        const State& state) {
+  std::vector<double> values;
   for (const int index : group.contacts) {
-    end += static_cast<std::size_t>(row_count(mechanism.contacts[static_cast<std::size_t>(index)]));
-  }
-  for (; row < end; ++row) {
-    double& speed = left(static_cast<Eigen::Index>(row)) = 0;
-    for (std::size_t k = 0; k < rows[row].body.size(); ++k) {
-      const BodyMotion& body = bodies[static_cast<std::size_t>(rows[row].body[k])];
-      speed += rows[row].coefficient[k].dot(Eigen::Vector3d(body.v_WB.x(), body.v_WB.y(), body.omega));
+    const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+    const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
+    const CommonNormal& at = motion.at;
+    const BodyMotion& body1 = body_in(state, contact.first.body);
+    const BodyMotion& body2 = body_in(state, contact.second.body);
+    const PointMotion one = point_motion(body1, body1.X_WB.inverse_times(at.p1_W));
+    const PointMotion two = point_motion(body2, body2.X_WB.inverse_times(at.p2_W));
+    const Vector2d apart = order == 1 ? Vector2d(two.v_W - one.v_W) : Vector2d(two.a_W - one.a_W);
+    values.push_back(at.n_W.dot(apart) - (order == 1 ? 0 : motion.rates.normal_acceleration));
+    if (contact.rolling) {
+      values.push_back(perp(at.n_W).dot(apart));
     }
   }
+  return values;
 }
 
 }  // namespace
@@ -240,17 +249,17 @@ double coupled_sine(const Planned& model, std::size_t g, const State& state) {
   return solver_at(model, g, state).determinant();
 }
 
-// With the known bodies' motions, the group's bodies at rest and the normals turning as their contacts' rates
-// say, what the conditions leave at an order of time is what the group's bodies must make up for.
+// With the known bodies' motions, and the group's bodies at rest, what the conditions leave at an order of
+// time is what the group's bodies must make up for.
 void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                   State& state) {
   using Series = PowerSeries<double, 2>;
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
-  const std::vector<ConstraintRow> rows = rows_at(model, group, state);
-  const Solver solver(jacobian_of(group, rows, size));
+  const Solver solver = solver_at(model, g, state);
   const Dimensions<double> dimensions = dimensions_of(model.mechanism);
-  const ConditionSet set = condition_set(model.plan, group);
+  ConditionSet set = condition_set(model.plan, group);
+  set.contacts.clear();
   for (const int index : group.bodies) {
     BodyMotion& body = state.bodies[static_cast<std::size_t>(index)];
     body = {body.X_WB, body.theta};
@@ -266,14 +275,14 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
     }
     std::vector<Series> conditions;
     append_conditions(dimensions, set, at, size, conditions, false);
-    Eigen::VectorXd left(static_cast<Eigen::Index>(conditions.size()));
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-      left(static_cast<Eigen::Index>(i)) = conditions[i].c[order];
+    std::vector<double> left;
+    for (const Series& condition : conditions) {
+      left.push_back(kFactorials[order] * condition.c[order]);
     }
-    if (order == 1) {
-      set_contact_speeds(model.mechanism, group, rows, state.bodies, left);
-    }
-    Eigen::VectorXd rates = kFactorials[order] * solver.solve(-left);
+    const std::vector<double> contacts = contact_derivatives(model.mechanism, group, order, state);
+    left.insert(left.begin() + joint_row_count(model.mechanism, group), contacts.begin(), contacts.end());
+    Eigen::VectorXd rates =
+        solver.solve(-Eigen::Map<Eigen::VectorXd>(left.data(), static_cast<Eigen::Index>(left.size())));
     hold_idle(model, group, rates);
     return rates;
   };
@@ -289,8 +298,6 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
   set_rates(solve(1), &BodyMotion::v_WB, &BodyMotion::omega);
   for (const int index : group.contacts) {
     set_contact_rates(model, index, state);
-    const auto i = static_cast<std::size_t>(index);
-    at.phi[i].c[1] = state.contacts[i].rates.phi_dot;
   }
   set_rates(solve(2), &BodyMotion::a_WB, &BodyMotion::alpha);
 }

@@ -146,14 +146,14 @@ std::array<double, 3> distance_of(const Asymptotes& asymptotes) {
 // What is left to where the asymptotes of both curves coincide: their contact is at infinity there. Their
 // distance falls to 0 like a power p of what is left, with p = 1/2 where the bodies' angles alone decide on
 // it.
-double left_until_they_coincide(const std::array<double, 3>& distance, bool roll) {
-  const auto& [w, w_dot, w_ddot] = distance;
+double left_until_they_coincide(const Asymptotes& asymptotes) {
+  const auto [w, w_dot, w_ddot] = distance_of(asymptotes);
   if (w == 0) {
     return 0;
   }
   const double rate = w_dot / w;
   const double second = w_ddot / w;
-  const double p = !roll && second < -0.5 * rate * rate ? 0.5 : 1;
+  const double p = !asymptotes.roll && second < -0.5 * rate * rate ? 0.5 : 1;
   return root_of_taylor(-rate / p, (1 / p - 1) / p * rate * rate + second / p);
 }
 
@@ -198,23 +198,13 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
 
 void LimitAhead::look_how_far(double s) {
   double farthest = 0;
-  bool rolls = false;
   for (std::size_t i = 0; i < run_.mechanism().contacts.size(); ++i) {
-    const Contact& contact = run_.mechanism().contacts[i];
     const ContactMotion& motion = run_.at.state.contacts[i];
-    const double distance = motion.touches && !contact.by_boundary ? motion.at.p_W().norm() : 0;
-    rolls = distance > farthest ? contact.rolling : rolls;
-    farthest = std::max(farthest, distance);
+    const bool counts = motion.touches && !run_.mechanism().contacts[i].by_boundary;
+    farthest = std::max(farthest, counts ? motion.at.p_W().norm() : 0.0);
   }
-  const double size = run_.plan().size;
-  if (!(farthest > kFarAway * size)) {
-    return;
-  }
-  if (!far_ || farthest < (rolls ? kTooFarRolling : kTooFar) * size) {
+  if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {
     far_ = Far{run_.at.state, s};
-  }
-  if (!less_far_ || farthest < kTooFarToBend * size) {
-    less_far_ = run_.at.state;
   }
 }
 
@@ -236,21 +226,13 @@ bool LimitAhead::rests_before(double s) {
   return true;
 }
 
-// Steps may lead over asymptotes that coincide, or end before, by a rounding of the contact's place. Of
-// rolling bodies accelerations lose their digits long before velocities do: that of an earlier position is as
-// good.
+// Steps may lead over asymptotes that coincide, or end before, by a rounding of the contact's place.
 std::optional<PathLimit> LimitAhead::asymptotes_coincide(std::size_t g, double s) const {
   const auto asymptotes = asymptotes_up_to(run_, far_ ? far_->state : run_.at.state, g);
   if (!asymptotes) {
     return std::nullopt;
   }
-  std::array<double, 3> distance = distance_of(*asymptotes);
-  const auto before = less_far_ && asymptotes->roll ? asymptotes_up_to(run_, *less_far_, g) : std::nullopt;
-  if (before && before->group == asymptotes->group) {
-    const auto [w, w_dot, w_ddot] = distance_of(*before);
-    distance[2] = w_ddot * std::pow(distance[1] / w_dot, 2);
-  }
-  const double left = left_until_they_coincide(distance, asymptotes->roll);
+  const double left = left_until_they_coincide(*asymptotes);
   const double at = (far_ ? far_->s : s) + left;
   if (!(std::abs(at - s) <= std::max(kNearLimit * scale_, kShareToLimit * std::abs(left)))) {
     return std::nullopt;

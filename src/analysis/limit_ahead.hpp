@@ -26,7 +26,6 @@ public:
   void forget() {
     limit_.reset();
     far_.reset();
-    less_far_.reset();
   }
 
   /// Keeps run.at.state, at s where a step has failed, if a contact is far away and on its way to infinity:
@@ -74,7 +73,6 @@ private:
   double scale_;
   std::optional<PathLimit> limit_;
   std::optional<Far> far_;
-  std::optional<State> less_far_;  // the last whose accelerations have their digits
 };
 
 }  // namespace higherpair

@@ -67,9 +67,6 @@ inline constexpr double kShareToLimit = 0.5;
 inline constexpr double kFarAway = 100;
 /// Of the size: farther out the rates of a contact lose their digits.
 inline constexpr double kTooFar = 1e4;
-/// The same where bodies roll, and of their accelerations.
-inline constexpr double kTooFarRolling = 2e4;
-inline constexpr double kTooFarToBend = 1e3;
 /// Of the size: more than what gaps are closed to.
 inline constexpr double kRoundingOfGap = 1e-10;
 /// How far a follower may be guessed from its limit, of a unit of its coordinate.
