@@ -6,6 +6,7 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,7 @@
 #include "higherpair/geometry/edges.hpp"
 
 #include "higherpair/geometry/involute_span.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 
 #include <gtest/gtest.h>
 
