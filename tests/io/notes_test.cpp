@@ -14,6 +14,7 @@ namespace {
 
 using testing::crank_profile;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::slider_profile;
 
