@@ -186,7 +186,7 @@ std::optional<Reduction::Point> Reduction::singular_point(double distance) {
   if (!first) {
     return std::nullopt;
   }
-  const auto crossing = root_of(Kind::kCrossing, *first, distance);
+  auto crossing = root_of(Kind::kCrossing, *first, distance);
   if (crossing && std::abs(crossing->value) <= kCrosses * run_.plan().size) {
     return crossing;
   }
