@@ -140,7 +140,8 @@ Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
 
 // The rows of a group where its contacts have a common normal; idle bodies keep their angles.
 std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
-                                      const std::vector<double>& drivers, const State& state) {
+                                      const std::vector<double>& drivers, const State& state,
+                                      const std::vector<ContactMotion>& contacts) {
   const Mechanism& mechanism = model.mechanism;
   const double size = model.plan.size;
   std::vector<ConstraintRow> rows;
@@ -149,7 +150,7 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   }
   for (const int index : group.contacts) {
     append_rows(mechanism, mechanism.contacts[static_cast<std::size_t>(index)],
-                state.contacts[static_cast<std::size_t>(index)], state.bodies, rows);
+                contacts[static_cast<std::size_t>(index)], state.bodies, rows);
   }
   for (const int index : group.drivers) {
     const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
@@ -160,10 +161,17 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   return rows;
 }
 
+// Far out on open curves the points that touch lie apart by a rounding of the normal's angle times the radii
+// of curvature, along the curves: what moves with either body is taken at one point between them.
 Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
+  std::vector<ContactMotion> contacts = state.contacts;
+  for (const int index : group.contacts) {
+    CommonNormal& at = contacts[static_cast<std::size_t>(index)].at;
+    at.p1_W = at.p2_W = at.p_W();
+  }
   const std::vector<double> drivers(model.mechanism.drivers.size());
-  return Solver(jacobian_of(group, group_rows(model, group, drivers, state), model.plan.size));
+  return Solver(jacobian_of(group, group_rows(model, group, drivers, state, contacts), model.plan.size));
 }
 
 // Number of the rows of a group's joints, which come first.
@@ -186,15 +194,16 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
   for (const int index : group.contacts) {
     const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
     const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
-    const CommonNormal& at = motion.at;
+    const Vector2d p_W = motion.at.p_W();
+    const Vector2d& n_W = motion.at.n_W;
     const BodyMotion& body1 = body_in(state, contact.first.body);
     const BodyMotion& body2 = body_in(state, contact.second.body);
-    const PointMotion one = point_motion(body1, body1.X_WB.inverse_times(at.p1_W));
-    const PointMotion two = point_motion(body2, body2.X_WB.inverse_times(at.p2_W));
+    const PointMotion one = point_motion(body1, body1.X_WB.inverse_times(p_W));
+    const PointMotion two = point_motion(body2, body2.X_WB.inverse_times(p_W));
     const Vector2d apart = order == 1 ? Vector2d(two.v_W - one.v_W) : Vector2d(two.a_W - one.a_W);
-    values.push_back(at.n_W.dot(apart) - (order == 1 ? 0 : motion.rates.normal_acceleration));
+    values.push_back(n_W.dot(apart) - (order == 1 ? 0 : motion.rates.normal_acceleration));
     if (contact.rolling) {
-      values.push_back(perp(at.n_W).dot(apart));
+      values.push_back(perp(n_W).dot(apart));
     }
   }
   return values;
@@ -213,7 +222,7 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     if (!place_contacts(model, group, to)) {
       return GroupStatus::kNotConverged;
     }
-    std::vector<ConstraintRow> rows = group_rows(model, group, drivers, to);
+    std::vector<ConstraintRow> rows = group_rows(model, group, drivers, to, to.contacts);
     if (held) {
       hold_angles(*held, from, to, size, rows);
     }
@@ -274,7 +283,7 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
       at.bodies[i] = series_of_body<2>(state.bodies[i]);
     }
     std::vector<Series> conditions;
-    append_conditions(dimensions, set, at, size, conditions, false);
+    append_conditions(dimensions, set, at, size, conditions);
     std::vector<double> left;
     for (const Series& condition : conditions) {
       left.push_back(kFactorials[order] * condition.c[order]);

@@ -104,31 +104,21 @@ std::optional<Asymptote> asymptote_near(const Run& run, const State& state, cons
   return best;
 }
 
-// The asymptotes of a contact that is far out.
+// The asymptotes that a contact is near to; none where it is not far out, or where a curve has none.
 struct Asymptotes {
-  std::size_t group = 0;
-  bool roll = false;  // their bodies
   Asymptote one, two;
 };
 
-// Of the first such contact of group g, or of one before it.
-std::optional<Asymptotes> asymptotes_up_to(const Run& run, const State& state, std::size_t g) {
-  for (std::size_t group = 0; group <= g; ++group) {
-    for (const int index : run.plan().groups[group].contacts) {
-      const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
-      const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
-      const Vector2d p_W = motion.at.p_W();
-      if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
-        continue;
-      }
-      const auto one = asymptote_near(run, state, contact.first, p_W);
-      const auto two = asymptote_near(run, state, contact.second, p_W);
-      if (one && two) {
-        return Asymptotes{group, contact.rolling, *one, *two};
-      }
-    }
+std::optional<Asymptotes> asymptotes_of(const Run& run, const State& state, int contact_index) {
+  const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(contact_index)];
+  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(contact_index)];
+  const Vector2d p_W = motion.at.p_W();
+  if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const auto one = asymptote_near(run, state, contact.first, p_W);
+  const auto two = asymptote_near(run, state, contact.second, p_W);
+  return one && two ? std::optional(Asymptotes{*one, *two}) : std::nullopt;
 }
 
 // The distance between them at fixed points of theirs, and its time derivatives.
@@ -145,7 +135,7 @@ std::array<double, 3> distance_of(const Asymptotes& asymptotes) {
 
 // What is left to where the asymptotes of both curves coincide: their contact is at infinity there. Their
 // distance falls to 0 like a power p of what is left, with p = 1/2 where the bodies' angles alone decide on
-// it.
+// it. Not finite where it does not fall.
 double left_until_they_coincide(const Asymptotes& asymptotes) {
   const auto [w, w_dot, w_ddot] = distance_of(asymptotes);
   if (w == 0) {
@@ -153,7 +143,7 @@ double left_until_they_coincide(const Asymptotes& asymptotes) {
   }
   const double rate = w_dot / w;
   const double second = w_ddot / w;
-  const double p = !asymptotes.roll && second < -0.5 * rate * rate ? 0.5 : 1;
+  const double p = second < -0.5 * rate * rate ? 0.5 : 1;
   return root_of_taylor(-rate / p, (1 / p - 1) / p * rate * rate + second / p);
 }
 
@@ -228,16 +218,22 @@ bool LimitAhead::rests_before(double s) {
 
 // Steps may lead over asymptotes that coincide, or end before, by a rounding of the contact's place.
 std::optional<PathLimit> LimitAhead::asymptotes_coincide(std::size_t g, double s) const {
-  const auto asymptotes = asymptotes_up_to(run_, far_ ? far_->state : run_.at.state, g);
-  if (!asymptotes) {
-    return std::nullopt;
+  const State& state = far_ ? far_->state : run_.at.state;
+  const double from = far_ ? far_->s : s;
+  std::optional<PathLimit> nearest;
+  for (std::size_t group = 0; group <= g; ++group) {
+    for (const int contact : run_.plan().groups[group].contacts) {
+      const auto asymptotes = asymptotes_of(run_, state, contact);
+      const double left = asymptotes ? left_until_they_coincide(*asymptotes) : INFINITY;
+      const double off = std::abs(from + left - s);
+      const bool is_there =
+          std::isfinite(left) && off <= std::max(kNearLimit * scale_, kShareToLimit * std::abs(left));
+      if (is_there && (!nearest || off < std::abs(nearest->s - s))) {
+        nearest = PathLimit{group, from + left};
+      }
+    }
   }
-  const double left = left_until_they_coincide(*asymptotes);
-  const double at = (far_ ? far_->s : s) + left;
-  if (!(std::abs(at - s) <= std::max(kNearLimit * scale_, kShareToLimit * std::abs(left)))) {
-    return std::nullopt;
-  }
-  return PathLimit{asymptotes->group, at};
+  return nearest;
 }
 
 PathLimit LimitAhead::assumed(std::size_t g, double s) const {

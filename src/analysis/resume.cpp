@@ -22,7 +22,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kFirstProbes = 4;  // before the first of these, each four times as far from the limit
-constexpr double kMostProbes = 1e4;
+constexpr double kMostProbes = 4e4;
 
 // Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
 constexpr int kMostPoles = 16;
@@ -223,7 +223,7 @@ bool StretchSearch::follow_from(double from, double first_step) {
 Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
   const double limit = x_of(line_.begin());
   for (double x = 2 * pole - begin; is_before(limit, x) && is_before(x, begin); x = pole + 4 * (x - pole)) {
-    if (std::abs(x - pole) > kLostBranchProbe * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
+    if (std::abs(x - pole) > kAcrossPole * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
       return Taken::kNot;
     }
     if (!is_beside_limit(run_.work.trial)) {

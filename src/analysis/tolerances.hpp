@@ -78,8 +78,10 @@ inline constexpr double kSameLimit = 1e-9;
 
 // Beyond a limit at which the motion was lost.
 
-/// Of the leading driver's scale: where a branch that was lost is looked for.
+/// Of the leading driver's scale: how far apart the places are at which a branch that was lost is looked for.
 inline constexpr double kLostBranchProbe = kPi / 576;
+/// The same: how far from a pole another stretch may end that goes on beyond it.
+inline constexpr double kAcrossPole = kPi / 144;
 /// Of the driver's scale: beside a limit, for the first step from it.
 inline constexpr double kNearestBegin = 1e-12;
 /// GroupState::sine at a limit that is too near, of its lever.

@@ -49,6 +49,15 @@ std::vector<double> limits_of(const RunTable& motion) {
   return found;
 }
 
+// NaN where there are none or several.
+double only_limit_of(const RunTable& motion) {
+  std::vector<double> found;
+  for (const RunEvent& event : motion.events()) {
+    if (event.type == EventType::kLimitPosition) found.push_back(event.driver);
+  }
+  return found.size() == 1 ? found[0] : std::nan("");
+}
+
 TEST(BeyondLimits, AContactIsFoundAgainFromAnyRow) {
   for (const int rows : {9, 17, 65, 641}) {
     SCOPED_TRACE(rows);
@@ -159,6 +168,66 @@ TEST(BeyondLimits, AContactRunsOffWhereAsymptotesCoincide) {
   }
 }
 
+// A second blade 0.05 ahead of the first runs off before it.
+TEST(BeyondLimits, OfTwoContactsFarOutTheFirstToRunOffEndsTheMotion) {
+  std::string profile = kBladeOnAHyperbola;
+  profile.replace(profile.find("[joints]"), 8, R"([bodies.second]
+pose = { x = -0.05, y = 20, angle = -60 }
+points.O = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = 90 }
+[joints]
+second = { type = "revolute", between = ["cart.Q", "second.O"] })");
+  profile.replace(profile.find("[contacts]"), 10, R"([contacts]
+ahead = { between = ["ground.branch", "second.face"] })");
+  for (const int rows : {2, 7, 61, 241}) {
+    SCOPED_TRACE(rows);
+    const RunTable motion =
+        analyze_text(profile, {"bodies.cart.points.Q=[-0.05, 0]", fmt::format("driver.samples={}", rows)});
+    ASSERT_EQ(motion.failure(), "");
+    const std::vector<double> limits = limits_of(motion);
+    ASSERT_EQ(limits.size(), 1U);
+    EXPECT_NEAR(limits[0], -0.02995, 1e-14);
+  }
+}
+
+// The blade of another driver rests far out, while a piston comes to the end of its guide.
+TEST(BeyondLimits, AContactThatRestsFarOutEndsNothing) {
+  std::string profile = kBladeOnAHyperbola;
+  profile.replace(profile.find("[joints]"), 8, R"([bodies.crank]
+pose = { y = -40, angle = 90 }
+points = { A = [0, 0], C = [10, 0] }
+[bodies.rod]
+pose = { y = -30, angle = -36.87 }
+points = { C = [0, 0], D = [50, 0] }
+[bodies.piston]
+pose = { x = 40, y = -60 }
+points.D = [0, 0]
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+c = { type = "revolute", between = ["crank.C", "rod.C"] }
+d = { type = "revolute", between = ["rod.D", "piston.D"] }
+g = { type = "prismatic", between = ["ground.B", "piston.D"], direction = 0, to = 45 })");
+  profile.replace(profile.find("[driver]"), std::string::npos, R"([drivers.one]
+joint = "slide"
+start = -29.99
+end = -29.99
+[drivers.two]
+joint = "a"
+start = 90
+end = -60
+)");
+  const RunTable motion = analyze_text(
+      profile, {"bodies.ground.points.A=[0, -40]", "bodies.ground.points.B=[0, -60]",
+                "bodies.cart.pose.x=-29.99", "bodies.blade.pose.x=-29.99", "bodies.blade.pose.angle=-56.3"});
+  ASSERT_EQ(motion.failure(), "");
+  const auto& events = motion.events();
+  const auto end = std::find_if(events.begin(), events.end(),
+                                [](const RunEvent& event) { return event.type == EventType::kEnd; });
+  ASSERT_NE(end, events.end());
+  EXPECT_NEAR(end->driver, -0.02999, 1e-15);
+  for (const RunEvent& event : events) EXPECT_NE(event.type, EventType::kLimitPosition);
+}
+
 // A parabola rolls on a face until its axis lies along it, at 90 degrees.
 constexpr const char* kRollingParabola = R"(
 [bodies.ground]
@@ -190,15 +259,26 @@ TEST(BeyondLimits, ArcsKeepTheirDigitsFarOut) {
     SCOPED_TRACE(rows);
     const RunTable motion = analyze_text(kRollingParabola, {fmt::format("driver.samples={}", rows)});
     ASSERT_EQ(motion.failure(), "");
-    const auto limit =
-        std::find_if(motion.events().begin(), motion.events().end(),
-                     [](const RunEvent& event) { return event.type == EventType::kLimitPosition; });
-    ASSERT_NE(limit, motion.events().end());
-    EXPECT_NEAR(limit->driver, kPi / 2, 1e-10);
+    EXPECT_NEAR(only_limit_of(motion), kPi / 2, 1e-10);
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double u = motion.value(k, "driver");
       EXPECT_EQ(motion.status(k), u < 90 - 1e-9 ? RowStatus::kOk : RowStatus::kNotAssemblable) << u;
     }
+  }
+}
+
+// With its angle driven a hyperbola comes to its asymptote like a root of what is left.
+TEST(BeyondLimits, AHyperbolaRollsUntilItsAsymptoteLiesOnTheFloor) {
+  std::string profile = kRollingParabola;
+  const std::string bowl = R"(type = "parabola", vertex = [0, 0], focal_length = 10)";
+  profile.replace(profile.find(bowl), bowl.size(),
+                  R"(type = "hyperbola", center = [0, 0], semi_axes = [30, 20])");
+  for (const int rows : {2, 7, 61, 241, 601}) {
+    SCOPED_TRACE(rows);
+    const RunTable motion = analyze_text(
+        profile, {"bodies.bowl.pose.y=-30", "driver.end=80", fmt::format("driver.samples={}", rows)});
+    ASSERT_EQ(motion.failure(), "");
+    EXPECT_NEAR(only_limit_of(motion), std::atan(1.5), 1e-12);
   }
 }
 
@@ -251,17 +331,19 @@ struct RollingBlade {
     return c / 2 + sum * step / 3;
   }
 
-  [[nodiscard]] Vector2d tangent(double t) const {
-    return Vector2d(a * std::tanh(t), b) / std::hypot(a * std::tanh(t), b);
-  }
+  [[nodiscard]] Vector2d tangent(double t) const { return Vector2d(a * std::tanh(t), b) / width(t); }
 
   // The pin, seen from O.
   [[nodiscard]] Vector2d arm(double t) const {
-    const Vector2d u = tangent(t);
-    const Vector2d off_asymptote =
-        Vector2d(a, -b) * std::exp(-t) / 2 - (c * u - Vector2d(a, b)) * std::exp(t) / 2;
-    return off_asymptote + (arc_saved(t) - 40) * u - Vector2d(0, 60);
+    // c tangent - (a, b), times exp(t) / 2, by small terms alone.
+    const double narrower = std::pow(a / std::cosh(t), 2) / (c + width(t));  // c - width
+    const Vector2d turned((narrower - 2 * c * std::exp(-2 * t) / (1 + std::exp(-2 * t))) * a, narrower * b);
+    return Vector2d(a, -b) * std::exp(-t) / 2 - turned * (std::exp(t) / (2 * width(t))) +
+           (arc_saved(t) - 40) * tangent(t) - Vector2d(0, 60);
   }
+
+private:
+  [[nodiscard]] double width(double t) const { return std::hypot(a * std::tanh(t), b); }
 };
 
 TEST(BeyondLimits, RollingEndsWhereTheFaceLiesOnTheAsymptote) {
@@ -270,11 +352,7 @@ TEST(BeyondLimits, RollingEndsWhereTheFaceLiesOnTheAsymptote) {
     SCOPED_TRACE(rows);
     const RunTable motion = analyze_text(kRollingBlade, {fmt::format("driver.samples={}", rows)});
     ASSERT_EQ(motion.failure(), "");
-    const auto limit =
-        std::find_if(motion.events().begin(), motion.events().end(),
-                     [](const RunEvent& event) { return event.type == EventType::kLimitPosition; });
-    ASSERT_NE(limit, motion.events().end());
-    EXPECT_NEAR(limit->driver, end, 1e-10);
+    EXPECT_NEAR(only_limit_of(motion), end, 1e-10);
   }
 }
 
@@ -293,6 +371,46 @@ TEST(BeyondLimits, SpeedsOfRollingBodiesKeepTheirDigitsFarOut) {
     const double omega = motion.value(1, "driver.velocity") * kPi / 180;
     const double speed = -omega * arm.norm() * normal.dot(arm) / cross(arm, normal);
     EXPECT_NEAR(motion.value(1, "slider.vx") / speed, 1, 1e-10);
+  }
+}
+
+// A hyperbola rolls on its mirror image, from vertex to vertex: it remains the mirror image in the tangent
+// N·x = h at the angle ψ, with h² = a² cos²ψ - b² sin²ψ, and its pin that of Q. By h, which falls to 0 where
+// the asymptotes coincide, all of it is smooth.
+TEST(BeyondLimits, AccelerationsOfTwoOpenCurvesKeepTheirDigitsFarOut) {
+  std::string profile = kRollingBlade;
+  const std::string blade = R"(angle = -16.6992442339936065 })",
+                    face = R"(type = "line", point = [0, 0], normal = 90)";
+  profile.replace(profile.find(blade), blade.size(), "angle = 73.3007557660063935 }");
+  profile.replace(profile.find(face), face.size(),
+                  R"(type = "hyperbola", center = [30, 40], semi_axes = [30, 20], rotation = 180)");
+  const double a = 30, b = 20, cc = a * a + b * b;
+  const Vector2d Q(30, -40);
+  for (const double h : {10.0, 0.1, 0.01}) {
+    SCOPED_TRACE(h);
+    const double cosine = std::sqrt((h * h + b * b) / cc), sine = -std::sqrt((a * a - h * h) / cc);
+    const Vector2d N(cosine, sine), T = perp(N);
+    const double psi_h = -h / (cc * sine * cosine);
+    const double psi_hh = -1 / (cc * sine * cosine) +
+                          h * (cosine * cosine - sine * sine) / (cc * std::pow(sine * cosine, 2)) * psi_h;
+    const double M = N.dot(Q) - h, M_h = psi_h * T.dot(Q) - 1,
+                 M_hh = psi_hh * T.dot(Q) - psi_h * psi_h * N.dot(Q);
+    const Vector2d arm = Q - 2 * M * N - Vector2d(0, 60);
+    const Vector2d arm_h = -2 * (M_h * N + M * psi_h * T);
+    const Vector2d arm_hh = -2 * (M_hh * N + 2 * M_h * psi_h * T + M * (psi_hh * T - psi_h * psi_h * N));
+    const double r = arm.norm(), r_h = arm.dot(arm_h) / r;
+    const double r_hh = (arm_h.squaredNorm() + arm.dot(arm_hh) - r_h * r_h) / r;
+    const double beta_h = cross(arm, arm_h) / (r * r);
+    const double beta_hh = (cross(arm, arm_hh) - 2 * r * r_h * beta_h) / (r * r);
+    const RunTable motion = analyze_text(
+        profile,
+        {"driver.velocity=57.29577951308232",
+         fmt::format("driver.positions=[73.3007557660063935, {:.17g}]", -angle_of(arm) * 180 / kPi)});
+    ASSERT_EQ(motion.failure(), "");
+    ASSERT_EQ(motion.status(1), RowStatus::kOk);
+    EXPECT_NEAR(motion.value(1, "slider.x"), r, 1e-9);
+    EXPECT_NEAR(motion.value(1, "slider.vx"), -r_h / beta_h, 1e-8 * r);
+    EXPECT_NEAR(motion.value(1, "slider.ax"), (r_hh - r_h / beta_h * beta_hh) / (beta_h * beta_h), 1e-7 * r);
   }
 }
 

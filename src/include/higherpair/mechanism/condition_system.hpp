@@ -127,10 +127,9 @@ struct ConditionLabel {
 
 /// The values [m] of all conditions of a set: joints, contacts (gap, φ, slip if they roll), drivers, idle
 /// bodies, in the order of the set. False where a contact's curve has no point for φ.
-/// \param with_phi  false: without the condition on φ of each contact, as for rows of ConstraintRow
 template <class T, class D>
 bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set, const Coordinates<T>& at,
-                       double size, std::vector<T>& values, bool with_phi = true) {
+                       double size, std::vector<T>& values) {
   const auto body = [&](int index) -> const BodyAt<T>& { return at.bodies[static_cast<std::size_t>(index)]; };
   bool exist = true;
   const auto append = [&](const ConditionValues<T>& some) {
@@ -147,9 +146,6 @@ bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set,
     append(contact_conditions(contact.curve1, body(contact.first), contact.curve2, body(contact.second),
                               at.phi[i], contact.rolling ? std::optional<T>(at.arcs[i]) : std::nullopt,
                               size));
-    if (!with_phi) {
-      values.erase(values.end() - (contact.rolling ? 2 : 1));
-    }
   }
   for (const int index : set.drivers) {
     const auto i = static_cast<std::size_t>(index);
