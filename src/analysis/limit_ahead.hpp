@@ -52,9 +52,9 @@ public:
   /// is_known()
   [[nodiscard]] bool rests_before(double s);
 
-  /// The limit of group g, or of one before it, where none is found although no step from s is left. Where bodies run off to
-  /// infinity there is no last position; how fast they are says how far it is. At an end of a curve or a
-  /// guide nothing is left but the shortest step.
+  /// The limit of group g, or of one before it, where none is found although no step from s is left. Where
+  /// bodies run off to infinity there is no last position; how fast they are says how far it is. At an end of
+  /// a curve or a guide nothing is left but the shortest step.
   [[nodiscard]] PathLimit assumed(std::size_t g, double s) const;
 
 private:

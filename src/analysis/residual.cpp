@@ -112,12 +112,13 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
   const MotionRow& row = run.row;
   const auto body_a = static_cast<std::size_t>(contact.first.body);
   const auto body_b = static_cast<std::size_t>(contact.second.body);
-  const auto velocity = [&](std::size_t index, const Vector2d& p_W) {
+  const Vector2d p_W = motion.at.p_W();
+  const auto velocity = [&](std::size_t index) {
     const BodyMotion& body = row.bodies[index];
     return Vector2d(body.v_WB + body.omega * perp(Vector2d(p_W - body.X_WB.p_WB)));
   };
-  const Vector2d v1 = velocity(body_a, motion.at.p1_W);
-  const Vector2d v = velocity(body_b, motion.at.p2_W) - v1;
+  const Vector2d v1 = velocity(body_a);
+  const Vector2d v = velocity(body_b) - v1;
   errors.compare(v1.squaredNorm());
   errors.compare((v + v1).squaredNorm());
   const bool rates = row.has_rates[body_a] && row.has_rates[body_b];
