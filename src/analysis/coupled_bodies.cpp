@@ -196,10 +196,8 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
     const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
     const Vector2d p_W = motion.at.p_W();
     const Vector2d& n_W = motion.at.n_W;
-    const BodyMotion& body1 = body_in(state, contact.first.body);
-    const BodyMotion& body2 = body_in(state, contact.second.body);
-    const PointMotion one = point_motion(body1, body1.X_WB.inverse_times(p_W));
-    const PointMotion two = point_motion(body2, body2.X_WB.inverse_times(p_W));
+    const PointMotion one = motion_at_place(body_in(state, contact.first.body), p_W);
+    const PointMotion two = motion_at_place(body_in(state, contact.second.body), p_W);
     const Vector2d apart = order == 1 ? Vector2d(two.v_W - one.v_W) : Vector2d(two.a_W - one.a_W);
     values.push_back(n_W.dot(apart) - (order == 1 ? 0 : motion.rates.normal_acceleration));
     if (contact.rolling) {

@@ -33,10 +33,8 @@ struct Seen {
 };
 
 double gap_rate(const Pairing& at, const CommonNormal& normal) {
-  const auto velocity = [](const BodyMotion& body, const Vector2d& p_W) {
-    return point_motion(body, body.X_WB.inverse_times(p_W)).v_W;
-  };
-  return normal.n_W.dot(velocity(at.body2, normal.p2_W) - velocity(at.body1, normal.p1_W));
+  return normal.n_W.dot(motion_at_place(at.body2, normal.p2_W).v_W -
+                        motion_at_place(at.body1, normal.p1_W).v_W);
 }
 
 // The least value of a cubic with these values and rates at its ends, where it falls first and rises then.
@@ -96,7 +94,7 @@ private:
       const BodyMotion& own = first_is_smaller ? at.body1 : at.body2;
       const BodyMotion& other = first_is_smaller ? at.body2 : at.body1;
       const PointMotion middle = point_motion(own, smaller.middle_B());
-      const PointMotion there = point_motion(other, other.X_WB.inverse_times(middle.p_W));
+      const PointMotion there = motion_at_place(other, middle.p_W);
       return (middle.v_W - there.v_W).norm() + std::abs(own.omega - other.omega) * smaller.size();
     };
     return kFartherThanByRates * std::max(speed(a), speed(b)) * std::abs(b.x - a.x) + 2 * depth_;

@@ -220,10 +220,7 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const Vector2d n = sense * motion.at.n_W;
   const int other = touching.follower_is_second ? contact.first.body : contact.second.body;
   const Vector2d p = motion.at.p_W();
-  const auto material = [&](const BodyMotion& body) {
-    return point_motion(body, body.X_WB.inverse_times(p));
-  };
-  const PointMotion known = material(body_in(state, other));
+  const PointMotion known = motion_at_place(body_in(state, other), p);
   BodyMotion& body = body_in(state, follower.body);
   const double q = carried_coordinate(follower, carrier, body);
   const StandingPair placed = standing_pair(model, touching, state);
@@ -231,10 +228,10 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const double inverse = per_q == 0 ? 0 : 1 / per_q;
 
   body = carried_motion(follower, carrier, q, 0, 0);
-  const double q_dot = (known.v_W - material(body).v_W).dot(n) * inverse;
+  const double q_dot = (known.v_W - motion_at_place(body, p).v_W).dot(n) * inverse;
   body = carried_motion(follower, carrier, q, q_dot, 0);
   set_contact_rates(model, touching.contact, state);
-  const double wanted = motion.rates.normal_acceleration + (known.a_W - material(body).a_W).dot(n);
+  const double wanted = motion.rates.normal_acceleration + (known.a_W - motion_at_place(body, p).a_W).dot(n);
   body = carried_motion(follower, carrier, q, q_dot, wanted * inverse);
   // ∂gap/∂q = n·(velocity per q of the contact point), which moves on along the known curve.
   const double along = touching.follower_is_second ? motion.rates.along1 : -motion.rates.along2;

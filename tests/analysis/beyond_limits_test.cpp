@@ -1,5 +1,6 @@
 // Where a motion ends, and where it goes on behind that, is the same however far apart the rows are.
 #include "coupled_cranks.hpp"
+#include "io/profile_testing.hpp"
 #include "run_testing.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace higherpair {
 namespace {
 
 using testing::analyze_text;
+using testing::replaced;
 using testing::RunTable;
 
 // A slide carries an arm of 6 on a line 1 off the middle of a ring of 10, which the arm's tip touches from
@@ -170,14 +172,13 @@ TEST(BeyondLimits, AContactRunsOffWhereAsymptotesCoincide) {
 
 // A second blade 0.05 ahead of the first runs off before it.
 TEST(BeyondLimits, OfTwoContactsFarOutTheFirstToRunOffEndsTheMotion) {
-  std::string profile = kBladeOnAHyperbola;
-  profile.replace(profile.find("[joints]"), 8, R"([bodies.second]
+  const std::string one = replaced(kBladeOnAHyperbola, "[joints]", R"([bodies.second]
 pose = { x = -0.05, y = 20, angle = -60 }
 points.O = [0, 0]
 curves.face = { type = "line", point = [0, 0], normal = 90 }
 [joints]
 second = { type = "revolute", between = ["cart.Q", "second.O"] })");
-  profile.replace(profile.find("[contacts]"), 10, R"([contacts]
+  const std::string profile = replaced(one, "[contacts]", R"([contacts]
 ahead = { between = ["ground.branch", "second.face"] })");
   for (const int rows : {2, 7, 61, 241}) {
     SCOPED_TRACE(rows);
@@ -192,8 +193,7 @@ ahead = { between = ["ground.branch", "second.face"] })");
 
 // The blade of another driver rests far out, while a piston comes to the end of its guide.
 TEST(BeyondLimits, AContactThatRestsFarOutEndsNothing) {
-  std::string profile = kBladeOnAHyperbola;
-  profile.replace(profile.find("[joints]"), 8, R"([bodies.crank]
+  std::string profile = replaced(kBladeOnAHyperbola, "[joints]", R"([bodies.crank]
 pose = { y = -40, angle = 90 }
 points = { A = [0, 0], C = [10, 0] }
 [bodies.rod]
@@ -269,10 +269,9 @@ TEST(BeyondLimits, ArcsKeepTheirDigitsFarOut) {
 
 // With its angle driven a hyperbola comes to its asymptote like a root of what is left.
 TEST(BeyondLimits, AHyperbolaRollsUntilItsAsymptoteLiesOnTheFloor) {
-  std::string profile = kRollingParabola;
-  const std::string bowl = R"(type = "parabola", vertex = [0, 0], focal_length = 10)";
-  profile.replace(profile.find(bowl), bowl.size(),
-                  R"(type = "hyperbola", center = [0, 0], semi_axes = [30, 20])");
+  const std::string profile =
+      replaced(kRollingParabola, R"(type = "parabola", vertex = [0, 0], focal_length = 10)",
+               R"(type = "hyperbola", center = [0, 0], semi_axes = [30, 20])");
   for (const int rows : {2, 7, 61, 241, 601}) {
     SCOPED_TRACE(rows);
     const RunTable motion = analyze_text(
@@ -378,12 +377,11 @@ TEST(BeyondLimits, SpeedsOfRollingBodiesKeepTheirDigitsFarOut) {
 // N·x = h at the angle ψ, with h² = a² cos²ψ - b² sin²ψ, and its pin that of Q. By h, which falls to 0 where
 // the asymptotes coincide, all of it is smooth.
 TEST(BeyondLimits, AccelerationsOfTwoOpenCurvesKeepTheirDigitsFarOut) {
-  std::string profile = kRollingBlade;
-  const std::string blade = R"(angle = -16.6992442339936065 })",
-                    face = R"(type = "line", point = [0, 0], normal = 90)";
-  profile.replace(profile.find(blade), blade.size(), "angle = 73.3007557660063935 }");
-  profile.replace(profile.find(face), face.size(),
-                  R"(type = "hyperbola", center = [30, 40], semi_axes = [30, 20], rotation = 180)");
+  const std::string turned =
+      replaced(kRollingBlade, "angle = -16.6992442339936065", "angle = 73.3007557660063935");
+  const std::string profile =
+      replaced(turned, R"(type = "line", point = [0, 0], normal = 90)",
+               R"(type = "hyperbola", center = [30, 40], semi_axes = [30, 20], rotation = 180)");
   const double a = 30, b = 20, cc = a * a + b * b;
   const Vector2d Q(30, -40);
   for (const double h : {10.0, 0.1, 0.01}) {

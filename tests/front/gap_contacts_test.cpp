@@ -1,3 +1,4 @@
+#include "io/profile_testing.hpp"
 #include "linkage/slider_crank_profile.hpp"
 #include "sliding_cam.hpp"
 
@@ -19,6 +20,7 @@ using ::testing::HasSubstr;
 using testing::model_of;
 using testing::motion_of;
 using testing::profile_of;
+using testing::replaced;
 using testing::shipped_model;
 
 // Of the wheel of a Geneva drive with n slots, the crank at φ from the line of pivots, at unit speed. The
@@ -281,11 +283,6 @@ TEST(GuideWithEnds, IsNotNamedWhereTheLinksCannotReachEachOther) {
 std::string error_of(const std::string& text) {
   const auto model = Model::from_text(text, "test.toml");
   return model ? "" : to_string(model.error());
-}
-
-std::string replaced(std::string text, const std::string& old, const std::string& with) {
-  text.replace(text.find(old), old.size(), with);
-  return text;
 }
 
 TEST(MistakesInGaps, AreSaidWithPlaceAndRemedy) {

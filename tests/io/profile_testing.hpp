@@ -31,6 +31,11 @@ inline std::vector<std::string> messages(const std::string& text, const Override
   return lines;
 }
 
+/// `text` with the first `old` in it replaced; it must be there.
+inline std::string replaced(std::string text, const std::string& old, const std::string& with) {
+  return text.replace(text.find(old), old.size(), with);
+}
+
 /// The example of the format's description: a disc cam and an oscillating follower, every kind of table.
 inline constexpr const char* kCamProfile = R"(format  = 1
 title   = "Eccentric disc cam, oscillating disc follower"

@@ -76,6 +76,11 @@ struct BodyMotion {
           body.a_WB + body.alpha * perp(r_W) - body.omega * body.omega * r_W};
 }
 
+/// The same of the point fixed in a moving body that is just at p_W [m].
+[[nodiscard]] inline PointMotion motion_at_place(const BodyMotion& body, const Vector2d& p_W) {
+  return point_motion(body, body.X_WB.inverse_times(p_W));
+}
+
 /// Motion of the frame of a rigid body from the motions of two of its points A and B.
 /// \param p_A, p_B where the points are in the body's frame [m]; they must differ.
 /// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|. Used are the direction of b - a
