@@ -12,6 +12,12 @@ namespace higherpair {
                                         const std::vector<double>& drivers, State& to,
                                         const std::optional<std::vector<int>>& held = {});
 
+/// Places the bodies however far the drivers have moved from where `from` is: at the solution in mode
+/// to.groups[g].mode that is nearest to where they violate the conditions least near `from`. Otherwise they
+/// are left there, so that from one position to the next a solution is come upon where it begins.
+[[nodiscard]] GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
+                                             const std::vector<double>& drivers, State& to);
+
 /// Sets whether the group's bodies are where their conditions have lost their rank, and on which branch.
 void judge_coupled(const Planned& model, std::size_t g, State& state);
 

@@ -261,6 +261,7 @@ private:
     path_.positions(is_ahead ? at_.s : limit.s - least, run_.at.lost.from);
     path_.positions(limit.s, run_.at.lost.at);
     run_.at.lost.looked_to.reset();
+    run_.at.lost.nearest.reset();
     report_limit(run_, path_, run_.at.lost.event);
     run_.at.held = false;
     run_.at.drivers = path_.to;

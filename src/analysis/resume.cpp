@@ -1,6 +1,7 @@
 #include "resume.hpp"
 
 #include "higherpair/geometry/vector.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "limit_events.hpp"
 #include "line_ahead.hpp"
 #include "outlook.hpp"
@@ -27,8 +28,12 @@ constexpr double kMostProbes = 4e4;
 // Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
 constexpr int kMostPoles = 16;
 
-// Whether some contact is found again from a list of all, of which more than one may be on the branch.
-bool has_listed_contact(const Run& run) {
+// Whether what can be placed behind a limit may be on another branch: bodies that are solved together, or a
+// contact that is found again from a list of all.
+bool may_be_another_branch(const Run& run) {
+  if (run.plan().couples) {
+    return true;
+  }
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
     const bool stands_on_conics =
@@ -47,6 +52,24 @@ bool has_contact_far_out(const Run& run) {
                      [&](const ContactMotion& contact) {
                        return contact.touches && contact.at.p_W().norm() > kFarOut * run.plan().size;
                      });
+}
+
+// Whether bodies that are solved together, or where they touch, have run off to infinity: no iteration leads
+// over it.
+bool has_coupled_far_out(const Run& run) {
+  const auto is_far = [&](const Vector2d& p_W) { return !(p_W.norm() <= kCoupledFarOut * run.plan().size); };
+  const State& state = run.at.state;
+  for (const Group& group : run.plan().groups) {
+    const bool far = std::any_of(group.bodies.begin(), group.bodies.end(),
+                                 [&](int i) { return is_far(body_in(state, i).X_WB.p_WB); }) ||
+                     std::any_of(group.contacts.begin(), group.contacts.end(), [&](int i) {
+                       return is_far(state.contacts[static_cast<std::size_t>(i)].at.p_W());
+                     });
+    if (traits_of(group).coupled && far) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Whether the drivers are at the limit, to within half of what a row there may be off, or back from it, as
@@ -120,9 +143,9 @@ std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
   back.at.held = true;
   back.at.beside.reset();
   back.at.drivers = at;
-  if (follow_part(back, part_of_way(run, at, from)) && has_listed_contact(run) &&
+  if (follow_part(back, part_of_way(run, at, from)) && may_be_another_branch(run) &&
       !has_contact_far_out(back)) {
-    return std::nullopt;  // without a limit on the way it is a contact that the follower cannot have come to
+    return std::nullopt;  // without a limit on the way the motion cannot have come to it
   }
   return back;
 }
@@ -145,7 +168,11 @@ class StretchSearch {
 public:
   /// \param drivers  of the row, to which the line leads
   StretchSearch(Run& run, const LineAhead& line, const std::vector<double>& drivers)
-      : run_(run), line_(line), drivers_(drivers), to_(line.x_of(drivers)) {}
+      : run_(run),
+        line_(line),
+        drivers_(drivers),
+        to_(line.x_of(drivers)),
+        searched_to_(line.x_of(line.begin())) {}
 
   /// Takes up the stretch that holds x where it begins, if that is before the row, and goes on to this.
   /// `poles` says how many other stretches may be looked for before it.
@@ -167,7 +194,8 @@ private:
   Run& run_;
   const LineAhead& line_;
   const std::vector<double>& drivers_;
-  double to_;  // x of the row
+  double to_;           // x of the row
+  double searched_to_;  // x up to where no stretch of the branch begins
 };
 
 // Goes on from a state of that stretch, which is at `from`; an event says where it begins.
@@ -221,8 +249,8 @@ bool StretchSearch::follow_from(double from, double first_step) {
 // At a pole another stretch ends where one begins, at `begin`: as near to the pole as it can be followed
 // from.
 Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
-  const double limit = x_of(line_.begin());
-  for (double x = 2 * pole - begin; is_before(limit, x) && is_before(x, begin); x = pole + 4 * (x - pole)) {
+  for (double x = 2 * pole - begin; is_before(searched_to_, x) && is_before(x, begin);
+       x = pole + 4 * (x - pole)) {
     if (std::abs(x - pole) > kAcrossPole * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
       return Taken::kNot;
     }
@@ -244,9 +272,8 @@ Taken StretchSearch::take_up(double x, int poles) {
     }
     (void)place_anew(run_, drivers_at(x));
   }
-  const auto back = followed_back(run_, drivers_at(x), line_.begin(), is_row);
-  const double limit = x_of(line_.begin());
-  const double begin = back && !back->at.held ? x_of(back->at.lost.from) : limit;
+  const auto back = followed_back(run_, drivers_at(x), drivers_at(searched_to_), is_row);
+  const double begin = back && !back->at.held ? x_of(back->at.lost.from) : searched_to_;
   const State found = run_.work.trial;
   if (back && !back->at.held && poles > 0) {
     const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
@@ -312,10 +339,17 @@ Taken StretchSearch::take_up_first(double from) {
   const auto outlook = [&](double k) {
     return outlook_at(run_, line_, probes.at(k), probes.at(k + 1) - probes.at(k));
   };
+  const bool couples = run_.plan().couples;
+  std::optional<State>& nearest = run_.at.lost.nearest;
+  std::optional<State> at_looked_to = nearest;
   std::optional<Outlook> before;
   bool in_vain = line_.is_from_limit();
   for (double k = first; k <= beyond && !is_stopped(run_); ++k) {
     const Outlook here = outlook(k);
+    if (couples) {
+      nearest = run_.work.trial;
+      searched_to_ = probes.at(k - 1);
+    }
     std::optional<double> x;
     if (here.placing.complete) {
       x = here.x;
@@ -331,10 +365,15 @@ Taken StretchSearch::take_up_first(double from) {
     in_vain = in_vain && taken == Taken::kNot;
     if (in_vain) {
       looked_to = here.x;
+      at_looked_to = nearest;
     }
     before = here;
   }
-  return is_stopped(run_) ? Taken::kNot : take_up(to_);
+  if (line_.is_from_limit()) {
+    nearest = std::move(at_looked_to);
+  }
+  // Bodies that are solved together are followed over these positions, whatever the rows.
+  return is_stopped(run_) || couples ? Taken::kNot : take_up(to_);
 }
 
 }  // namespace
@@ -348,8 +387,8 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
     return true;
   }
   // It may have been lost again on the way to the drivers, or at once.
-  if ((comes_back && has_come_back(run, drivers)) || run.plan().couples) {
-    return false;  // bodies that are solved together: their branch beyond a limit has no label to ask for
+  if ((comes_back && has_come_back(run, drivers)) || has_coupled_far_out(run)) {
+    return false;
   }
   const std::vector<double> behind = comes_back ? run.at.lost.at : from;
   const LineAhead line(run, behind, drivers);

@@ -289,9 +289,14 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
 
 Placeable place_anew(Run& run, const std::vector<double>& drivers) {
   State& to = run.work.trial;
+  const State& nearest = run.at.lost.nearest ? *run.at.lost.nearest : run.at.state;
+  if (run.plan().couples) {
+    to = nearest;
+  }
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     to.groups[g].mode = run.at.state.groups[g].mode;
-    if (place_group_anew(model_of(run), g, run.at.state, drivers, to) != GroupStatus::kOk) {
+    const State& from = traits_of(run.plan().groups[g]).coupled ? nearest : run.at.state;
+    if (place_group_anew(model_of(run), g, from, drivers, to) != GroupStatus::kOk) {
       const double reach = reach_of(model_of(run), g, to);
       return reach >= 0 ? Placeable{false, 2 * g + 1, room_to_end(model_of(run), g, to)}
                         : Placeable{false, 2 * g, reach};

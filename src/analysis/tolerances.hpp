@@ -161,6 +161,17 @@ inline constexpr double kCoupledRounding = 1e-14;
 /// Of the size: steps of Newton's method below this fall fast, and conditions are met to this.
 inline constexpr double kCoupledNear = 1e-9;
 inline constexpr double kCoupledResidual = 1e-9;
+/// Of the size: where the conditions of lost bodies are violated no more than this a solution is next to it.
+inline constexpr double kCoupledApproach = 1e-6;
+/// Changes of angles [rad] and places, of the size: for second derivatives; the last one on the way there;
+/// the farthest that a step of the driver may lead.
+inline constexpr double kApproachDifference = 1e-6;
+inline constexpr double kApproachSettled = 1e-7;
+inline constexpr double kFarthestApproach = 4;
+/// Steps of Newton's method there.
+inline constexpr int kApproachSteps = 6;
+/// Of the size: bodies that are lost on their way to infinity.
+inline constexpr double kCoupledFarOut = 1e3;
 
 // Overlap of bodies.
 

@@ -118,11 +118,23 @@ TEST(CoupledCrossings, BranchesThatNearlyCrossAreKeptApart) {
   }
 }
 
-// With a shorter one the links of 30 and 80 would bring B nearer to O than 100 - 49.99999 can reach. What can
-// be assembled beyond that stretch is not known to be the same branch; when the driver comes back it is.
-TEST(CoupledCrossings, ALimitIsFoundWhateverTheRowsAndTheBranchComesBackWithTheDriver) {
+// With a shorter one the links of 30 and 80 would bring B nearer to O than 100 - 49.99999 can reach. Beyond,
+// and when the driver comes back, B is on the same side.
+TEST(CoupledCrossings, BetweenTwoNearLimitsTheBranchIsLost) {
   const double nearest = 100 - 49.99999;
   const double limit = std::acos((nearest * nearest - 900 - 6400) / 4800);
+  const auto expect_branch = [&](const RunTable& motion) {
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double driver = motion.radians(k, "driver");
+      SCOPED_TRACE(driver);
+      const bool there = std::abs(std::remainder(driver, 2 * kPi)) < limit;
+      ASSERT_EQ(motion.status(k), there ? RowStatus::kOk : RowStatus::kNotAssemblable);
+      if (there) {
+        const double expected = crank_angle(driver, 49.99999, 1);
+        EXPECT_NEAR(std::remainder(motion.radians(k, "crank.angle") - expected, 2 * kPi), 0, 1e-10);
+      }
+    }
+  };
   for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
     SCOPED_TRACE(samples);
     const RunTable motion = run_with(samples, "49.99999");
@@ -131,27 +143,17 @@ TEST(CoupledCrossings, ALimitIsFoundWhateverTheRowsAndTheBranchComesBackWithTheD
     for (const RunEvent& event : motion.events()) {
       if (event.type == EventType::kLimitPosition) limits.push_back(event.driver);
     }
-    ASSERT_EQ(limits.size(), 1U);
+    ASSERT_EQ(limits.size(), 2U);
     EXPECT_NEAR(limits[0], limit, 1e-11);
-    for (std::size_t k = 0; k < motion.size(); ++k) {
-      const bool before = motion.radians(k, "driver") < limit;
-      EXPECT_EQ(motion.status(k), before ? RowStatus::kOk : RowStatus::kNotAssemblable);
-    }
+    EXPECT_NEAR(limits[1], 2 * kPi - limit, 1e-11);
+    expect_branch(motion);
   }
-  const std::vector<double> positions{-50, 170, 300, 100, 179, 181, 310, 179.9, 181, -300};
+  const std::vector<double> positions{-50, 170, 300, 100, 179, 181, 310, 179.9, 180, 179.97, 181, -300};
   const RunTable motion = testing::analyze(testing::profile_of(
       kDrivenAtTheMovingPin, {"bodies.rocker.points.B.0=49.99999",
                               fmt::format("driver.positions=[{}]", fmt::join(positions, ","))}));
   ASSERT_EQ(motion.size(), positions.size()) << motion.failure();
-  for (std::size_t k = 0; k < motion.size(); ++k) {
-    SCOPED_TRACE(positions[k]);
-    const bool there = positions[k] > -180 && positions[k] < 179.96;
-    EXPECT_EQ(motion.status(k), there ? RowStatus::kOk : RowStatus::kNotAssemblable);
-    if (there) {
-      EXPECT_NEAR(motion.radians(k, "crank.angle"), crank_angle(motion.radians(k, "driver"), 49.99999, 1),
-                  1e-10);
-    }
-  }
+  expect_branch(motion);
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ struct Loss {
   RunEvent event;
   std::optional<double> looked_to;  ///< up to where on the straight line beyond it the branch has been looked
                                     ///< for in vain: coordinate of its leading driver
+  std::optional<State> nearest;     ///< with coupled bodies: there, as near as they come to being assembled
 };
 
 /// What runs of one mechanism share and none of them changes.

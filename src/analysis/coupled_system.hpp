@@ -1,0 +1,41 @@
+#pragma once
+
+#include "group_solver.hpp"
+#include "higherpair/mechanism/constraint_rows.hpp"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+// The conditions of coupled bodies, all at once. Their coordinates are (x, y, size·θ) of each body of the
+// group.
+
+namespace higherpair {
+
+/// The group's bodies and contacts as they are in another state.
+void take_group(const Group& group, const State& from, State& to);
+
+/// Moves the group's bodies by a change of their coordinates [m].
+void add_step(const Group& group, const Eigen::VectorXd& step, double size, State& to);
+
+/// Puts the group's contacts onto the common normals of their bodies that are nearest; false where there is
+/// none.
+[[nodiscard]] bool place_contacts(const Planned& model, const Group& group, State& to);
+
+/// The rows of the group's joints, contacts, driven joints and idle bodies, which keep their angles.
+/// \param contacts  on the common normals of their bodies
+[[nodiscard]] std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
+                                                    const std::vector<double>& drivers, const State& state,
+                                                    const std::vector<ContactMotion>& contacts);
+
+/// Appends rows of bodies that keep the angles that they have in a state.
+void hold_angles(const std::vector<int>& held, const State& in, const State& to, double size,
+                 std::vector<ConstraintRow>& rows);
+
+[[nodiscard]] Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows);
+
+/// The derivatives of the rows by the coordinates.
+[[nodiscard]] Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows,
+                                          double size);
+
+}  // namespace higherpair
