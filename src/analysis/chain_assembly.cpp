@@ -1,6 +1,6 @@
 #include "chain_assembly.hpp"
 
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"
 

@@ -1,6 +1,6 @@
 #include "chain_columns.hpp"
 
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 
 #include <algorithm>
 #include <cmath>

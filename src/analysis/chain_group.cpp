@@ -1,7 +1,7 @@
 #include "chain_group.hpp"
 
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"

@@ -4,7 +4,7 @@
 #include "higherpair/linkage/rpr_dyad.hpp"
 #include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 
 #include <limits>
 

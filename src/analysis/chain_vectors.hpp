@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 // Vectors component by component: Eigen's expressions want more of their scalar than a pack has.
 

@@ -3,7 +3,7 @@
 #include "chain_kernel.hpp"
 #include "chain_loads.hpp"
 #include "chain_vectors.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 
 // What acts on the bodies of a chain, with the inertia of its motion, on one position (T = double) or on
 // several at once (T = Pack).

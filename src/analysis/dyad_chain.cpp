@@ -5,7 +5,7 @@
 #include "chain_columns.hpp"
 #include "chain_loads.hpp"
 #include "chain_rows.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 #include "tolerances.hpp"

@@ -1,6 +1,6 @@
 #include "resume.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "limit_events.hpp"
 #include "line_ahead.hpp"

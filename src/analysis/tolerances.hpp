@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <array>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "higherpair/cam/hertz.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "boundary_pieces.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

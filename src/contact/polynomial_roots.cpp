@@ -1,7 +1,7 @@
 #include "polynomial_roots.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "sketch.hpp"
 #include "tolerances.hpp"

@@ -1,5 +1,5 @@
 #include "draw_foot.hpp"
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "labels.hpp"
 #include "svg_writer.hpp"
 

@@ -1,6 +1,6 @@
 #include "draw_foot.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "text_layout.hpp"
 #include "ticks.hpp"
 

@@ -1,5 +1,7 @@
-#include "higherpair/drawing/polygon.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/dynamics/applied_loads.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"

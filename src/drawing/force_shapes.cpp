@@ -1,3 +1,5 @@
+#include "higherpair/drawing/scene_maker.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/driver_name.hpp"

@@ -1,6 +1,6 @@
 #include "outline.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

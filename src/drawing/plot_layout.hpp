@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/drawing/plot.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "text_layout.hpp"
 #include "ticks.hpp"
 

@@ -1,4 +1,4 @@
-#include "higherpair/drawing/plot.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "plot_layout.hpp"
 #include "plot_lines.hpp"
 #include "point_labels.hpp"

@@ -1,5 +1,5 @@
-#include "higherpair/drawing/polygon.hpp"
-
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "polygon_nodes.hpp"

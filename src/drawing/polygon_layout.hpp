@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/drawing/polygon.hpp"
+#include "higherpair/drawing/picture.hpp"
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "higherpair/drawing/polygon.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "polygon_layout.hpp"
 #include "rich_text.hpp"
 #include "svg_writer.hpp"

@@ -1,4 +1,4 @@
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
 
 #include <algorithm>
 

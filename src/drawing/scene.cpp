@@ -1,3 +1,5 @@
+#include "higherpair/drawing/scene_maker.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "sketch.hpp"

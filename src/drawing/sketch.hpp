@@ -1,6 +1,8 @@
 #pragma once
 
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/analysis/row.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 
 #include "higherpair/analysis/unit_motion.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

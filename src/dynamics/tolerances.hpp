@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 // The tolerances of this room: forces are shares of the largest they are compared with, places shares of the
 // path or of a piece of it.

@@ -265,14 +265,6 @@ bool Analysis::next(Row& row) {
   return impl_->next_row(row);
 }
 
-const MotionRow& Analysis::motion() const {
-  return impl_->run.row;
-}
-
-const Reactions* Analysis::reactions() const {
-  return impl_->reactions;
-}
-
 bool Analysis::stopped() const {
   return impl_->next < impl_->schedule.size() && is_stopped(impl_->run);
 }

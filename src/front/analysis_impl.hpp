@@ -2,6 +2,7 @@
 
 #include "column_set.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/contact_report.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "model_data.hpp"

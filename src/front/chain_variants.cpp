@@ -2,7 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"

@@ -2,6 +2,7 @@
 #include "check_parts.hpp"
 #include "higherpair/cam/hertz.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
 

@@ -3,6 +3,7 @@
 #include "analysis_impl.hpp"
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/row_path.hpp"
 
 #include <utility>

@@ -1,5 +1,7 @@
 #include "analysis_impl.hpp"
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
@@ -35,8 +37,8 @@ Result<DrawnRows> rows_of(const Model& model, const RunSettings& settings) {
   DrawnRows rows;
   Row row;
   while (analysis->next(row)) {
-    rows.rows.push_back(analysis->motion());
-    if (analysis->reactions() != nullptr) rows.reactions.push_back(*analysis->reactions());
+    rows.rows.push_back(analysis->impl().run.row);
+    if (const Reactions* reactions = analysis->impl().reactions) rows.reactions.push_back(*reactions);
     rows.drivers.push_back(row.values.front());
   }
   if (analysis->stopped()) {

@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "fit_data.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "path_columns.hpp"
 
 #include <memory>

@@ -1,4 +1,5 @@
 #include "column_set.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 

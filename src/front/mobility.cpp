@@ -2,6 +2,7 @@
 
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/plan_text.hpp"
 #include "model_data.hpp"

@@ -27,7 +27,7 @@ Json gears_of(const MobilityFindings& findings, const Joint& joint) {
   const Mechanism& mechanism = findings.model.mechanism();
   const Scaling length = from_si(dimension::kLength, findings.model.units());
   const Scaling angle = from_si(dimension::kAngle, findings.model.units());
-  const double distance = pitch_point(mechanism, joint, findings.mobility.start.bodies).distance;
+  const double distance = pitch_point(mechanism, joint, findings.mobility.start).distance;
   const double second = distance / std::abs(joint.turning_ratio - 1);
   const double first = second * std::abs(joint.turning_ratio);
   const GearTeeth& teeth = *joint.teeth;

@@ -118,7 +118,7 @@ public:
                  {"harmonic", nullptr},
                  {"quick_return", quick_return_of(loop)}};
     const auto mode =
-        findings_.mobility.assembled ? mode_of(loop, findings_.mobility.start.bodies) : AssemblyMode::kPlus;
+        findings_.mobility.assembled ? mode_of(loop, findings_.mobility.start) : AssemblyMode::kPlus;
     if (const auto stroke = slider_crank_stroke(linkage, mode)) {
       json["stroke"] = {{"length", length_.apply(stroke->length)},
                         {"time_ratio", stroke->time_ratio},

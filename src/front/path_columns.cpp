@@ -1,5 +1,6 @@
 #include "path_columns.hpp"
 
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "tolerances.hpp"
 

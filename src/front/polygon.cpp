@@ -1,3 +1,4 @@
+#include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"

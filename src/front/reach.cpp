@@ -1,7 +1,8 @@
 #include "reach.hpp"
 
 #include "analysis_impl.hpp"
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "model_data.hpp"
@@ -29,7 +30,8 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
   Row row;
   while (analysis->next(row)) {
     const double driver = row.values.front();
-    if (has_place(analysis->motion()) && (!best || std::abs(driver - at) < std::abs(best->driver - at))) {
+    if (has_place(analysis->impl().run.row) &&
+        (!best || std::abs(driver - at) < std::abs(best->driver - at))) {
       best = Reached{analysis->impl().run, driver, std::nullopt, {}};
       best_row = row.number;
     }

@@ -1,4 +1,5 @@
 #include "column_set.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -69,8 +70,8 @@ ReportData collect(const Model& model, Analysis& analysis, const ReportSettings&
     note(data.extremes, row, row.values[driver]);
     if (row.number % stride == 0 || row.number == data.size - 1) {
       data.rows.push_back(row);
-      data.motions.push_back(analysis.motion());
-      if (analysis.reactions() != nullptr) data.reactions.push_back(*analysis.reactions());
+      data.motions.push_back(analysis.impl().run.row);
+      if (const Reactions* reactions = analysis.impl().reactions) data.reactions.push_back(*reactions);
     }
     if (settings.progress) {
       settings.progress(row.number, data.size);

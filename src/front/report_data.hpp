@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/model.hpp"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "higherpair/front/model.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"

@@ -1,3 +1,4 @@
+#include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"

@@ -1,4 +1,5 @@
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"

@@ -1,4 +1,5 @@
 // [sweep]: which variants there are, and what is wanted of each.
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"

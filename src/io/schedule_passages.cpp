@@ -1,4 +1,5 @@
 // What the drivers of a schedule in time do between its rows.
+#include "higherpair/cam/law_series.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "tolerances.hpp"
 
@@ -48,7 +49,7 @@ DriverValues DriverSchedule::at_time(double time_si, std::size_t driver) const {
   assert(timed_);
   const OneDriver& one = drivers_[driver];
   if (one.law) {
-    const auto s = one.law->series<2>(time_from_si_.apply(time_si));
+    const auto s = series_at<2>(*one.law, time_from_si_.apply(time_si));
     return {one.position_to_si.apply(s.c[0]), one.velocity_to_si.apply(s.c[1]),
             one.acceleration_to_si.apply(2 * s.c[2])};
   }
@@ -106,7 +107,7 @@ std::vector<DriverSchedule::TurningPoint> DriverSchedule::turning_points(std::in
   const double before = time(row - 1);
   const double after = time(row);
   for (const double t : reversals(driver, before, after)) {
-    const auto s = driver.law ? driver.law->series<2>(t) : PowerSeries<double, 2>();
+    const auto s = driver.law ? series_at<2>(*driver.law, t) : PowerSeries<double, 2>();
     const double position = driver.law ? s.c[0] : driver.start + t * driver.velocity / 2;
     const double acceleration = driver.law ? 2 * s.c[2] : driver.acceleration;
     points.push_back(

@@ -1,5 +1,6 @@
 // What a schedule's drivers do in one row, and when that is.
 #include "double_double.hpp"
+#include "higherpair/cam/law_series.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "numeric/decimal.hpp"
 #include "schedule_timing.hpp"
@@ -84,7 +85,7 @@ DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) c
   if (timed_) {
     const double t = time(row);
     if (driver.law) {
-      const auto s = driver.law->series<2>(t, side_of(row));
+      const auto s = series_at<2>(*driver.law, t, side_of(row));
       return {s.c[0], s.c[1], 2 * s.c[2]};
     }
     return {driver.start + t * (driver.velocity + t * driver.acceleration / 2),
@@ -92,7 +93,7 @@ DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) c
   }
   if (driver.law) {
     const auto k = static_cast<std::size_t>(row);
-    const auto s = driver.law->series<2>(driver.times[k]);
+    const auto s = series_at<2>(*driver.law, driver.times[k]);
     return {driver.positions[k], s.c[1], 2 * s.c[2]};
   }
   if (!driver.positions.empty()) {
@@ -112,7 +113,7 @@ DriverState DriverSchedule::state(std::int64_t row, std::size_t driver) const {
                     {}};
   if (one.law) {
     const double t = timed_ ? time(row) : one.times[static_cast<std::size_t>(row)];
-    const auto s = one.law->series<6>(t, side_of(row));
+    const auto s = series_at<6>(*one.law, t, side_of(row));
     double factorial = 2;
     for (std::size_t k = 0; k < state.higher_si.size(); ++k) {
       factorial *= static_cast<double>(k + 3);

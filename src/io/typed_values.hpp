@@ -1,7 +1,7 @@
 #pragma once
 
 #include "document.hpp"
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/units.hpp"
 
 #include <cstdint>

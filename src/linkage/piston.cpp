@@ -1,6 +1,6 @@
 #include "higherpair/linkage/piston.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <cassert>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "higherpair/linkage/quick_return.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/linkage/reach.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/linkage/angles.hpp"
 #include "higherpair/linkage/reach.hpp"
 

@@ -1,4 +1,4 @@
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 
 #include <memory>
 #include <utility>

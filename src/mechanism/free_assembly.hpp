@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/mechanism/mobility.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "free_directions.hpp"
 
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/product.hpp"
 #include "numeric/singular_values.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "free_assembly.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
 
 #include <Eigen/Core>

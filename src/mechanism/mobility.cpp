@@ -1,8 +1,7 @@
-#include "higherpair/mechanism/mobility.hpp"
-
 #include "free_assembly.hpp"
 #include "free_directions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
@@ -138,12 +137,12 @@ bool is_idle(const Mobility& mobility, int body) {
 }
 
 // What moves with all drivers held.
-void judge_drivers(const SizedMechanism& sized, const Freedom& all, const MechanismPosition& position,
-                   Mobility& mobility) {
+void judge_drivers(const SizedMechanism& sized, const Freedom& all, const MechanismPosition& start,
+                   const MechanismPosition& position, Mobility& mobility) {
   const Eigen::MatrixXd rates = product(driver_rows(sized, position), all.directions);
   mobility.useless_drivers = useless_drivers(rates, all.floor);
   const Freedom left{product(all.directions, null_spaces(rates, all.floor).right), all.floor};
-  mobility.idle = idle_freedoms(sized, left, position, mobility.start);
+  mobility.idle = idle_freedoms(sized, left, position, start);
   mobility.missing_drivers =
       static_cast<int>(left.directions.cols()) - static_cast<int>(mobility.idle.size());
   if (mobility.missing_drivers == 0) {
@@ -191,8 +190,9 @@ std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const Mobilit
   return bodies;
 }
 
-void analyse_at(const SizedMechanism& sized, const MobilityQuestion& question, Mobility& mobility) {
-  Moves moves = explore(sized, mobility.start);
+void analyse_at(const SizedMechanism& sized, const MobilityQuestion& question, const MechanismPosition& start,
+                Mobility& mobility) {
+  Moves moves = explore(sized, start);
   mobility.conditions = static_cast<int>(moves.here.left.rows());
   mobility.rank = moves.at_best.rank;
   mobility.positions = moves.positions;
@@ -208,9 +208,9 @@ void analyse_at(const SizedMechanism& sized, const MobilityQuestion& question, M
   mobility.shaky = static_cast<int>(null_space) - mobility.freedom;
   mobility.singular = mobility.start_freedom > mobility.freedom;
   mobility.redundancies = find_redundancies(sized, moves.best, moves.at_best.left);
-  judge_drivers(sized, freedom, moves.best, mobility);
+  judge_drivers(sized, freedom, start, moves.best, mobility);
   if (mobility.missing_drivers == 0) {
-    mobility.moving = moving_bodies(sized, question, mobility.start);
+    mobility.moving = moving_bodies(sized, question, start);
   }
 }
 
@@ -258,8 +258,8 @@ Mobility analyse_mobility(const Mechanism& mechanism, const MobilityQuestion& qu
     return mobility;
   }
   mobility.assembled = true;
-  mobility.start = *std::move(start);
-  analyse_at({mechanism, size_of(mechanism)}, question, mobility);
+  mobility.start = start->bodies;
+  analyse_at({mechanism, size_of(mechanism)}, question, *start, mobility);
   return mobility;
 }
 

@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "higherpair/mechanism/plan.hpp"
 
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"

@@ -1,6 +1,7 @@
 #include "redundancy.hpp"
 
 #include "free_directions.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"

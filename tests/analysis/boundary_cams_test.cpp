@@ -1,6 +1,6 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/cam/flank.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/dyad_chain.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/profile_reader.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/analysis/row.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/profile_reader.hpp"
 

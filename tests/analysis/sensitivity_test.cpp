@@ -3,6 +3,7 @@
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/arc_length.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"

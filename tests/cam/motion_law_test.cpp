@@ -1,6 +1,7 @@
 #include "higherpair/cam/motion_law.hpp"
 
 #include "cam/law_testing.hpp"
+#include "higherpair/cam/law_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +133,7 @@ TEST(PeakFactors, AreThoseOfTheDocumentation) {
     }
     double product = 0;
     for (int i = 0; i <= 100000; ++i) {
-      const auto s = law.series<2>(kOver * i / 100000);
+      const auto s = series_at<2>(law, kOver * i / 100000);
       product = std::max(product, std::abs(s.c[1] * 2 * s.c[2]) * std::pow(kOver, 3) / (kRise * kRise));
     }
     if (const auto shown = number_at_end(cells[5])) {
@@ -394,29 +395,6 @@ TEST(MotionLaw, EveryRepetitionBeginsWhereTheOneBeforeEnds) {
   EXPECT_THAT(law.zeros(0, 0.5, 6), IsEmpty());
   EXPECT_LT(law.zeros(0, -3, 3).size(), 10U);  // where it dwells at 0
   EXPECT_NEAR(law.extremes(0, 0, 6).greatest, 0.75, 1e-15);
-}
-
-TEST(MotionLaw, IsAFunctionOfExpansions) {
-  const MotionLaw law = law_of({{LawType::kModifiedSine, kOver, kRise}});
-  const double at = 0.3 * kOver, h = 1e-3;
-  PowerSeries<double, 4> x(at);
-  x.c[1] = 0.7;
-  x.c[2] = -0.4;
-  const auto s = law(x);
-  const auto path = [&](double t) { return law(at + 0.7 * t - 0.4 * t * t); };
-  EXPECT_EQ(s.c[0], law(at));
-  EXPECT_NEAR(s.c[1], 0.7 * law.derivative(1, at), 1e-14);
-  EXPECT_NEAR(s.c[2], (path(h) - 2 * path(0) + path(-h)) / (2 * h * h), 1e-5);
-  EXPECT_NEAR(s.c[2], 0.49 * law.derivative(2, at) / 2 - 0.4 * law.derivative(1, at), 1e-13);
-  // A series whose coefficients depend on a parameter: the coefficients' derivatives by it.
-  using Nested = PowerSeries<Partials<double, 1>, 3>;
-  Nested y;
-  y.c[0].c = {at, 1};
-  y.c[1] = Partials<double, 1>(1);
-  const Nested nested = law(y);
-  EXPECT_NEAR(nested.c[0].c[1], law.derivative(1, at), 1e-14);
-  EXPECT_NEAR(nested.c[3].c[0], law.derivative(3, at) / 6, 1e-12);
-  EXPECT_NEAR(nested.c[3].c[1], law.derivative(4, at) / 6, 1e-11);
 }
 
 std::vector<LawSegment> everything() {

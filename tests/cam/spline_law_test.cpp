@@ -1,4 +1,5 @@
 #include "cam/law_testing.hpp"
+#include "higherpair/geometry/expansion.hpp"
 
 #include <cmath>
 #include <functional>

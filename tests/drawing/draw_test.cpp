@@ -1,5 +1,7 @@
 // Pictures are read back: they are XML, and what they draw is where the motion says.
 #include "drawing/svg_reading.hpp"
+#include "front/analysis_impl.hpp"
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <cmath>
@@ -34,7 +36,7 @@ struct Reading {
 std::vector<MotionRow> rows_of(const Model& model) {
   auto analysis = model.start().value();
   std::vector<MotionRow> rows;
-  for (Row row; analysis.next(row);) rows.push_back(analysis.motion());
+  for (Row row; analysis.next(row);) rows.push_back(analysis.impl().run.row);
   return rows;
 }
 

@@ -4,7 +4,8 @@
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/dynamics/contact_forces.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/mechanism/description.hpp"
 
 #include <algorithm>
 #include <cmath>

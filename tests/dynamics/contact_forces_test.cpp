@@ -4,6 +4,7 @@
 #include "higherpair/dynamics/contact_forces.hpp"
 
 #include "dynamics/dynamics_testing.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 
 #include <cmath>
 

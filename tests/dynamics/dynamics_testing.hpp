@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <stdexcept>

@@ -1,5 +1,6 @@
 // Torques of gears and belts by hand.
 #include "dynamics/dynamics_testing.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 
 #include <cmath>
 

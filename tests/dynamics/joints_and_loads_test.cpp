@@ -1,5 +1,6 @@
 // Reactions and efforts that can be written down by hand.
 #include "dynamics/dynamics_testing.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "linkage/slider_crank_profile.hpp"
 
 #include <cmath>

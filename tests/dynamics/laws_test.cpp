@@ -2,6 +2,7 @@
 // Newton and Euler, both ways to the effort agree, and the powers sum up to the rate of the energy.
 #include "dynamics/sketch.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // More conditions than coordinates: what the balance determines is given, the rest is empty.
 #include "dynamics/dynamics_testing.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Reactions follow when the whole mechanism grows or stands somewhere else.
 #include "dynamics/dynamics_testing.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 
 #include <cmath>
 

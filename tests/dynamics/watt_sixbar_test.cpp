@@ -1,6 +1,7 @@
 // The reactions of the Watt six-bar at all seven pins and its driving torque, in three load cases and both
 // assemblies that turn fully, against an independent solution in extended precision.
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "cam_profile.hpp"
 #include "higherpair/front/branches.hpp"
-#include "higherpair/front/map.hpp"
 
 #include <atomic>
 #include <cmath>

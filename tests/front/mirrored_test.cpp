@@ -1,6 +1,7 @@
 // Mirrored and scaled copies of mechanisms whose curves have ends or several parts, and of those that part.
 #include "mirrored.hpp"
 
+#include "front/analysis_impl.hpp"
 #include "higherpair/front/check.hpp"
 #include "higherpair/front/export.hpp"
 #include "sliding_cam.hpp"
@@ -72,8 +73,8 @@ TEST_P(Copies, MoveAsTheMirrorShowsThem) {
   Row row, image_row;
   while (original.next(row)) {
     ASSERT_TRUE(image.next(image_row));
-    const MotionRow& a = original.motion();
-    const MotionRow& b = image.motion();
+    const MotionRow& a = original.impl().run.row;
+    const MotionRow& b = image.impl().run.row;
     ASSERT_EQ(b.status, a.status) << row.values[0];
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
       expect_mirrored(b.bodies[i], a.bodies[i], size);

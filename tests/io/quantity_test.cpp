@@ -1,4 +1,4 @@
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/units.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "higherpair/io/units.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <bit>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Gears and belts: counts, and motion against Willis' equation.
 #include "drawn_mechanism.hpp"
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/mobility.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/plan.hpp"
 

@@ -1,6 +1,5 @@
-#include "higherpair/mechanism/mobility.hpp"
-
 #include "drawn_mechanism.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 
 #include <cmath>
@@ -286,7 +285,7 @@ TEST(Mobility, HoldsTheDriversAtTheStartWhereItCan) {
   const DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
   const Mobility turned = analyse_mobility(drawn.mechanism, {{0.4}, {}, std::nullopt});
   EXPECT_TRUE(turned.drivers_held);
-  EXPECT_NEAR(turned.start.bodies[1].theta, 0.4, 1e-9);
+  EXPECT_NEAR(turned.start[1].theta, 0.4, 1e-9);
   ASSERT_FALSE(turned.moving.empty());
   EXPECT_NEAR(turned.moving[1].omega, 1, 1e-9);
 }

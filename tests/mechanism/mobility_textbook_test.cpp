@@ -1,7 +1,7 @@
 // The counts of a textbook's mobility chapter. Its drawings are lost, so each mechanism of n bodies and the
 // given joints is drawn anew from cranks, dyads, followers and rollers.
 #include "drawn_mechanism.hpp"
-#include "higherpair/mechanism/mobility.hpp"
+#include "higherpair/mechanism/analyse_mobility.hpp"
 
 #include <cmath>
 #include <fstream>

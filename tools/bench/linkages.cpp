@@ -2,6 +2,7 @@
 
 #include "cases.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <algorithm>

@@ -4,8 +4,10 @@
 #include "checks.hpp"
 #include "designs.hpp"
 #include "front/column_set.hpp"
+#include "higherpair/cam/law_series.hpp"
 #include "higherpair/contact/details.hpp"
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/check.hpp"
 #include "laws.hpp"
@@ -180,7 +182,7 @@ void register_laws(const std::vector<LawCase>& laws, double floor) {
   });
   for (const LawCase& one : laws) {
     add("law/" + one.name, [=](benchmark::State& state) {
-      const auto step = [&](int k) { benchmark::DoNotOptimize(one.law.series<3>(driver_position(k))); };
+      const auto step = [&](int k) { benchmark::DoNotOptimize(series_at<3>(one.law, driver_position(k))); };
       run_turns(state, floor, step, nothing);
     });
   }

@@ -2,6 +2,7 @@
 
 #include "checks.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/dynamics/reactions.hpp"
 #include "linkages.hpp"
 
 #include <algorithm>

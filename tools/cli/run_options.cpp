@@ -1,4 +1,4 @@
-#include "higherpair/analysis/row.hpp"
+#include "higherpair/analysis/status.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
 

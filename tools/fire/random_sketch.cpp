@@ -1,6 +1,6 @@
 #include "random_sketch.hpp"
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "random_boundaries.hpp"
 #include "random_law_cam.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "higherpair/geometry/curve.hpp"
-#include "higherpair/geometry/expansion.hpp"
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <array>
 #include <cstddef>
@@ -105,13 +104,6 @@ struct LawExtremes {
   [[nodiscard]] double peak() const { return -least > greatest ? least : greatest; }
 };
 
-/// How many derivatives of a function of x count in an expression of this type.
-template <class T>
-inline constexpr int kTotalOrder = 0;
-template <class C, int N, Terms kTerms>
-inline constexpr int kTotalOrder<Expansion<C, N, kTerms>> =
-    (kTerms == Terms::kPowers ? N : 1) + kTotalOrder<C>;
-
 /// A motion law s(x): polynomials and sine waves piece by piece, of which every derivative is exact but for
 /// rounding. Its units are those of the description. An immutable value, cheap to copy.
 ///
@@ -131,29 +123,10 @@ public:
   /// Taylor coefficients at x: out[k] = (1/k!) dᵏs/dxᵏ.
   void expand(double x, LawSide side, std::span<double> out) const;
 
-  template <int N>
-  [[nodiscard]] PowerSeries<double, N> series(double x, LawSide side = LawSide::kAfter) const {
-    PowerSeries<double, N> s;
-    expand(x, side, s.c);
-    return s;
-  }
-
   /// dᵏs/dxᵏ; k = 0: s itself.
   [[nodiscard]] double derivative(int k, double x, LawSide side = LawSide::kAfter) const;
 
-  /// s as a function of x, which may be a number or itself an expansion (nested ones too): the chain rule to
-  /// every order that x has.
-  template <class X>
-  [[nodiscard]] X operator()(const X& x, LawSide side = LawSide::kAfter) const {
-    std::array<double, static_cast<std::size_t>(kTotalOrder<X>) + 1> c{};
-    expand(value_of(x), side, c);
-    const X change = x - X(value_of(x));
-    X s(c.back());
-    for (std::size_t k = c.size() - 1; k-- > 0;) {
-      s = s * change + X(c[k]);
-    }
-    return s;
-  }
+  /// s itself.
   [[nodiscard]] double operator()(double x, LawSide side = LawSide::kAfter) const {
     return derivative(0, x, side);
   }

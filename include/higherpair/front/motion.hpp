@@ -1,7 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/row.hpp"
-#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/analysis/status.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/units.hpp"
 
@@ -98,10 +97,6 @@ public:
 
   /// Moves on to the next row and writes it into `row`. False after the last one, and once stopped.
   [[nodiscard]] bool next(Row& row);
-  /// Positions and rates of all bodies and contacts in the row that next() gave last; SI units, ground frame.
-  [[nodiscard]] const MotionRow& motion() const;
-  /// With RunSettings::forces the reactions in that row; else null.
-  [[nodiscard]] const Reactions* reactions() const;
   /// Whether RunSettings::stop ended it.
   [[nodiscard]] bool stopped() const;
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "higherpair/drawing/plot.hpp"
-#include "higherpair/drawing/polygon.hpp"
-#include "higherpair/drawing/scene.hpp"
-#include "higherpair/front/map.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/front/branches.hpp"
 #include "higherpair/front/model.hpp"
 
 #include <atomic>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/cam/motion_law.hpp"
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/description.hpp"

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "higherpair/contact/common_normal.hpp"
 #include "higherpair/geometry/pose.hpp"
-#include "higherpair/mechanism/description.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace higherpair {
@@ -30,21 +27,6 @@ struct MobilityCount {
   /// M = 3 (n - j - 1) + Σ f.
   [[nodiscard]] int mobility() const { return 3 * (bodies - joints() - 1) + freedoms(); }
 };
-
-[[nodiscard]] MobilityCount count_mobility(const Mechanism& mechanism);
-
-/// The positions of all bodies and contacts at one instant.
-struct MechanismPosition {
-  std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies
-  std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
-};
-
-/// Puts a mechanism together near the poses, by least steps (Gauss-Newton on all conditions, of least norm
-/// where they leave freedom, in the sense of least squares where they repeat each other). None where that
-/// does not close to 1e-10 of the size.
-/// \param drivers  coordinates of Mechanism::drivers to hold [rad or m]; empty: the drivers are left free
-[[nodiscard]] std::optional<MechanismPosition> assemble_near_poses(const Mechanism& mechanism,
-                                                                   const std::vector<double>& drivers);
 
 /// Turning of one body that changes nothing else: about the centre of its pins and of its round curves.
 struct IdleFreedom {
@@ -74,16 +56,16 @@ struct Redundancy {
 /// What a mechanism can do, by count and by the rank of its conditions.
 struct Mobility {
   MobilityCount count;
-  bool assembled = false;     ///< nothing but `count` is filled otherwise
-  bool drivers_held = false;  ///< the start is at the given positions of the drivers
-  MechanismPosition start;
-  int conditions = 0;     ///< rows of the constraint Jacobian, without drivers
-  int rank = 0;           ///< the largest over the positions looked at
-  int positions = 0;      ///< how many these are
-  int start_freedom = 0;  ///< dimension of the null space at the start
-  int shaky = 0;          ///< dimensions of the null space in which it moves infinitesimally only
-  int freedom = 0;        ///< 3 (n - 1) - rank - shaky: what it moves in
-  bool singular = false;  ///< the start has a larger null space: a change point, or shaky
+  bool assembled = false;         ///< nothing but `count` is filled otherwise
+  bool drivers_held = false;      ///< the start is at the given positions of the drivers
+  std::vector<BodyMotion> start;  ///< of Mechanism::bodies
+  int conditions = 0;             ///< rows of the constraint Jacobian, without drivers
+  int rank = 0;                   ///< the largest over the positions looked at
+  int positions = 0;              ///< how many these are
+  int start_freedom = 0;          ///< dimension of the null space at the start
+  int shaky = 0;                  ///< dimensions of the null space in which it moves infinitesimally only
+  int freedom = 0;                ///< 3 (n - 1) - rank - shaky: what it moves in
+  bool singular = false;          ///< the start has a larger null space: a change point, or shaky
   std::vector<IdleFreedom> idle;
   std::vector<Redundancy> redundancies;
 
@@ -98,20 +80,5 @@ struct Mobility {
   [[nodiscard]] int useful() const { return freedom - static_cast<int>(idle.size()); }
   [[nodiscard]] bool drivers_fit() const { return missing_drivers == 0 && useless_drivers.empty(); }
 };
-
-/// What to analyse a mechanism from.
-struct MobilityQuestion {
-  std::vector<double> drivers;             ///< coordinates to hold at the start; empty: leave them free
-  std::vector<double> velocities;          ///< of the drivers, for `moving`; empty: 1 for each
-  std::optional<MechanismPosition> start;  ///< an assembled position; none: assembled near the poses, with
-                                           ///< the drivers held or else free
-};
-
-/// Counts, and finds the rank of the constraint Jacobian J (rows of joints and contacts; columns x, y, size·θ
-/// of the moving bodies) at the start and at positions nearby, reached by moves along its null space and
-/// re-assembly. Singular values below 1e-8 of the largest count as zero. The smallest null space counts, and
-/// of it only the directions in which those moves really lead away: a null vector along which the mechanism
-/// comes back to where it was is no freedom but a shaky structure's give.
-[[nodiscard]] Mobility analyse_mobility(const Mechanism& mechanism, const MobilityQuestion& question = {});
 
 }  // namespace higherpair

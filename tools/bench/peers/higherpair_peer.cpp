@@ -1,6 +1,6 @@
 // A row of the motion of all bodies, with accelerations, residual and status.
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/build.hpp"
+#include "higherpair/mechanism/description.hpp"
 #include "linkage.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

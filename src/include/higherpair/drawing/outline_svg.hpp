@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/drawing/scene.hpp"
+#include "higherpair/drawing/picture.hpp"
 #include "higherpair/geometry/arc_polyline.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/vector.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 // The forces inside a dyad whose two outer joints are held, by moments about points at which an unknown force
 // has none: templates over the scalar, for one position or for several at once. What acts on a body apart

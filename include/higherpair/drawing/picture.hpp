@@ -1,8 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/row.hpp"
-#include "higherpair/dynamics/reactions.hpp"
-#include "higherpair/mechanism/description.hpp"
+#include "higherpair/geometry/pose.hpp"
 
 #include <array>
 #include <optional>
@@ -12,6 +10,9 @@
 #include <vector>
 
 namespace higherpair {
+
+// Pictures as plain data and as SVG: scenes of a mechanism, plots, and polygons of velocities, accelerations
+// and forces.
 
 /// How a body, or a point or curve of it, is drawn where not as usual.
 struct Look {
@@ -105,45 +106,6 @@ struct Scene {
   std::vector<Place> places;      ///< of Mechanism::bodies
 };
 
-/// Whether bodies have a place in the row, as its table has: also where that is not to be trusted.
-[[nodiscard]] bool has_place(const MotionRow& row);
-
-/// Makes the scenes of one mechanism, row by row.
-class SceneMaker {
-public:
-  /// \param mechanism  outlives the maker
-  /// \param rows    of a motion, at least one with a position: how much room the picture needs, and how far
-  ///                slides and contacts travel
-  /// \param traces  points whose paths are drawn, besides those that are joined to nothing
-  /// \param reactions  in the same rows; empty: no forces are drawn
-  SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
-             const std::vector<PointRef>& traces = {}, const std::vector<Reactions>& reactions = {},
-             const Looks& looks = {});
-
-  /// The scene of the row given last; at first of the first one that has a place.
-  [[nodiscard]] const Scene& scene() const { return scene_; }
-
-  /// The scene of a row; the reference holds until the next call.
-  /// \param reactions  in this row, where the maker has any; none: forces are left out
-  const Scene& at(const MotionRow& row, const Reactions* reactions = nullptr);
-
-private:
-  const Mechanism* mechanism_;
-  Scene scene_;
-  double largest_ = 1;  // circle that is drawn [mm]
-  bool forces_ = false;
-  std::size_t next_ = 0;  // of scene_.moving, while it is filled
-
-  Shape& next(Role role, const std::string& name, Shape::Kind kind, bool closed = false);
-  void add_contact(const MotionRow& row, std::size_t index);
-  void add_linkage(const MotionRow& row, std::size_t index);
-  void add_spring(const MotionRow& row, const Spring& spring);
-  void add_belt(const MotionRow& row, const Joint& joint);
-  void add_motion(const MotionRow& row, int body);
-  void add_forces(const MotionRow& row, const Reactions& reactions);
-  void add_effort(const MotionRow& row, const Driver& driver, double effort);
-};
-
 /// A unit of a picture: its name as tables have it, and what it is in SI units.
 struct PictureUnit {
   std::string name;
@@ -171,5 +133,118 @@ struct DrawSettings {
 /// element data-scale (px per unit of length) and data-origin (px of ground's origin), y up.
 /// \pre  at least one scene, all of one SceneMaker
 [[nodiscard]] std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings);
+
+// A plot as plain data, and its picture. Numbers are in the units that are named beside them; NaN is
+// undefined and leaves a gap.
+
+struct PlotAxis {
+  std::string name;  ///< "driver"
+  std::string unit;  ///< as in tables: "deg/s^2"; "1" or empty: a pure number
+};
+
+/// How a line is drawn.
+enum class PlotLine {
+  kOwn,       ///< in a colour and a dash pattern of its own
+  kEmphasis,  ///< the one to look at
+  kFaint,     ///< in the background
+};
+
+/// A line. Those of one unit share a panel; panels are stacked in the order of their first lines.
+struct PlotSeries {
+  std::string name;
+  std::string unit;
+  std::vector<double> x;
+  std::vector<double> y;  ///< as many
+  PlotLine line = PlotLine::kOwn;
+};
+
+/// Something that happens at x, in all panels: a thin vertical line with a label.
+struct PlotMark {
+  double x = 0;
+  std::string label;   ///< short
+  std::string name;    ///< what it happens at, for data-name
+  std::string detail;  ///< a sentence, shown where a pointer rests on the mark
+};
+
+/// Something that happens at a point of the panel of `unit`: a small circle with a label.
+struct PlotPoint {
+  double x = 0;
+  double y = 0;
+  std::string unit;
+  std::string label;
+  std::string name;
+  std::string detail;
+};
+
+/// A range of x that is shaded and named.
+struct PlotRange {
+  double from = 0;
+  double to = 0;
+  std::string label;
+};
+
+struct PlotData {
+  std::string title;
+  PlotAxis x;
+  std::string y_name;  ///< of the quantity that all series show; empty: their names say it
+  std::vector<PlotSeries> series;
+  std::vector<PlotMark> marks;
+  std::vector<PlotPoint> points;
+  std::vector<PlotRange> ranges;
+  std::vector<std::string> notes;  ///< lines of text below the plot
+};
+
+/// The plots as one SVG picture, one below the other. Elements carry data-role (`axis`, `tick`, `series`,
+/// `event`, `status`) and data-name; each axis carries data-domain, its two ends in its unit, and data-range,
+/// the same in px, so that what is drawn can be read back.
+/// \param width  [px], at least 200
+[[nodiscard]] std::string plots_svg(const std::vector<PlotData>& plots, double width = 720);
+
+// Velocity, acceleration and force polygons of one row, as textbooks draw them. In names `_{…}` is lowered
+// and `^{…}` raised text: "a_{BA}^{n}".
+
+/// An arrow of a polygon.
+struct PolygonArrow {
+  enum class Kind {
+    kAbsolute,    ///< from the pole
+    kRelative,    ///< of two points of one body, or of the ends of an equivalent link
+    kNormal,      ///< its part towards the other point: -ω² r
+    kTangential,  ///< the rest of it: α ẑ×r
+    kSliding,     ///< along a slide, seen from its guide
+    kCoriolis,    ///< 2 ω ẑ×v of the sliding
+    kForce,
+  };
+  Kind kind = Kind::kAbsolute;
+  std::string name;  ///< "v_{BA}"
+  std::string item;  ///< what tables call it: "link3.B", "link3.B/link3.A", a joint, contact, load or spring
+  Vector2d from = Vector2d::Zero();
+  Vector2d to = Vector2d::Zero();
+};
+
+struct PolygonPoint {
+  std::string name;  ///< "b"
+  Vector2d at = Vector2d::Zero();
+};
+
+struct Polygon {
+  enum class Kind { kVelocity, kAcceleration, kForce };
+  Kind kind = Kind::kVelocity;
+  std::string title;  ///< of a force polygon the body's name
+  std::string unit;   ///< of all vectors; empty: SI
+  std::vector<PolygonPoint> points;
+  std::vector<PolygonArrow> arrows;
+  std::vector<std::string> equations;
+  std::vector<std::string> notes;  ///< why something is missing
+};
+
+/// Converts a polygon to another unit.
+void convert(Polygon& polygon, double factor, const std::string& unit);
+
+/// The polygons one below the other as an SVG picture, each to the largest scale that fits, with a scale
+/// bar, its equations and the values of its arrows. Elements carry data-role (`velocity`, `acceleration`,
+/// `force`, `label`) and data-name; the group of a polygon carries data-scale (px per unit) and data-origin
+/// ("x y" in px of the pole, y up).
+[[nodiscard]] std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title,
+                                       double width = 860);
 
 }  // namespace higherpair

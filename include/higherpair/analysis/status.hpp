@@ -1,13 +1,5 @@
 #pragma once
 
-#include "higherpair/contact/common_normal.hpp"
-#include "higherpair/geometry/pose.hpp"
-
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace higherpair {
 
 /// Time derivatives are worked out up to this one.
@@ -20,17 +12,6 @@ enum class RowStatus {
   kOverlap,   ///< touching bodies overlap elsewhere
   kNotConverged,  ///< the closure residual exceeds the tolerance
   kContactOpen,   ///< a contact would have to pull; of rows with forces only
-};
-
-/// Everything that one row of a motion table shows; SI units, ground frame.
-struct MotionRow {
-  RowStatus status = RowStatus::kNotConverged;
-  double residual = 0;  ///< largest closure error, and disagreement of velocities times size/speed [m]
-  std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies; meaningless where not assemblable
-  std::vector<bool> has_rates;          ///< whether the body's rates are defined
-  bool all_rates = true;                ///< whether those of all bodies are
-  std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
-  std::vector<bool> arcs_hold;          ///< whether the contact has been one and the same since the first row
 };
 
 enum class EventType {
@@ -48,18 +29,6 @@ enum class EventType {
   kEngage,         ///< a contact that may part begins to touch
   kRelease,        ///< a contact that may part ends: its body is held from there on
   kLawJump,        ///< velocity or acceleration of a driver's law jumps
-};
-
-struct RunEvent {
-  EventType type = EventType::kLimitPosition;
-  double driver = 0;         ///< coordinate of the first driven joint [rad or m]
-  double share = 0;          ///< of the drivers' path from the row before to this one
-  std::optional<int> joint;  ///< what it happens at, if one can be named
-  std::optional<int> contact;
-  std::string cause;            ///< a sentence
-  std::string effect;           ///< what follows on it, "; ..."; or empty
-  std::optional<double> value;  ///< of what reverses: the joint's coordinate there [rad or m]
-  std::optional<std::array<double, 2>> curvature;  ///< where it jumps: before and after [1/m]
 };
 
 }  // namespace higherpair

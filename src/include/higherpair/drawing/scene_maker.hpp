@@ -1,0 +1,53 @@
+#pragma once
+
+#include "higherpair/analysis/row.hpp"
+#include "higherpair/drawing/picture.hpp"
+#include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace higherpair {
+
+/// Whether bodies have a place in the row, as its table has: also where that is not to be trusted.
+[[nodiscard]] bool has_place(const MotionRow& row);
+
+/// Makes the scenes of one mechanism, row by row.
+class SceneMaker {
+public:
+  /// \param mechanism  outlives the maker
+  /// \param rows    of a motion, at least one with a position: how much room the picture needs, and how far
+  ///                slides and contacts travel
+  /// \param traces  points whose paths are drawn, besides those that are joined to nothing
+  /// \param reactions  in the same rows; empty: no forces are drawn
+  SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
+             const std::vector<PointRef>& traces = {}, const std::vector<Reactions>& reactions = {},
+             const Looks& looks = {});
+
+  /// The scene of the row given last; at first of the first one that has a place.
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  /// The scene of a row; the reference holds until the next call.
+  /// \param reactions  in this row, where the maker has any; none: forces are left out
+  const Scene& at(const MotionRow& row, const Reactions* reactions = nullptr);
+
+private:
+  const Mechanism* mechanism_;
+  Scene scene_;
+  double largest_ = 1;  // circle that is drawn [mm]
+  bool forces_ = false;
+  std::size_t next_ = 0;  // of scene_.moving, while it is filled
+
+  Shape& next(Role role, const std::string& name, Shape::Kind kind, bool closed = false);
+  void add_contact(const MotionRow& row, std::size_t index);
+  void add_linkage(const MotionRow& row, std::size_t index);
+  void add_spring(const MotionRow& row, const Spring& spring);
+  void add_belt(const MotionRow& row, const Joint& joint);
+  void add_motion(const MotionRow& row, int body);
+  void add_forces(const MotionRow& row, const Reactions& reactions);
+  void add_effort(const MotionRow& row, const Driver& driver, double effort);
+};
+
+}  // namespace higherpair
