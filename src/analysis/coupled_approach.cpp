@@ -1,12 +1,18 @@
 #include "coupled_bodies.hpp"
 #include "coupled_system.hpp"
+#include "group_kinds.hpp"
+#include "joint_ends.hpp"
 #include "numeric/least_squares.hpp"
+#include "numeric/lu_solver.hpp"
 #include "numeric/singular_values.hpp"
 #include "tolerances.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
@@ -15,31 +21,126 @@
 namespace higherpair {
 namespace {
 
-// The sum of squares of a group's conditions over the change of its bodies' coordinates from where they are
-// in `from`, both of the size.
+// Of each body of a group, in ground; the origin of its frame where it has neither joints nor contacts.
+std::vector<Vector2d> middles_of(const Planned& model, const Group& group, const State& at) {
+  std::vector<Vector2d> middles;
+  for (const int body : group.bodies) {
+    const std::vector<Vector2d> places = places_of(model, group, at, body);
+    const Vector2d sum = std::accumulate(places.begin(), places.end(), Vector2d(0, 0));
+    middles.push_back(places.empty() ? body_in(at, body).X_WB.p_WB
+                                     : Vector2d(sum / static_cast<double>(places.size())));
+  }
+  return middles;
+}
+
+// BodyCoordinates of bodies about points in the middle of their joints and contacts, of the size: (x, y) of
+// the point, and the angle. About the origin of its frame, which may be anywhere, a body that turns a little
+// could go far.
+class BodyCoordinates {
+public:
+  BodyCoordinates(const Planned& model, const Group& group, const State& at)
+      : group_(group), size_(model.plan.size), middles_(middles_of(model, group, at)) {}
+
+  [[nodiscard]] Eigen::Index count() const { return 3 * static_cast<Eigen::Index>(group_.bodies.size()); }
+
+  /// Moves the bodies from where they were, and still are in `to`.
+  void move(const Eigen::VectorXd& change, State& to) const {
+    for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
+      BodyMotion& body = body_in(to, group_.bodies[i]);
+      const double turn = change(first(i) + 2);
+      const Vector2d lever = Rotation<double>::from_angle(turn) * Vector2d(body.X_WB.p_WB - middles_[i]);
+      body.theta += turn;
+      body.X_WB = {Rotation<double>::from_angle(body.theta), moved(i, change) + lever};
+    }
+  }
+
+  /// Derivatives by these coordinates from those by (x, y, size·θ), after a change; the columns of J.
+  template <class Matrix>
+  void transform(const Eigen::VectorXd& change, const State& to, Matrix& J) const {
+    for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
+      const Vector2d lever = (body_in(to, group_.bodies[i]).X_WB.p_WB - moved(i, change)) / size_;
+      J.col(first(i) + 2) += lever.x() * J.col(first(i) + 1) - lever.y() * J.col(first(i));
+    }
+  }
+
+  /// From one state, at which the coordinates were, to another.
+  [[nodiscard]] Eigen::VectorXd change_between(const State& from, const State& to) const {
+    Eigen::VectorXd change(count());
+    for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
+      const BodyMotion& a = body_in(from, group_.bodies[i]);
+      const BodyMotion& b = body_in(to, group_.bodies[i]);
+      const double turn = b.theta - a.theta;
+      const Vector2d lever = Rotation<double>::from_angle(turn) * Vector2d(a.X_WB.p_WB - middles_[i]);
+      change.segment<3>(first(i)) << (b.X_WB.p_WB - lever - middles_[i]) / size_, turn;
+    }
+    return change;
+  }
+
+private:
+  static Eigen::Index first(std::size_t i) { return 3 * static_cast<Eigen::Index>(i); }
+  [[nodiscard]] Vector2d moved(std::size_t i, const Eigen::VectorXd& change) const {
+    return middles_[i] + size_ * change.segment<2>(first(i));
+  }
+
+  const Group& group_;
+  double size_;
+  std::vector<Vector2d> middles_;  // in ground, of each body of the group
+};
+
+// The violation of a group's conditions F over the change of its bodies' coordinates from where they are in
+// `from`, both of the size.
 class Violation {
 public:
   Violation(const Planned& model, const Group& group, const State& from, const std::vector<double>& drivers,
             State& to)
-      : model_(model), group_(group), from_(from), drivers_(drivers), to_(to) {}
+      : model_(model),
+        group_(group),
+        from_(from),
+        drivers_(drivers),
+        to_(to),
+        coordinates_(model, group, from) {}
 
-  [[nodiscard]] Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(group_.bodies.size()); }
+  [[nodiscard]] Eigen::Index unknowns() const { return coordinates_.count(); }
 
   /// Leads the bodies of `to` there; false where contacts have no common normal.
   [[nodiscard]] bool lead(const Eigen::VectorXd& change) const {
     take_group(group_, from_, to_);
-    add_step(group_, size() * change, size(), to_);
+    coordinates_.move(change, to_);
     return place_contacts(model_, group_, to_);
   }
-  [[nodiscard]] bool values(const Eigen::VectorXd& change, Eigen::VectorXd& r) const {
+  [[nodiscard]] bool values(const Eigen::VectorXd& change, Eigen::VectorXd& F) const {
     if (!lead(change)) return false;
-    r = values_of(rows()) / size();
+    F = values_of(rows()) / size();
     return true;
   }
   [[nodiscard]] bool jacobian(const Eigen::VectorXd& change, Eigen::MatrixXd& J) const {
     if (!lead(change)) return false;
     J = jacobian_of(group_, rows(), size());
+    coordinates_.transform(change, to_, J);
     return true;
+  }
+  /// Jᵀ weights.
+  [[nodiscard]] bool gradient(const Eigen::VectorXd& change, const Eigen::VectorXd& weights,
+                              Eigen::VectorXd& g) const {
+    if (!lead(change)) return false;
+    Eigen::RowVectorXd along = gradient_of(group_, rows(), weights, size()).transpose();
+    coordinates_.transform(change, to_, along);
+    g = along.transpose();
+    return true;
+  }
+  /// How far bodies have been led: angles [rad], and places of joints and contacts, of the size.
+  [[nodiscard]] double farthest() const {
+    double farthest = 0;
+    for (const int index : group_.bodies) {
+      const auto i = static_cast<std::size_t>(index);
+      farthest = std::max(farthest, std::abs(to_.bodies[i].theta - from_.bodies[i].theta));
+    }
+    const std::vector<Vector2d> before = places_of(model_, group_, from_);
+    const std::vector<Vector2d> after = places_of(model_, group_, to_);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      farthest = std::max(farthest, (after[i] - before[i]).norm() / size());
+    }
+    return farthest;
   }
 
 private:
@@ -53,116 +154,167 @@ private:
   const State& from_;
   const std::vector<double>& drivers_;
   State& to_;
+  BodyCoordinates coordinates_;
 };
 
-// Newton's method from no change: where no solution is near, conditions that are left over bend the sum of
-// squares as much as their derivatives do, which the method of Levenberg and Marquardt has to find out step
-// by step. None where it leads elsewhere than to a least sum.
+// The least of |F|² near no change by Newton's method: where no solution is near, conditions that are left
+// over bend the sum of squares as much as their derivatives do, which the method of Levenberg and Marquardt
+// has to find out step by step. None where it leads elsewhere.
 std::optional<Eigen::VectorXd> least_nearby(const Violation& violation) {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(violation.unknowns());
-  Eigen::VectorXd r;
-  Eigen::MatrixXd J, beside;
+  Eigen::VectorXd F, slope, beside;
+  Eigen::MatrixXd J;
   for (int i = 0; i < kApproachSteps; ++i) {
-    if (!violation.values(change, r) || !violation.jacobian(change, J)) return std::nullopt;
+    if (!violation.values(change, F) || !violation.jacobian(change, J)) return std::nullopt;
+    slope = J.transpose() * F;
     Eigen::MatrixXd H = J.transpose() * J;
     for (Eigen::Index k = 0; k < change.size(); ++k) {
       Eigen::VectorXd nudged = change;
       nudged(k) += kApproachDifference;
-      if (!violation.jacobian(nudged, beside)) return std::nullopt;
-      H.col(k) += (beside - J).transpose() * r / kApproachDifference;
+      if (!violation.gradient(nudged, F, beside)) return std::nullopt;
+      H.col(k) += (beside - slope) / kApproachDifference;
     }
     const Eigen::LLT<Eigen::MatrixXd> factor((H + H.transpose()) / 2);
     if (factor.info() != Eigen::Success) return std::nullopt;
-    const Eigen::VectorXd step = -factor.solve(J.transpose() * r);
-    const double length = step.cwiseAbs().maxCoeff();
-    if (!(length <= kLargestCoupledStep)) return std::nullopt;
+    const Eigen::VectorXd step = -factor.solve(slope);
     change += step;
-    if (length <= kApproachSettled) return change;
+    if (!violation.lead(change) || !(violation.farthest() <= kLargestCoupledStep)) return std::nullopt;
+    if (step.cwiseAbs().maxCoeff() <= kApproachSettled) return change;
   }
   return std::nullopt;
 }
 
-// True where the least sum of squares near no change is all but 0; `to` is there. Where it is far away, `to`
-// is not moved.
+// True where the least |F|² near no change is all but 0; `to` is there. Where it is far away, `to` is not
+// moved.
 bool approach(const Violation& violation) {
-  Eigen::VectorXd r;
+  Eigen::VectorXd F;
   if (const auto change = least_nearby(violation)) {
-    return violation.values(*change, r) && r.norm() <= kCoupledApproach;
+    return violation.values(*change, F) && F.norm() <= kCoupledApproach;
   }
   LeastSquaresProblem problem;
-  problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& out) {
-    return violation.values(x, out);
-  };
+  problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) { return violation.values(x, r); };
   problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) { return violation.jacobian(x, J); };
   LeastSquaresOptions options;
+  options.iterations = kMostApproachSteps;
   options.rounding = kCoupledClosure;
-  const LeastSquaresFit fit = least_squares(problem, Eigen::VectorXd::Zero(violation.unknowns()), options);
-  if (!(fit.x.cwiseAbs().maxCoeff() <= kFarthestApproach)) {
-    (void)violation.lead(Eigen::VectorXd::Zero(violation.unknowns()));
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(violation.unknowns());
+  const LeastSquaresFit fit = least_squares(problem, start, options);
+  if (!violation.lead(fit.x) || !(violation.farthest() <= kFarthestApproach)) {
+    (void)violation.lead(start);
     return false;
   }
-  return violation.lead(fit.x) && fit.sum <= kCoupledApproach * kCoupledApproach;
+  return fit.sum <= kCoupledApproach * kCoupledApproach;
 }
 
-// Where a group's bodies have gone from `from` to `to`: (x, y, size·θ) of each.
-Eigen::VectorXd change_between(const Group& group, const State& from, const State& to, double size) {
-  Eigen::VectorXd change(3 * static_cast<Eigen::Index>(group.bodies.size()));
-  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-    const BodyMotion& a = from.bodies[static_cast<std::size_t>(group.bodies[i])];
-    const BodyMotion& b = to.bodies[static_cast<std::size_t>(group.bodies[i])];
-    const Vector2d moved = b.X_WB.p_WB - a.X_WB.p_WB;
-    change.segment<3>(static_cast<Eigen::Index>(3 * i)) << moved, size * (b.theta - a.theta);
+// J at a state, whatever the drivers.
+Eigen::MatrixXd jacobian_at(const Planned& model, const Group& group, const State& state) {
+  const std::vector<double> drivers(model.mechanism.drivers.size());
+  return jacobian_of(group, group_rows(model, group, drivers, state, state.contacts), model.plan.size);
+}
+
+// J bordered by singular vectors.
+LuSolver bordered(const Eigen::MatrixXd& J, const LeastViolation& way) {
+  const Eigen::Index n = J.rows();
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  M.topLeftCorner(n, n) = J;
+  M.topRightCorner(n, 1) = way.left;
+  M.bottomLeftCorner(1, n) = way.right.transpose();
+  return LuSolver(M);
+}
+
+// At the last position before a limit, where J is all but singular.
+LeastViolation way_from(const Eigen::MatrixXd& J) {
+  LeastViolation way;
+  if (J.rows() == J.cols()) {
+    const SingularValues svd = singular_values(J);
+    way.left = svd.U.col(J.cols() - 1);
+    way.right = svd.V.col(J.cols() - 1);
+    way.sign = bordered(J, way).sign();
   }
-  return change;
+  return way;
+}
+
+// Farther on: J x + e b = 0, c x = 1 has the next c as its x, and of Jᵀ the next b. With these the bordered
+// determinant has the sign that it has with the old ones, where J is singular.
+LeastViolation led_to(const Eigen::MatrixXd& J, LeastViolation way) {
+  if (way.sign == 0) {
+    return way;
+  }
+  const Eigen::Index n = J.rows();
+  const LeastViolation mirrored{way.right, way.left, 0};
+  const Eigen::VectorXd one = Eigen::VectorXd::Unit(n + 1, n);
+  const Eigen::VectorXd right = bordered(J, way).solve(one).col(0).head(n).normalized();
+  const Eigen::VectorXd left = bordered(J.transpose(), mirrored).solve(one).col(0).head(n).normalized();
+  return left.allFinite() && right.allFinite() ? LeastViolation{left, right, way.sign} : LeastViolation{};
+}
+
+// Whether solutions at J begin in the assembly of the other parts in which the way did.
+bool is_same_assembly(const Eigen::MatrixXd& J, const LeastViolation& way) {
+  return way.sign != 0 && bordered(J, way).sign() == way.sign;
+}
+
+// det b / det a, by their factors.
+double ratio_of_determinants(const Eigen::MatrixXd& b, const Eigen::MatrixXd& a) {
+  const LuSolver of_b(b), of_a(a);
+  return of_b.sign() * of_a.sign() * (of_b.pivots().array() / of_a.pivots().array()).abs().prod();
 }
 
 // Two solutions that have met in a limit differ along the direction in which the conditions change least, and
-// have determinants of opposite signs. From one of them, at `to`, to where the other one should be: as far
-// beyond where the determinant is 0, or, if they are far apart already, beyond where the bodies came from.
-std::array<Eigen::VectorXd, 2> ways_across(const Planned& model, std::size_t g, const State& from,
-                                           const std::vector<double>& drivers, const State& to) {
-  const Group& group = model.plan.groups[g];
-  const double size = model.plan.size;
-  const Eigen::MatrixXd J = jacobian_of(group, group_rows(model, group, drivers, to, to.contacts), size);
-  const Eigen::MatrixXd V = singular_values(J).V;
+// have opposite determinants. From one of them, at `to`, to where the other one should be: as far beyond
+// where the determinant is 0, or, if they are far apart already, beyond where the bodies came from.
+std::array<Eigen::VectorXd, 2> ways_across(const Planned& model, const Group& group, const State& from,
+                                           const State& to) {
+  const BodyCoordinates coordinates(model, group, to);
+  const Eigen::MatrixXd J = jacobian_at(model, group, to);
+  Eigen::MatrixXd by_coordinates = J;
+  coordinates.transform(Eigen::VectorXd::Zero(coordinates.count()), to, by_coordinates);
+  const Eigen::MatrixXd V = singular_values(by_coordinates).V;
   const Eigen::VectorXd least = V.col(V.cols() - 1);
   State beside = to;
-  add_step(group, size * kApproachDifference * least, size, beside);
-  const double sine = coupled_sine(model, g, to);
-  const bool touches = place_contacts(model, group, beside);
-  const double rise = touches ? coupled_sine(model, g, beside) - sine : 0;
-  const double to_zero = rise * sine < 0 ? -kApproachDifference * sine / rise : 0;
-  return {2 * size * to_zero * least, -2 * least.dot(change_between(group, from, to, size)) * least};
+  coordinates.move(kApproachDifference * least, beside);
+  double to_zero = 0;
+  if (place_contacts(model, group, beside)) {
+    const double rise = ratio_of_determinants(jacobian_at(model, group, beside), J) - 1;
+    to_zero = std::abs(rise) > kApproachDifference / kFarthestApproach ? -kApproachDifference / rise : 0;
+  }
+  return {2 * to_zero * least, 2 * least.dot(coordinates.change_between(to, from)) * least};
 }
 
 }  // namespace
 
 GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
-                               const std::vector<double>& drivers, State& to) {
+                               const std::vector<double>& drivers, State& to,
+                               std::optional<LeastViolation>& way) {
   const Group& group = model.plan.groups[g];
   const int mode = to.groups[g].mode;
-  if (!approach(Violation(model, group, from, drivers, to))) {
-    return GroupStatus::kOutOfReach;
-  }
+  const Violation violation(model, group, from, drivers, to);
+  const bool is_near = approach(violation);
   State near = to;
   const auto place_from = [&](const State& state) { return place_coupled(model, g, state, 0, drivers, to); };
-  if (place_from(near) != GroupStatus::kOk) {
+  if (!is_near || place_from(near) != GroupStatus::kOk) {
     take_group(group, near, to);
+    way = led_to(jacobian_at(model, group, to), way ? *way : way_from(jacobian_at(model, group, from)));
     return GroupStatus::kOutOfReach;
   }
-  if (to.groups[g].mode == mode) {
-    return GroupStatus::kOk;
-  }
-  take_group(group, to, near);
-  for (const Eigen::VectorXd& way : ways_across(model, g, from, drivers, near)) {
-    State across = near;
-    add_step(group, way, model.plan.size, across);
-    if (place_from(across) == GroupStatus::kOk && to.groups[g].mode == mode) {
-      return GroupStatus::kOk;
+  const auto is_found = [&] {
+    return to.groups[g].mode == mode && violation.farthest() <= kFarthestApproach &&
+           (!way || is_same_assembly(jacobian_at(model, group, to), *way));
+  };
+  bool found = is_found();
+  if (!found && to.groups[g].mode != mode) {
+    take_group(group, to, near);
+    for (const Eigen::VectorXd& across : ways_across(model, group, from, near)) {
+      State other = near;
+      BodyCoordinates(model, group, near).move(across, other);
+      found = found || (place_from(other) == GroupStatus::kOk && is_found());
     }
   }
-  take_group(group, from, to);
-  return GroupStatus::kNotConverged;
+  if (!found) {
+    take_group(group, from, to);
+    return GroupStatus::kNotConverged;
+  }
+  way.reset();
+  return joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : GroupStatus::kOk;
 }
 
 }  // namespace higherpair

@@ -13,10 +13,15 @@ namespace higherpair {
                                         const std::optional<std::vector<int>>& held = {});
 
 /// Places the bodies however far the drivers have moved from where `from` is: at the solution in mode
-/// to.groups[g].mode that is nearest to where they violate the conditions least near `from`. Otherwise they
-/// are left there, so that from one position to the next a solution is come upon where it begins.
+/// to.groups[g].mode that begins where they violate the conditions least near `from`. Where none does they
+/// are left at that place, and `way` says how they came there; from one position to the next a
+/// solution is so come upon where it begins. They stay where they are in `from` where the place is far away,
+/// or the solution that begins is another one: of other parts of the group that have turned over on the way,
+/// or, with conditions in surplus, one that cannot be known. Golubitsky and Schaeffer, Singularities and
+/// Groups 1, I.3 (reduction); Griewank and Reddien, SIAM J. Numer. Anal. 21, 1984 (bordered matrices).
 [[nodiscard]] GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
-                                             const std::vector<double>& drivers, State& to);
+                                             const std::vector<double>& drivers, State& to,
+                                             std::optional<LeastViolation>& way);
 
 /// Sets whether the group's bodies are where their conditions have lost their rank, and on which branch.
 void judge_coupled(const Planned& model, std::size_t g, State& state);

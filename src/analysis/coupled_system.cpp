@@ -1,11 +1,21 @@
 #include "coupled_system.hpp"
 
+#include "group_kinds.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
 
 #include <algorithm>
 
 namespace higherpair {
+namespace {
+
+// Of x of a body; < 0: it is not one of the group.
+Eigen::Index column_of(const Group& group, int body) {
+  const auto found = std::find(group.bodies.begin(), group.bodies.end(), body);
+  return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());
+}
+
+}  // namespace
 
 void take_group(const Group& group, const State& from, State& to) {
   for (const int index : group.bodies) {
@@ -73,15 +83,50 @@ Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
   return values;
 }
 
+std::vector<Vector2d> places_of(const Planned& model, const Group& group, const State& state,
+                                std::optional<int> body) {
+  const auto counts = [&](int index) { return !body || index == *body; };
+  std::vector<Vector2d> places;
+  for (const int index : group.joints) {
+    const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(index)];
+    for (const PointRef& point : {joint.first, joint.second}) {
+      if (!couples_turning(joint.type) && counts(point.body)) {
+        const Body& of = model.mechanism.bodies[static_cast<std::size_t>(point.body)];
+        places.push_back(body_in(state, point.body).X_WB *
+                         of.points[static_cast<std::size_t>(point.point)].p_B);
+      }
+    }
+  }
+  for (const int index : group.contacts) {
+    const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
+    if (counts(contact.first.body) || counts(contact.second.body)) {
+      places.push_back(state.contacts[static_cast<std::size_t>(index)].at.p_W());
+    }
+  }
+  return places;
+}
+
+Eigen::VectorXd gradient_of(const Group& group, const std::vector<ConstraintRow>& rows,
+                            const Eigen::VectorXd& weights, double size) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(group.bodies.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ConstraintRow weighted = rows[i];
+    for (Eigen::Vector3d& coefficient : weighted.coefficient) {
+      coefficient *= weights(static_cast<Eigen::Index>(i));
+    }
+    add_coefficients(
+        weighted, size, [&](std::size_t k) { return column_of(group, rows[i].body[k]); }, gradient);
+  }
+  return gradient;
+}
+
 Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows, double size) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
                                             3 * static_cast<Eigen::Index>(group.bodies.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto column_of = [&](std::size_t k) -> Eigen::Index {
-      const auto found = std::find(group.bodies.begin(), group.bodies.end(), rows[i].body[k]);
-      return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());
-    };
-    add_coefficients(rows[i], size, column_of, J.row(static_cast<Eigen::Index>(i)));
+    add_coefficients(
+        rows[i], size, [&](std::size_t k) { return column_of(group, rows[i].body[k]); },
+        J.row(static_cast<Eigen::Index>(i)));
   }
   return J;
 }

@@ -3,6 +3,7 @@
 #include "group_solver.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,6 +34,14 @@ void hold_angles(const std::vector<int>& held, const State& in, const State& to,
                  std::vector<ConstraintRow>& rows);
 
 [[nodiscard]] Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows);
+
+/// Where the points of the group's joints and its contacts are in ground [m]. \param body  only of this one
+[[nodiscard]] std::vector<Vector2d> places_of(const Planned& model, const Group& group, const State& state,
+                                              std::optional<int> body = std::nullopt);
+
+/// Σ weight · (derivatives of a row by the coordinates).
+[[nodiscard]] Eigen::VectorXd gradient_of(const Group& group, const std::vector<ConstraintRow>& rows,
+                                          const Eigen::VectorXd& weights, double size);
 
 /// The derivatives of the rows by the coordinates.
 [[nodiscard]] Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows,

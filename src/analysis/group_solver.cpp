@@ -158,9 +158,6 @@ GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& f
                              const std::vector<double>& drivers, State& to) {
   const auto* tracked = std::get_if<TrackedPair>(&model.plan.groups[g].kind);
   const auto* touching = std::get_if<TouchingBody>(&model.plan.groups[g].kind);
-  if (std::holds_alternative<CoupledBodies>(model.plan.groups[g].kind)) {
-    return place_coupled_anew(model, g, from, drivers, to);
-  }
   if (tracked == nullptr && touching == nullptr) {
     return place_group(model, g, from, 0, drivers, to);
   }

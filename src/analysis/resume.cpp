@@ -1,7 +1,9 @@
 #include "resume.hpp"
 
+#include "coupled_system.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "limit_events.hpp"
 #include "line_ahead.hpp"
 #include "outlook.hpp"
@@ -28,12 +30,8 @@ constexpr double kMostProbes = 4e4;
 // Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
 constexpr int kMostPoles = 16;
 
-// Whether what can be placed behind a limit may be on another branch: bodies that are solved together, or a
-// contact that is found again from a list of all.
-bool may_be_another_branch(const Run& run) {
-  if (run.plan().couples) {
-    return true;
-  }
+// Whether some contact is found again from a list of all, of which more than one may be on the branch.
+bool has_listed_contact(const Run& run) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
     const bool stands_on_conics =
@@ -54,22 +52,29 @@ bool has_contact_far_out(const Run& run) {
                      });
 }
 
-// Whether bodies that are solved together, or where they touch, have run off to infinity: no iteration leads
-// over it.
-bool has_coupled_far_out(const Run& run) {
-  const auto is_far = [&](const Vector2d& p_W) { return !(p_W.norm() <= kCoupledFarOut * run.plan().size); };
-  const State& state = run.at.state;
-  for (const Group& group : run.plan().groups) {
-    const bool far = std::any_of(group.bodies.begin(), group.bodies.end(),
-                                 [&](int i) { return is_far(body_in(state, i).X_WB.p_WB); }) ||
-                     std::any_of(group.contacts.begin(), group.contacts.end(), [&](int i) {
-                       return is_far(state.contacts[static_cast<std::size_t>(i)].at.p_W());
-                     });
-    if (traits_of(group).coupled && far) {
-      return true;
+// A place of the ground that the mechanism is joined to.
+Vector2d place_of_ground(const Run& run) {
+  for (const Joint& joint : run.mechanism().joints) {
+    for (const PointRef& point : {joint.first, joint.second}) {
+      if (point.body == 0 && !couples_turning(joint.type)) {
+        return run.mechanism().bodies[0].points[static_cast<std::size_t>(point.point)].p_B;
+      }
     }
   }
-  return false;
+  return Vector2d::Zero();
+}
+
+// Whether bodies that are solved together have run off to infinity, or their contacts have: no iteration
+// leads over it.
+bool has_coupled_far_out(const Run& run) {
+  const Vector2d ground = place_of_ground(run);
+  const auto& groups = run.plan().groups;
+  return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+    const std::vector<Vector2d> places = places_of(model_of(run), group, run.at.state);
+    return traits_of(group).coupled && std::any_of(places.begin(), places.end(), [&](const Vector2d& p_W) {
+             return !((p_W - ground).norm() <= kCoupledFarOut * run.plan().size);
+           });
+  });
 }
 
 // Whether the drivers are at the limit, to within half of what a row there may be off, or back from it, as
@@ -143,11 +148,15 @@ std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
   back.at.held = true;
   back.at.beside.reset();
   back.at.drivers = at;
-  if (follow_part(back, part_of_way(run, at, from)) && may_be_another_branch(run) &&
-      !has_contact_far_out(back)) {
-    return std::nullopt;  // without a limit on the way the motion cannot have come to it
-  }
+  (void)follow_part(back, part_of_way(run, at, from));
   return back;
+}
+
+// Whether it is another branch: without a limit on the way back the motion cannot have come to it. What can
+// be placed of a contact that is found again from a list of all, or of bodies that are solved together, may
+// be.
+bool is_another_branch(const Run& back) {
+  return back.at.held && (back.plan().couples || has_listed_contact(back)) && !has_contact_far_out(back);
 }
 
 // The same, if the branch is there.
@@ -194,8 +203,10 @@ private:
   Run& run_;
   const LineAhead& line_;
   const std::vector<double>& drivers_;
-  double to_;           // x of the row
-  double searched_to_;  // x up to where no stretch of the branch begins
+  double to_;                                // x of the row
+  double searched_to_;                       // x up to where no stretch of the branch begins
+  std::optional<double> begins_ahead_ = {};  // x behind the row where one does
+  std::vector<RunEvent> begin_events_ = {};  // there
 };
 
 // Goes on from a state of that stretch, which is at `from`; an event says where it begins.
@@ -225,17 +236,23 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
 // remains.
 bool StretchSearch::come_to_begin(double x) {
   const double within = x + line_.sense() * kInsideLimit * line_.scale();
-  const auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
-  if (!inside || !inside->at.held || !inside->at.beside) {
+  auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
+  const bool couples = run_.plan().couples;
+  if (!inside || !inside->at.held || (!couples && (!inside->at.beside || is_another_branch(*inside)))) {
     return false;
   }
+  if (begins_ahead_) {
+    inside->events = begin_events_;
+  }
   const State lost = run_.at.state;
-  const State& begin = *inside->at.beside;
+  const State& begin = inside->at.beside ? *inside->at.beside : inside->at.state;
   go_on_from(*inside, begin, x);
   run_.at.drivers = inside->at.drivers;
   take_short_way(run_, lost, begin);
-  run_.at.beside = std::exchange(run_.at.state, inside->at.state);
-  take_short_way(run_, lost, begin);
+  if (inside->at.beside) {
+    run_.at.beside = std::exchange(run_.at.state, inside->at.state);
+    take_short_way(run_, lost, begin);
+  }
   return true;
 }
 
@@ -272,7 +289,10 @@ Taken StretchSearch::take_up(double x, int poles) {
     }
     (void)place_anew(run_, drivers_at(x));
   }
-  const auto back = followed_back(run_, drivers_at(x), drivers_at(searched_to_), is_row);
+  auto back = followed_back(run_, drivers_at(x), drivers_at(searched_to_), is_row);
+  if (back && is_another_branch(*back)) {
+    back.reset();
+  }
   const double begin = back && !back->at.held ? x_of(back->at.lost.from) : searched_to_;
   const State found = run_.work.trial;
   if (back && !back->at.held && poles > 0) {
@@ -282,6 +302,10 @@ Taken StretchSearch::take_up(double x, int poles) {
     }
   }
   if (!back || is_before(to_, begin)) {
+    if (back) {
+      begins_ahead_ = begin;
+      begin_events_ = back->events;
+    }
     return back ? Taken::kNotYet : Taken::kNot;
   }
   const Standing before = run_.at;
@@ -341,14 +365,21 @@ Taken StretchSearch::take_up_first(double from) {
   };
   const bool couples = run_.plan().couples;
   std::optional<State>& nearest = run_.at.lost.nearest;
+  auto& ways = run_.at.lost.ways;
   std::optional<State> at_looked_to = nearest;
+  auto ways_looked_to = ways;
   std::optional<Outlook> before;
   bool in_vain = line_.is_from_limit();
+  if (couples && first > 1) {
+    searched_to_ = probes.at(first - 1);
+  }
   for (double k = first; k <= beyond && !is_stopped(run_); ++k) {
     const Outlook here = outlook(k);
+    // What begins at such a position itself is followed back from the next one.
+    const bool at_begin = here.placing.complete && is_beside_limit(run_.work.trial);
     if (couples) {
       nearest = run_.work.trial;
-      searched_to_ = probes.at(k - 1);
+      ways = run_.work.ways;
     }
     std::optional<double> x;
     if (here.placing.complete) {
@@ -362,18 +393,32 @@ Taken StretchSearch::take_up_first(double from) {
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
     }
-    in_vain = in_vain && taken == Taken::kNot;
+    in_vain = in_vain && taken == Taken::kNot && !(couples && at_begin);
     if (in_vain) {
       looked_to = here.x;
       at_looked_to = nearest;
+      ways_looked_to = ways;
+    }
+    if (couples && !at_begin) {
+      searched_to_ = here.x;
     }
     before = here;
   }
+  if (is_stopped(run_)) {
+    return Taken::kNot;
+  }
+  if (!couples) {
+    return take_up(to_);
+  }
+  // Bodies that are solved together are followed over these positions, whatever the rows; a row may be where
+  // the stretch begins.
+  const bool at_row = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kBesideBegin * line_.scale();
+  const bool arrived = at_row && come_to_begin(to_);
   if (line_.is_from_limit()) {
     nearest = std::move(at_looked_to);
+    ways = std::move(ways_looked_to);
   }
-  // Bodies that are solved together are followed over these positions, whatever the rows.
-  return is_stopped(run_) || couples ? Taken::kNot : take_up(to_);
+  return arrived ? Taken::kArrived : Taken::kNot;
 }
 
 }  // namespace

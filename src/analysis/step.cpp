@@ -1,5 +1,6 @@
 #include "step.hpp"
 
+#include "coupled_bodies.hpp"
 #include "crossing.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -292,11 +293,16 @@ Placeable place_anew(Run& run, const std::vector<double>& drivers) {
   const State& nearest = run.at.lost.nearest ? *run.at.lost.nearest : run.at.state;
   if (run.plan().couples) {
     to = nearest;
+    run.work.ways = run.at.lost.ways;
+    run.work.ways.resize(run.plan().groups.size());
   }
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     to.groups[g].mode = run.at.state.groups[g].mode;
-    const State& from = traits_of(run.plan().groups[g]).coupled ? nearest : run.at.state;
-    if (place_group_anew(model_of(run), g, from, drivers, to) != GroupStatus::kOk) {
+    const bool coupled = traits_of(run.plan().groups[g]).coupled;
+    const GroupStatus status =
+        coupled ? place_coupled_anew(model_of(run), g, nearest, drivers, to, run.work.ways[g])
+                : place_group_anew(model_of(run), g, run.at.state, drivers, to);
+    if (status != GroupStatus::kOk) {
       const double reach = reach_of(model_of(run), g, to);
       return reach >= 0 ? Placeable{false, 2 * g + 1, room_to_end(model_of(run), g, to)}
                         : Placeable{false, 2 * g, reach};

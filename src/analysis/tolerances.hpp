@@ -84,6 +84,8 @@ inline constexpr double kLostBranchProbe = kPi / 576;
 inline constexpr double kAcrossPole = kPi / 144;
 /// Of the driver's scale: beside a limit, for the first step from it.
 inline constexpr double kNearestBegin = 1e-12;
+/// The same: a row at the limit where a stretch begins, or before where it could be followed back to.
+inline constexpr double kBesideBegin = 1e-6;
 /// GroupState::sine at a limit that is too near, of its lever.
 inline constexpr double kTooNearLimit = 1e-6;
 /// Of the size: contacts that are about to run off to infinity.
@@ -168,8 +170,9 @@ inline constexpr double kCoupledApproach = 1e-6;
 inline constexpr double kApproachDifference = 1e-6;
 inline constexpr double kApproachSettled = 1e-7;
 inline constexpr double kFarthestApproach = 4;
-/// Steps of Newton's method there.
+/// Steps of Newton's method there, and of the method of Levenberg and Marquardt.
 inline constexpr int kApproachSteps = 6;
+inline constexpr int kMostApproachSteps = 200;
 /// Of the size: bodies that are lost on their way to infinity.
 inline constexpr double kCoupledFarOut = 1e3;
 

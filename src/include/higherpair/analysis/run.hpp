@@ -81,6 +81,8 @@ struct Loss {
   std::optional<double> looked_to;  ///< up to where on the straight line beyond it the branch has been looked
                                     ///< for in vain: coordinate of its leading driver
   std::optional<State> nearest;     ///< with coupled bodies: there, as near as they come to being assembled
+  std::vector<std::optional<LeastViolation>>
+      ways;  ///< of Plan::groups: how they came there; while `nearest` is
 };
 
 /// What runs of one mechanism share and none of them changes.
@@ -110,10 +112,11 @@ struct StepWorkspace {
   State trial;
   std::vector<double> drivers;  ///< in `trial`
   std::vector<DriverMotion> motions;
-  std::vector<Crossing> crossings;    ///< of the present step
-  std::vector<StepOverlap> overlaps;  ///< of Mechanism::contacts, in `trial`
-  Path path;                          ///< to the next row
-  std::vector<double> row_before;     ///< the drivers there
+  std::vector<Crossing> crossings;                  ///< of the present step
+  std::vector<StepOverlap> overlaps;                ///< of Mechanism::contacts, in `trial`
+  std::vector<std::optional<LeastViolation>> ways;  ///< of Plan::groups, in `trial` behind a limit
+  Path path;                                        ///< to the next row
+  std::vector<double> row_before;                   ///< the drivers there
 };
 
 /// A running analysis. A copy goes on from where it is, on its own and in any thread.

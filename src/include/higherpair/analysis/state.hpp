@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace higherpair {
 
 /// What a group remembers between positions.
@@ -33,6 +35,14 @@ struct State {
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
   std::vector<GroupState> groups;       ///< of Plan::groups
   std::vector<PairTrack> tracks;        ///< of Plan::groups; none where the group is no tracked pair
+};
+
+/// How coupled bodies are led from a limit to where they can be assembled again, on the way of the least
+/// violation of their conditions F = 0: where that is not 0 their derivative J is singular. The sign of the
+/// determinant of J, bordered by its singular vectors, changes where another part of them turns over.
+struct LeastViolation {
+  Eigen::VectorXd left, right;  ///< singular vectors of J, continuous on the way; empty: J is not square
+  int sign = 0;                 ///< of the bordered determinant where the way began; 0: unknown
 };
 
 /// A driver's coordinate and its rates.
