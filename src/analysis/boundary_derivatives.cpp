@@ -50,7 +50,7 @@ bool same_spans(const Boundary& a, const Boundary& b) {
       [](const SpanPtr& one, const SpanPtr& two) { return one->is_corner() == two->is_corner(); });
 }
 
-// Of slopes the largest share of what is to be expected of a boundary for a change of p by `scale`.
+// The largest of the slopes, each as a share of what a change of p by `scale` should do to a boundary.
 double share_of(const SpanNumbers& slopes, const SpanNumbers& values, const Boundary& boundary,
                 double scale) {
   const double size = boundary.size() > 0 ? boundary.size() : 1;

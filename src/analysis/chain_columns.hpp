@@ -42,7 +42,7 @@ struct ChainTask {
 /// The rates that the columns want.
 [[nodiscard]] ChainRates rates_for(std::span<const ChainColumn> columns);
 
-/// Of which bodies more than their turning is wanted: by columns, forces, or groups that hang on them.
+/// Bodies whose places are needed as well as their angles: by columns, forces, or groups that depend on them.
 [[nodiscard]] std::vector<char> placed_bodies(std::span<const ChainGroup> groups,
                                               std::span<const ChainColumn> columns, std::size_t bodies);
 

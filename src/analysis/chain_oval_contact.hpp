@@ -9,7 +9,8 @@
 
 namespace higherpair::chain_ovals {
 
-// The rotation by a small angle, which passes on the way may be wrong about, but not its being one.
+// The rotation by a small angle. While passes iterate the angle may be inexact, but the result must stay a
+// rotation.
 template <class T>
 [[nodiscard]] inline Rotation<T> small_turn(const T& angle) {
   const T x = angle * angle;

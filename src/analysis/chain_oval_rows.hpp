@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstddef>
 
-// How a contact of ovals goes on from row to row: where rows are to be looked for, and whether those found
-// continue the ones before them.
+// How a contact of ovals goes on from row to row: predicts each row, and checks that what is found there
+// continues the same branch.
 
 namespace higherpair {
 

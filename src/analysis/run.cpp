@@ -282,13 +282,15 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
       continue;
     }
     RollingTrack track = *start;
-    const double largest = run.tolerance * run.plan().size;
     for (const double position : positions) {
       if (is_stopped(run)) {
         return std::nullopt;
       }
       const double u = within_two_turns(tracked->pair, start->at.u, tracked->driver_sign * position);
       const RollingResult result = roll_to(track, u);
+      // An angle far out is known to its rounding only.
+      const double known = kUlpsOfAngle * std::numeric_limits<double>::epsilon() * std::abs(u);
+      const double largest = (run.tolerance + known) * run.plan().size;
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
         return Slip{tracked->driver_sign * u, track.at.sliding, tracked->contact};
       }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-// Why a mechanism cannot stand at its first driver positions, in words.
+// Why a mechanism cannot be assembled at the first positions of its drivers, in words.
 
 namespace higherpair {
 

@@ -15,12 +15,12 @@ namespace higherpair {
 
 /// Assemblies as near as this are one [size, rad].
 inline constexpr double kSameAssembly = 1e-12;
-/// States as near as this are the same standing mechanism [rad], or of the size.
+/// Two positions that differ by less count as the same one [rad], or of the size.
 inline constexpr double kSameStanding = 1e-9;
-/// How far on either side of where it starts a driver that slides is looked for, of the size.
+/// Of the size: how far to either side of its start a sliding driver is tried, where it cannot start there.
 inline constexpr double kReachOfSlide = 2;
 
-/// Of a group's lever: a sine below this is that of a singular start.
+/// Of a group's lever: a start whose sine (see GroupState) is below this counts as singular.
 inline constexpr double kSingularStart = 1e-7;
 /// Of the unit of the path: Newton's method comes near a singular start only to half the digits.
 inline constexpr double kNearSingularStart = 1e-5;
@@ -34,7 +34,7 @@ inline constexpr double kSameAcceleration = 1e-6;
 
 /// Largest inner step of a driver that slides, of the size; see kLargestTurn for those that turn.
 inline constexpr double kLargestSlide = 1.0 / 6;
-/// Of the driver's scale: a step that may as well end elsewhere.
+/// Of the driver's scale: a step longer than this may be shortened, so as not to end at a bad place.
 inline constexpr double kLongStep = 0.02;
 /// Of the largest step: while a contact is open.
 inline constexpr double kOpenShare = 0.2;
@@ -144,6 +144,9 @@ inline constexpr double kCrosses = 1e-13;
 inline constexpr double kLimitParabola = 0.04;
 /// Of the step: how far a limit may lie ahead.
 inline constexpr double kFarAhead = 64;
+
+/// What an angle that is turned far may be off, in units in the last place.
+inline constexpr double kUlpsOfAngle = 8;
 
 // Coupled bodies.
 
@@ -265,7 +268,7 @@ inline constexpr double kForceDipAtEnd = 4;
 inline constexpr double kSlenderestOval = 1e-2;
 /// Turn of body or normal that a pass may guess [rad].
 inline constexpr double kFarthestOvalGuess = 0.4;
-/// Of the size: a gap from which the next pass leads to rounding, with the curvature known as well as that.
+/// Of the size: from a gap this small one more pass reaches rounding, as the curvature is known well enough.
 inline constexpr double kOvalsArrived = 1e-12;
 /// |∂gap/∂q| of the arm of the contact, below which it is near a limit.
 inline constexpr double kLeastOvalSine = 0.02;

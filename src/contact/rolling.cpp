@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -117,6 +118,10 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   if (!place()) {
     return result;
   }
+  // Angles far out have no more digits than this.
+  const double far = std::abs(track.phi) + (track.pair.motion1.turns ? std::abs(at.u) : 0) +
+                     (track.pair.motion2.turns ? std::abs(at.q) : 0);
+  const double near = std::max(kNewtonQuadratic, kRollingUlps * std::numeric_limits<double>::epsilon() * far);
   double last = INFINITY;
   for (int i = 0; i < kMaxRollSteps; ++i) {
     Equations equations = contact_equations(track.pair, at);
@@ -130,7 +135,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
     const Eigen::Vector2d step = least_squares(J, equations.r / size);
     const double length = step.norm();
     result.mismatch = equations.r.cwiseAbs().maxCoeff();
-    if (newton_has_settled(length, last, kNewtonQuadratic, kRollingLeast)) {
+    if (newton_has_settled(length, last, near, kRollingLeast)) {
       result.converged = true;
       return result;
     }

@@ -245,7 +245,7 @@ private:
     });
   }
 
-  // An outer sample of a stretch stands for its end; so does what is there but for rounding.
+  // The outermost sample of a stretch counts as its end, as does any place within rounding of it.
   [[nodiscard]] double settled(double at) const {
     const auto after =
         std::upper_bound(stretches_.begin(), stretches_.end(), at,

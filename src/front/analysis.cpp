@@ -1,5 +1,6 @@
 #include "analysis_impl.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
+#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -319,6 +320,12 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
     return tl::unexpected(std::move(run.error()));
   }
   Diagnostics notes = start_notes(data_->profile, run->at.state.bodies);
+  if (settings.forces && !has_forces(data_->profile.mechanism)) {
+    notes.push_back(
+        about(data_->profile.source,
+              "nothing loads the mechanism: no body has a mass, and there are no loads and no springs; "
+              "all forces are 0"));
+  }
   std::optional<InverseDynamics> dynamics;
   std::optional<Run> start;
   if (settings.forces) {

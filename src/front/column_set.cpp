@@ -97,8 +97,11 @@ tl::expected<void, Diagnostic> ColumnSet::finish(const std::string& source) {
   const auto unmatched = std::find(glob_matches_.begin(), glob_matches_.end(), false);
   if (unmatched != glob_matches_.end()) {
     const std::string& glob = globs_[static_cast<std::size_t>(unmatched - glob_matches_.begin())];
-    return tl::unexpected(
-        about("--columns " + glob, "no column of this run has such a name; " + suggestion(glob, names_)));
+    const bool is_end = std::any_of(names_.begin(), names_.end(),
+                                    [&](const std::string& name) { return name.ends_with("." + glob); });
+    return tl::unexpected(about("--columns " + glob,
+                                "no column of this run has such a name; " +
+                                    (is_end ? "did you mean `*." + glob + "`?" : suggestion(glob, names_))));
   }
   buffer_.resize(names_.size());
   return {};

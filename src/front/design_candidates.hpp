@@ -8,8 +8,8 @@
 
 namespace higherpair {
 
-/// Works out candidates one after the other, each by the quickest way that tells what the task asks; for one
-/// thread.
+/// Evaluates candidates one after the other, each by the fastest method that gives what the task asks for;
+/// for one thread.
 class DesignCandidates {
 public:
   /// \param setup  outlives this

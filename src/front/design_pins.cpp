@@ -13,8 +13,8 @@
 namespace higherpair {
 namespace {
 
-// Of three places of equal distance, the largest value of the parabola through them; that of the last one
-// where the parabola has no vertex between them.
+// The largest value of the parabola through three values at equal distances; the last value where the
+// parabola has no vertex between them.
 struct Vertex {
   double value = 0;
   bool inside = false;

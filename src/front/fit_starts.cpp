@@ -30,8 +30,9 @@ public:
     std::vector<LeastSquaresFit> ends(static_cast<std::size_t>(count));
     const Eigen::VectorXd scales = spread_scales();
     const auto one = [&](int k) {
+      if (stopped()) return;
       const auto from = k == 0 ? std::optional(first) : random_start(k);
-      if (from && !stopped()) {
+      if (from) {
         ends[static_cast<std::size_t>(k)] = minimise(problem_, *from, scales, settings_.stop);
       }
       tell(ends[static_cast<std::size_t>(k)], count);

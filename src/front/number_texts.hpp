@@ -13,8 +13,8 @@ namespace higherpair {
 /// end of them. \param out  has room for NumberTexts::kLongest characters, all of which may be changed
 [[nodiscard]] char* put_shortest(double value, char* out);
 
-/// Numbers as text: the fewest digits that give back the same double. Half of the numbers in the row of a
-/// table stand elsewhere in it, or in the row before: the text of those met last is kept.
+/// Numbers as text: the fewest digits that give back the same double. Half of the numbers in a row repeat
+/// within it, or from the row before: the texts of the latest ones are kept.
 class NumberTexts {
 public:
   /// So many characters a number takes at most.

@@ -90,7 +90,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   const Motion motion(*std::move(analysis));
   plot.good = motion.good();
   plot.stopped = motion.stopped();
-  if (motion.size() == 0) {
+  if (motion.size() == 0 || plot.stopped) {
     return plot;
   }
   const ColumnValues x = motion.column(x_name);

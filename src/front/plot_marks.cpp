@@ -82,14 +82,17 @@ struct Happening {
   std::string items;
 };
 
+// Events come in the order of the path.
 std::vector<Happening> happenings(const std::vector<Event>& events) {
   std::vector<Happening> all;
   for (const Event& event : events) {
-    const auto same = std::find_if(all.begin(), all.end(), [&](const Happening& other) {
-      return other.first->type == event.type && other.first->row == event.row &&
-             std::abs(other.first->driver_si - event.driver_si) < kSameMark;
-    });
-    if (same == all.end()) {
+    const auto is_here = [&](const Happening& other) {
+      return other.first->row == event.row && std::abs(other.first->driver_si - event.driver_si) < kSameMark;
+    };
+    const auto elsewhere = std::find_if_not(all.rbegin(), all.rend(), is_here);
+    const auto same = std::find_if(all.rbegin(), elsewhere,
+                                   [&](const Happening& other) { return other.first->type == event.type; });
+    if (same == elsewhere) {
       all.push_back({&event, event.item});
     } else if (!event.item.empty() && !same->items.empty()) {
       same->items += ", " + event.item;

@@ -56,6 +56,9 @@ constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"
                                                                     {"³", "^3"},
                                                                     {"⁻", "^-1"}};
 
+// Names that units have elsewhere.
+constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {{"Hz", "rev/s"}, {"rps", "rev/s"}};
+
 // "Nm": two units without anything between them; empty if it is no such thing.
 std::string with_space(std::string_view name) {
   for (std::size_t i = 1; i < name.size(); ++i) {
@@ -157,6 +160,9 @@ private:
     }
     const auto unit = find_unit(name);
     if (!unit) {
+      for (const auto& [other, spelled] : kOtherNames) {
+        if (name == other) return Refusal(fmt::format("{} is no unit: write {}", name, spelled));
+      }
       const std::string parts = with_space(name);
       return Refusal(fmt::format("{} is no unit ({})", name,
                                  parts.empty() ? suggestion(name, all_unit_names()) : parts));
@@ -216,8 +222,10 @@ std::string example(const Dimension& expected, const Units& units) {
 
 std::string other_dimension(std::string_view unit, const Dimension& found, const Dimension& expected,
                             const Units& units) {
-  return fmt::format("{} is {}, expected {}, such as {}", unit, describe(found), describe(expected),
-                     unit_text(expected, units));
+  const bool counts_turns =
+      expected == dimension::kAngularVelocity && found == dimension::kNumber / dimension::kTime;
+  return fmt::format("{} is {}, expected {}, such as {}{}", unit, describe(found), describe(expected),
+                     unit_text(expected, units), counts_turns ? " or rpm" : "");
 }
 
 }  // namespace

@@ -71,6 +71,10 @@ Finding redefinition(const SyntaxScan& scan, std::string_view message) {
   if (before == nullptr) {
     return Found{last.at, "a key is written a second time here"};
   }
+  if (scan.text.substr(last.at, 2) == "[[") {
+    return Found{last.at, fmt::format("[[{0}]] begins a list: write [{0}.NAME], each with a name of its own",
+                                      last.heading)};
+  }
   const int line = mark_at(scan.text, before->at).line;
   const bool same = before->heading == last.heading && before->key == last.key;
   if (last.key.empty()) {

@@ -159,6 +159,29 @@ TEST_F(Slips, StandardOutputThatGoesIntoTheProfileIsRefused) {
   EXPECT_EQ(read_file(profile_), text_);
 }
 
+TEST_F(Slips, StandardOutputThatGoesIntoATableThatTheProfileReadsIsRefused) {
+  const std::string profiles = HIGHERPAIR_SOURCE_DIR "/profiles/";
+  for (const char* name : {"camshaft_lift_table.toml", "camshaft_lift_table.csv"}) {
+    fs::copy_file(profiles + name, folder_ / name);
+  }
+  const std::string table = read_file(folder_ / "camshaft_lift_table.csv");
+  const std::string command = "cd " + folder_.string() + " && " + HIGHERPAIR_PROGRAM +
+                              " analyze camshaft_lift_table.toml >>camshaft_lift_table.csv 2>err";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_EQ(read_file(folder_ / "camshaft_lift_table.csv"), table);
+}
+
+TEST_F(Slips, ForcesOfAMechanismThatNothingLoadsAreNoted) {
+  const std::string four_bar = HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml";
+  EXPECT_THAT(run("forces " + four_bar).err, HasSubstr("note: nothing loads the mechanism"));
+  EXPECT_THAT(run("forces " + four_bar +
+                  " --set bodies.crank.mass=1 --set bodies.crank.center_of_mass=[0,0] "
+                  "--set bodies.crank.inertia=1")
+                  .err,
+              Not(HasSubstr("nothing loads")));
+}
+
 TEST_F(Slips, DevicesAndPipesMayBeNamedTwice) {
   EXPECT_EQ(run("analyze p.toml --csv /dev/null --json /dev/null").code, 0);
   EXPECT_EQ(run("analyze p.toml --csv new.csv --json new.json").code, 0);

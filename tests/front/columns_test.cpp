@@ -144,8 +144,8 @@ TEST(Columns, ThatNoGlobMatchesAreAnErrorWithTheNearestNames) {
   const Model model = model_of(kCam);
   for (const auto& [glob, hint] :
        {std::pair("folower.y", "did you mean `follower.y`"),
-        std::pair("cam.omga", "did you mean `cam.omega`"), std::pair("nothing.*", "no column of this run"),
-        std::pair("", "--columns ")}) {
+        std::pair("cam.omga", "did you mean `cam.omega`"), std::pair("omega", "did you mean `*.omega`"),
+        std::pair("nothing.*", "no column of this run"), std::pair("", "--columns ")}) {
     RunSettings settings;
     settings.columns = {"driver", glob};
     const auto refused = model.start(settings);

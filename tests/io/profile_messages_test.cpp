@@ -202,6 +202,7 @@ TEST(ProfileMessages, UnitsAsTheyAreWrittenElsewhere) {
   EXPECT_EQ(velocity("degrees/s"), "degrees is no unit (did you mean `deg`?)" + expected);
   EXPECT_EQ(velocity("rad/sec"), "sec is no unit (did you mean `s`?)" + expected);
   EXPECT_EQ(velocity("°/s"), "has the sign °: write deg" + expected);
+  EXPECT_EQ(velocity("Hz"), "Hz is no unit: write rev/s" + expected);
   EXPECT_EQ(velocity("Nm"), "Nm is no unit (did you mean `N m`?)" + expected);
   EXPECT_EQ(velocity("upm"), "upm is no unit (did you mean `rpm`?)" + expected);
 }

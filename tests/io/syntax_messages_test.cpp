@@ -120,6 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
              "3:1: [bodies.cam] is here a second time after line 1: put all its keys under one heading"},
         Slip{"pose = { x = 1 }\n[pose]\ny = 1\n",
              "2:1: [pose] is written in line 1 already, as a key: put all its keys there"},
+        Slip{"[bodies.ground]\n[[bodies]]\nname = \"crank\"\n",
+             "2:1: [[bodies]] begins a list: write [bodies.NAME], each with a name of its own"},
         Slip{"[a]\nradius = 1\nradius = 2\n",
              "3:1: `radius` is here a second time after line 2: keep one of them"},
         Slip{"pose = { x = 1 }\npose.y = 2\n",

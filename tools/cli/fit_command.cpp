@@ -140,7 +140,7 @@ CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options) {
   command
       ->add_option("--starts", options.starts,
                    "searches (default 12 where all variables have bounds, else 1)")
-      ->check(CLI::Range(1, 100'000'000));
+      ->check(CLI::Range(1, 1'000'000));
   command->add_option("--seed", options.seed,
                       "of the random starts (default 1): the same seed, the same result");
   command

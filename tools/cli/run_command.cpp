@@ -269,7 +269,9 @@ Result<Model> open_model(const std::string& path, const std::vector<std::string>
   if (!model) {
     return model;
   }
-  if (auto refused = refused_output(*model, outputs)) {
+  std::vector<NamedFile> all = outputs;
+  all.push_back({"standard output", "-"});
+  if (auto refused = refused_output(*model, all)) {
     return tl::unexpected(*std::move(refused));
   }
   print_notes(model->notes(), quiet);

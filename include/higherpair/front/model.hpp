@@ -82,7 +82,7 @@ public:
   [[nodiscard]] Result<Analysis> start(const RunSettings& settings = {}) const;
 
   struct Data;
-  /// What the library itself makes of it.
+  /// For the library itself; no part of what stays the same from version to version.
   [[nodiscard]] const Data& data() const { return *data_; }
 
 private:

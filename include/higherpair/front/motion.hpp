@@ -114,7 +114,7 @@ public:
   /// very ends), no overlap and no contact that opens.
   [[nodiscard]] bool good() const;
 
-  /// What the library itself makes of it.
+  /// For the library itself; no part of what stays the same from version to version.
   [[nodiscard]] const Impl& impl() const { return *impl_; }
   [[nodiscard]] Impl& impl() { return *impl_; }
 

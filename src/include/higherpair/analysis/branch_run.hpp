@@ -24,8 +24,8 @@ namespace higherpair {
 [[nodiscard]] std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers,
                                                  int branch, double tolerance = 1e-9);
 
-/// By how much a group of links cannot be put together between the bodies that it depends on, where these
-/// stand: what its reach is short of [m]; < 0: what it has to spare. None for groups that are no dyads.
+/// By how much a group of links is too short, or too long, to be assembled between the bodies that it depends
+/// on, at their present positions [m]; < 0: what it has to spare. None for groups that are no dyads.
 [[nodiscard]] std::optional<double> closure_gap(const Group& group, const std::vector<BodyMotion>& bodies);
 
 /// The same at drivers' positions that no row need exist at: groups are placed near `run`, those that cannot

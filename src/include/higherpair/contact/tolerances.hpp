@@ -208,6 +208,7 @@ inline constexpr double kMostSheetTurn = 0.3;        // of a body along a step [
 inline constexpr double kRollingRank = 1e-9;
 // Determinant of the normal equations, of their trace squared.
 inline constexpr double kRollingFullRank = 1e-4;
+inline constexpr double kRollingUlps = 8;          // of angles, that a step of Newton's may be off
 inline constexpr double kRollingSettled = 1e-8;    // of a step of Newton's: its square is rounding
 inline constexpr double kRollingQuadratic = 1e-2;  // of a step to the one before, where steps square
 inline constexpr double kRollingLeast = 1e-15;     // a step that is none
