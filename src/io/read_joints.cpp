@@ -37,9 +37,11 @@ void read_direction(TableReader& table, Joint& joint) {
     table.refuse("direction", "a revolute joint has no direction");
     return;
   }
-  joint.direction_A =
-      table.need("direction", "an angle or [dx, dy] in the frame of the first body", as_direction)
-          .value_or(Vector2d::UnitX());
+  constexpr const char* kDirection = "an angle or [dx, dy] in the frame of the first body";
+  constexpr const char* kNotTheAngle =
+      "an angle or [dx, dy] in the frame of the first body (`angle` is how far the second body is turned)";
+  joint.direction_A = table.need("direction", table.has("angle") ? kNotTheAngle : kDirection, as_direction)
+                          .value_or(Vector2d::UnitX());
 }
 
 void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {

@@ -15,6 +15,9 @@ constexpr std::array<std::string_view, 14> kTopLevelKeys = {
     "format",   "title",  "description", "gravity", "units", "bodies",  "joints",
     "contacts", "driver", "drivers",     "laws",    "loads", "springs", "limits"};
 
+constexpr std::array<std::string_view, 8> kDriverKeys = {"start",    "end",          "samples",  "positions",
+                                                         "velocity", "acceleration", "duration", "time_step"};
+
 constexpr std::int64_t kMostCounted = 1'000'000'000;
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
@@ -93,6 +96,10 @@ std::optional<std::int64_t> TableReader::count(const std::string& key, std::int6
   return value;
 }
 
+bool TableReader::has(std::string_view key) const {
+  return std::any_of(table_->begin(), table_->end(), [&](const Entry& entry) { return entry.key == key; });
+}
+
 void TableReader::finish() const {
   const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -110,10 +117,13 @@ void TableReader::report_unknown(const Entry& entry) const {
   std::string own = is_table ? "" : did_you_mean(entry.key, known_);
   if (own.empty()) own = did_you_mean(entry.key, refused_);
   const bool move_up = !path_.empty() && is_top_level(entry.key) && own.empty();
+  const bool is_of_driver = path_.empty() && own.empty() &&
+                            std::find(kDriverKeys.begin(), kDriverKeys.end(), entry.key) != kDriverKeys.end();
   const std::string remedy =
-      repeated  ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path_, entry.key)
-      : move_up ? std::string(kMoveUp)
-                : (own.empty() ? suggestion(entry.key, known_) : own);
+      is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
+      : repeated ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path_, entry.key)
+      : move_up  ? std::string(kMoveUp)
+                 : (own.empty() ? suggestion(entry.key, known_) : own);
   reading_->mistakes.push_back(
       {entry.key_mark, fmt::format("{}: unknown key; {}", path_of(entry.key), remedy)});
 }

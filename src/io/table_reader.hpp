@@ -56,6 +56,8 @@ public:
   [[nodiscard]] std::optional<std::size_t> need_type(std::string_view what,
                                                      const std::vector<std::string>& names);
 
+  [[nodiscard]] bool has(std::string_view key) const;
+
   /// Reports that the key is present, and why it must not be.
   void refuse(const std::string& key, std::string_view reason);
 

@@ -30,6 +30,19 @@ TEST(ProfileMessages, ThereAreNoneAboutTheProfilesTheyStartFrom) {
   EXPECT_THAT(messages(slider_profile()), IsEmpty());
 }
 
+TEST(ProfileMessages, SayWhereAKeyOfTheDriverBelongs) {
+  EXPECT_THAT(messages("start = 7\n" + crank_profile()),
+              ElementsAre("test.toml:1:1: start: unknown key; did you mean `driver.start`?"));
+}
+
+TEST(ProfileMessages, TellTheAngleOfASlideFromItsDirection) {
+  std::string text = slider_profile();
+  const auto direction = text.find("direction");
+  ASSERT_NE(direction, std::string::npos);
+  EXPECT_THAT(messages(text.replace(direction, std::string("direction").size(), "angle")),
+              ::testing::Contains(HasSubstr("(`angle` is how far the second body is turned)")));
+}
+
 TEST(ProfileMessages, ComeAllAtOnceInTheOrderOfTheFile) {
   EXPECT_THAT(
       messages(R"(format = 0
