@@ -1,3 +1,4 @@
+#include "analysis_impl.hpp"
 #include "column_set.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/pictures.hpp"
