@@ -33,7 +33,7 @@ std::vector<Vector2d> middles_of(const Planned& model, const Group& group, const
   return middles;
 }
 
-// BodyCoordinates of bodies about points in the middle of their joints and contacts, of the size: (x, y) of
+// Coordinates of bodies about points in the middle of their joints and contacts, of the size: (x, y) of
 // the point, and the angle. About the origin of its frame, which may be anywhere, a body that turns a little
 // could go far.
 class BodyCoordinates {
@@ -113,9 +113,11 @@ public:
     F = values_of(rows()) / size();
     return true;
   }
-  [[nodiscard]] bool jacobian(const Eigen::VectorXd& change, Eigen::MatrixXd& J) const {
+  [[nodiscard]] bool linear(const Eigen::VectorXd& change, Eigen::VectorXd& F, Eigen::MatrixXd& J) const {
     if (!lead(change)) return false;
-    J = jacobian_of(group_, rows(), size());
+    const std::vector<ConstraintRow> all = rows();
+    F = values_of(all) / size();
+    J = jacobian_of(group_, all, size());
     coordinates_.transform(change, to_, J);
     return true;
   }
@@ -165,7 +167,7 @@ std::optional<Eigen::VectorXd> least_nearby(const Violation& violation) {
   Eigen::VectorXd F, slope, beside;
   Eigen::MatrixXd J;
   for (int i = 0; i < kApproachSteps; ++i) {
-    if (!violation.values(change, F) || !violation.jacobian(change, J)) return std::nullopt;
+    if (!violation.linear(change, F, J)) return std::nullopt;
     slope = J.transpose() * F;
     Eigen::MatrixXd H = J.transpose() * J;
     for (Eigen::Index k = 0; k < change.size(); ++k) {
@@ -193,7 +195,7 @@ bool approach(const Violation& violation) {
   }
   LeastSquaresProblem problem;
   problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) { return violation.values(x, r); };
-  problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) { return violation.jacobian(x, J); };
+  problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) { return violation.linear(x, F, J); };
   LeastSquaresOptions options;
   options.iterations = kMostApproachSteps;
   options.rounding = kCoupledClosure;

@@ -26,16 +26,6 @@ void take_group(const Group& group, const State& from, State& to) {
   }
 }
 
-void add_step(const Group& group, const Eigen::VectorXd& step, double size, State& to) {
-  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-    BodyMotion& body = to.bodies[static_cast<std::size_t>(group.bodies[i])];
-    const auto column = static_cast<Eigen::Index>(3 * i);
-    body.X_WB.p_WB += step.segment<2>(column);
-    body.theta += step(column + 2) / size;
-    body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
-  }
-}
-
 bool place_contacts(const Planned& model, const Group& group, State& to) {
   for (const int index : group.contacts) {
     const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];

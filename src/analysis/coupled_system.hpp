@@ -16,9 +16,6 @@ namespace higherpair {
 /// The group's bodies and contacts as they are in another state.
 void take_group(const Group& group, const State& from, State& to);
 
-/// Moves the group's bodies by a change of their coordinates [m].
-void add_step(const Group& group, const Eigen::VectorXd& step, double size, State& to);
-
 /// Puts the group's contacts onto the common normals of their bodies that are nearest; false where there is
 /// none.
 [[nodiscard]] bool place_contacts(const Planned& model, const Group& group, State& to);

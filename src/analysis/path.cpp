@@ -262,7 +262,6 @@ private:
     path_.positions(limit.s, run_.at.lost.at);
     run_.at.lost.looked_to.reset();
     run_.at.lost.nearest.reset();
-    run_.at.lost.ways.clear();
     report_limit(run_, path_, run_.at.lost.event);
     run_.at.held = false;
     run_.at.drivers = path_.to;

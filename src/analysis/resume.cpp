@@ -70,10 +70,13 @@ bool has_coupled_far_out(const Run& run) {
   const Vector2d ground = place_of_ground(run);
   const auto& groups = run.plan().groups;
   return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+    if (!traits_of(group).coupled) {
+      return false;
+    }
     const std::vector<Vector2d> places = places_of(model_of(run), group, run.at.state);
-    return traits_of(group).coupled && std::any_of(places.begin(), places.end(), [&](const Vector2d& p_W) {
-             return !((p_W - ground).norm() <= kCoupledFarOut * run.plan().size);
-           });
+    return std::any_of(places.begin(), places.end(), [&](const Vector2d& p_W) {
+      return !((p_W - ground).norm() <= kCoupledFarOut * run.plan().size);
+    });
   });
 }
 
@@ -364,10 +367,8 @@ Taken StretchSearch::take_up_first(double from) {
     return outlook_at(run_, line_, probes.at(k), probes.at(k + 1) - probes.at(k));
   };
   const bool couples = run_.plan().couples;
-  std::optional<State>& nearest = run_.at.lost.nearest;
-  auto& ways = run_.at.lost.ways;
-  std::optional<State> at_looked_to = nearest;
-  auto ways_looked_to = ways;
+  std::optional<Nearest>& nearest = run_.at.lost.nearest;
+  std::optional<Nearest> at_looked_to = nearest;
   std::optional<Outlook> before;
   bool in_vain = line_.is_from_limit();
   if (couples && first > 1) {
@@ -378,8 +379,7 @@ Taken StretchSearch::take_up_first(double from) {
     // What begins at such a position itself is followed back from the next one.
     const bool at_begin = here.placing.complete && is_beside_limit(run_.work.trial);
     if (couples) {
-      nearest = run_.work.trial;
-      ways = run_.work.ways;
+      nearest = Nearest{run_.work.trial, run_.work.ways};
     }
     std::optional<double> x;
     if (here.placing.complete) {
@@ -397,7 +397,6 @@ Taken StretchSearch::take_up_first(double from) {
     if (in_vain) {
       looked_to = here.x;
       at_looked_to = nearest;
-      ways_looked_to = ways;
     }
     if (couples && !at_begin) {
       searched_to_ = here.x;
@@ -416,7 +415,6 @@ Taken StretchSearch::take_up_first(double from) {
   const bool arrived = at_row && come_to_begin(to_);
   if (line_.is_from_limit()) {
     nearest = std::move(at_looked_to);
-    ways = std::move(ways_looked_to);
   }
   return arrived ? Taken::kArrived : Taken::kNot;
 }

@@ -4,6 +4,7 @@
 #include "events.hpp"
 #include "group_solver.hpp"
 #include "higherpair/analysis/branch_run.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "limit_events.hpp"
@@ -289,7 +290,7 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
       const double u = within_two_turns(tracked->pair, start->at.u, tracked->driver_sign * position);
       const RollingResult result = roll_to(track, u);
       // An angle far out is known to its rounding only.
-      const double known = kUlpsOfAngle * std::numeric_limits<double>::epsilon() * std::abs(u);
+      const double known = kRollingUlps * std::numeric_limits<double>::epsilon() * std::abs(u);
       const double largest = (run.tolerance + known) * run.plan().size;
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
         return Slip{tracked->driver_sign * u, track.at.sliding, tracked->contact};

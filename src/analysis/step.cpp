@@ -290,11 +290,13 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
 
 Placeable place_anew(Run& run, const std::vector<double>& drivers) {
   State& to = run.work.trial;
-  const State& nearest = run.at.lost.nearest ? *run.at.lost.nearest : run.at.state;
+  const State& nearest = run.at.lost.nearest ? run.at.lost.nearest->state : run.at.state;
   if (run.plan().couples) {
     to = nearest;
-    run.work.ways = run.at.lost.ways;
-    run.work.ways.resize(run.plan().groups.size());
+    run.work.ways.assign(run.plan().groups.size(), std::nullopt);
+    if (run.at.lost.nearest) {
+      run.work.ways = run.at.lost.nearest->ways;
+    }
   }
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     to.groups[g].mode = run.at.state.groups[g].mode;

@@ -145,9 +145,6 @@ inline constexpr double kLimitParabola = 0.04;
 /// Of the step: how far a limit may lie ahead.
 inline constexpr double kFarAhead = 64;
 
-/// What an angle that is turned far may be off, in units in the last place.
-inline constexpr double kUlpsOfAngle = 8;
-
 // Coupled bodies.
 
 /// Largest step of an angle [rad], or of the size.

@@ -1,4 +1,5 @@
 // Bodies that are solved together go on beyond a limit, on the branch of the same sense.
+#include "driven_four_bar.hpp"
 #include "io/profile_testing.hpp"
 #include "run_testing.hpp"
 
@@ -17,12 +18,11 @@ namespace {
 
 using testing::analyze_text;
 using testing::Complex;
+using testing::crank_angle;
+using testing::FourBar;
 using testing::replaced;
 using testing::RunTable;
 
-struct FourBar {
-  double frame, crank, coupler, rocker;  // mm
-};
 constexpr FourBar kUsual = {20, 50, 60, 40};
 
 // A four-bar that is driven at the pin of crank and coupler: no body can be placed before the others.
@@ -73,16 +73,6 @@ d = { type = "revolute", between = ["ground.C", "rocker.C"] }
 touch = { between = ["ground.disc", "coupler.disc"] }
 )");
   return text;
-}
-
-// Seen from the crank the end B of the coupler is on a circle about A, and the frame's pin C on one about O:
-// the angle from the frame to the crank in either assembly, σ = ±1, where there is one.
-std::optional<double> crank_angle(const FourBar& bar, double driver, double sigma) {
-  const Complex B = bar.crank + bar.coupler * std::polar(1.0, driver);
-  const double cosine =
-      (std::norm(B) + bar.frame * bar.frame - bar.rocker * bar.rocker) / (2 * bar.frame * std::abs(B));
-  if (std::abs(cosine) > 1) return std::nullopt;
-  return -(std::arg(B) + sigma * std::acos(cosine));
 }
 
 // Drivers at which B is as far from O as frame and rocker in one line reach, or as near.

@@ -1,4 +1,5 @@
 // Where branches of coupled bodies cross, or nearly do.
+#include "driven_four_bar.hpp"
 #include "run_testing.hpp"
 
 #include <fmt/ranges.h>
@@ -40,16 +41,11 @@ RunTable run_with(int samples, const char* rocker) {
       {fmt::format("driver.samples={}", samples), fmt::format("bodies.rocker.points.B.0={}", rocker)}));
 }
 
-// The crank from the triangles O A B (its angle at A is the driver's) and O B Q.
+// Of the change-point four-bar with another rocker, continuous over the driver's half turn.
 // \param side  of the line O Q on which B lies
 double crank_angle(double driver, double rocker, double side) {
-  const double x = 30 + 80 * std::cos(driver);
-  const double y = 80 * std::sin(driver);
-  const double reach2 = x * x + y * y;
-  const double at_O = std::acos((reach2 + 1e4 - rocker * rocker) / (200 * std::sqrt(reach2)));
-  double to_B = std::atan2(y, x);
-  to_B += driver > kPi ? 2 * kPi : 0;
-  return side * at_O - to_B;
+  const std::optional<double> angle = testing::crank_angle({100, 30, 80, rocker}, driver, -side);
+  return angle.value_or(NAN) - (driver > kPi ? 2 * kPi : 0);
 }
 
 TEST(CoupledCrossings, ArePassedStraightOnWhateverTheRows) {

@@ -58,8 +58,7 @@ std::vector<NamedFile> given(std::initializer_list<OptionalFile> files) {
 std::optional<Error> refused_output(const Model& model, const std::vector<NamedFile>& outputs) {
   for (const std::string& file : model.profile().files) {
     for (const NamedFile& output : outputs) {
-      const bool is_device = output.path != "-" && is_direct(output.path);
-      if (is_device || !is_same_file(file, output.path)) continue;
+      if (!is_same_file(file, output.path)) continue;
       return Error{ErrorKind::kInput,
                    {about(output.name, output.path + " is a file that the profile reads; give the output a "
                                                      "name of its own")}};

@@ -73,6 +73,12 @@ struct Crossing {
   double s = 0;  ///< on the path
 };
 
+/// As near as coupled bodies come to being assembled behind a limit.
+struct Nearest {
+  State state;
+  std::vector<std::optional<LeastViolation>> ways;  ///< of Plan::groups: how they came there
+};
+
 /// A limit at which the motion was lost.
 struct Loss {
   std::vector<double> from;  ///< the drivers at Run::state, the last position before it
@@ -80,9 +86,7 @@ struct Loss {
   RunEvent event;
   std::optional<double> looked_to;  ///< up to where on the straight line beyond it the branch has been looked
                                     ///< for in vain: coordinate of its leading driver
-  std::optional<State> nearest;     ///< with coupled bodies: there, as near as they come to being assembled
-  std::vector<std::optional<LeastViolation>>
-      ways;  ///< of Plan::groups: how they came there; while `nearest` is
+  std::optional<Nearest> nearest;   ///< with coupled bodies: there
 };
 
 /// What runs of one mechanism share and none of them changes.
