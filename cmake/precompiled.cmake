@@ -3,7 +3,7 @@
 set(HIGHERPAIR_PRECOMPILED
     <algorithm> <array> <cassert> <charconv> <cmath> <cstddef> <cstdint> <functional> <limits> <map> <memory> <numeric>
     <optional> <set> <span> <string> <string_view> <utility> <variant> <vector>
-    <Eigen/Core> <Eigen/LU> <Eigen/QR> <fmt/format.h> <tl/expected.hpp>)
+    <Eigen/Core> <Eigen/LU> <Eigen/QR> <fmt/core.h> <tl/expected.hpp>)
 
 # For a target of its own, with the headers named after it as well.
 function(higherpair_precompile target)

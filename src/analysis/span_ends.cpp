@@ -4,7 +4,7 @@
 #include "higherpair/geometry/edges.hpp"
 #include "tolerances.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

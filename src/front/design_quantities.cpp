@@ -3,11 +3,12 @@
 #include "higherpair/front/check.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/loops.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -56,7 +57,7 @@ std::string figure_objection(const std::vector<CheckFigure>& figures, const Desi
   if (curves.empty()) {
     return fmt::format("`check` has no such figure of this mechanism; {}", suggestion(name, names));
   }
-  return fmt::format("which curve is meant? say curve = \"{}\"", fmt::join(curves, "\" or curve = \""));
+  return fmt::format("which curve is meant? say curve = \"{}\"", joined_words(curves, "\" or curve = \""));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
+#include "numeric/joined_words.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -44,9 +45,9 @@ std::string words_of(const DesignTask::Constraint& constraint) {
   if (constraint.extent) return constraint.extent->words;
   if (constraint.grashof) return "room as a " + constraint.grashof->wanted;
   if (constraint.without.empty()) return words_of(*constraint.measure);
-  std::vector<std::string_view> names;
-  for (const EventType type : constraint.without) names.push_back(name_of(type));
-  return fmt::format("events {}", fmt::join(names, ", "));
+  std::vector<std::string> names;
+  for (const EventType type : constraint.without) names.emplace_back(name_of(type));
+  return "events " + joined_words(names);
 }
 
 double total(const DesignTask& task, const std::vector<double>& objectives) {

@@ -4,13 +4,13 @@
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -113,9 +113,8 @@ Result<std::vector<NamedRef>> wanted_curves(const Model& model, const ExportSett
     wanted = all;
   }
   if (wanted.empty()) {
-    return wrong(model, all.empty()
-                            ? "there are no curves"
-                            : fmt::format("say which curve goes out: {}", fmt::join(names_of(all), ", ")));
+    return wrong(model, all.empty() ? "there are no curves"
+                                    : "say which curve goes out: " + joined_words(names_of(all)));
   }
   return wanted;
 }
@@ -181,7 +180,7 @@ Result<double> roller_of(const Model& model, const NamedRef& wanted) {
                   [&](const auto& roller) { return roller.second != rollers.front().second; })) {
     return wrong(model, fmt::format("rollers of different radii touch {} ({}): give the one that is meant as "
                                     "the radius of a cutter",
-                                    wanted.name, fmt::join(texts, ", ")));
+                                    wanted.name, joined_words(texts)));
   }
   return rollers.front().second;
 }

@@ -2,6 +2,7 @@
 
 #include "fit_loss.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/joined_words.hpp"
 #include "numeric/singular_values.hpp"
 #include "tolerances.hpp"
 
@@ -11,8 +12,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -33,7 +33,7 @@ Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
 
 std::string list_of(const std::vector<std::string>& names) {
   if (names.size() == 1) return names.front();
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+  return fmt::format("{} and {}", joined_words(std::span(names).first(names.size() - 1)), names.back());
 }
 
 // \param z  changes of the unknowns that leave everything as it is; only those with a part
@@ -63,7 +63,7 @@ std::string direction_text(const std::vector<double>& z, const std::vector<doubl
   for (const double change : z) shares.push_back(fmt::format("{:.4g}", change / z[0]));
   return fmt::format(
       "{} cannot be told apart by these columns: changes in the proportion {} leave them as they are",
-      list_of(names), fmt::join(shares, " : "));
+      list_of(names), joined_words(shares, " : "));
 }
 
 // Inverse of JᵀJ over the unknowns in `free`, without directions that are not determined.

@@ -3,7 +3,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

@@ -7,6 +7,7 @@
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,8 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -151,7 +151,7 @@ Result<NamedMeasure> measure_from(const std::string& text) {
   if (colon == std::string::npos || colon == 0) {
     return wrong(place,
                  fmt::format("expected COLUMN:OF, such as follower.alpha:maxabs; OF is one of {} (at=X)",
-                             fmt::join(kinds, ", ")));
+                             joined_words(kinds)));
   }
   NamedMeasure result;
   result.name = text;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 // Of what the parser reports as an error it first asserts that it is none: `[` at the end of a line.
 #define TOML_ASSERT(expression) static_cast<void>(0)

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 using io_detail::Table;

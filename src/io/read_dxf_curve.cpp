@@ -1,6 +1,7 @@
 #include "dxf.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "named_file.hpp"
+#include "numeric/joined_words.hpp"
 #include "read_boundary.hpp"
 #include "tolerances.hpp"
 
@@ -8,8 +9,7 @@
 #include <limits>
 #include <set>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -44,7 +44,7 @@ std::optional<Drawing> read_drawing(TableReader& table) {
     report(reading, *layer,
            layers.empty()
                ? "the drawing has no lines or curves on any layer"
-               : fmt::format("no line or curve is on this layer; there are {}", fmt::join(layers, ", ")));
+               : fmt::format("no line or curve is on this layer; there are {}", joined_words(layers)));
     return std::nullopt;
   }
   const auto index = static_cast<std::size_t>(found - layers.begin());
@@ -91,8 +91,10 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
   report_whole(
       table,
       fmt::format("the drawing has {} contours, from {}{}; say which one with {}`near = [x, y]`",
-                  contours.size(), fmt::join(places, ", "), contours.size() > places.size() ? ", …" : "",
-                  layers.size() > 1 ? fmt::format("`layer` ({}) or ", fmt::join(layers, ", ")) : ""));
+                  contours.size(), joined_words(places), contours.size() > places.size() ? ", …" : "",
+                  layers.size() > 1 ? fmt::format("`layer` ({}) or ",
+                                                  joined_words(std::vector(layers.begin(), layers.end())))
+                                    : ""));
   return std::nullopt;
 }
 
@@ -116,11 +118,15 @@ void report_join(TableReader& table, const Drawing& drawing, const JoinFault& fa
     lines.push_back(drawing.content.pieces[static_cast<std::size_t>(piece)].line);
   }
   std::sort(lines.begin(), lines.end());
+  std::vector<std::string> numbers;
+  for (const int line : lines) {
+    numbers.push_back(std::to_string(line));
+  }
   report_in_file(
       table, drawing.file, lines.front(),
       fmt::format("more than two ends meet at {} (lines {}): a contour goes on in one way only; put "
                   "it on a layer of its own, and draw nothing twice",
-                  point_text(table.reading(), fault.at_B), fmt::join(lines, ", ")));
+                  point_text(table.reading(), fault.at_B), joined_words(numbers)));
 }
 
 void report_nothing(TableReader& table, const Drawing& drawing) {

@@ -1,10 +1,11 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
+#include "numeric/joined_words.hpp"
 #include "reading.hpp"
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -139,7 +140,7 @@ void require_materials(TableReader& table, const CheckLimits& limits, const Mech
     if (!missing.empty()) {
       table.reading().mistakes.push_back(
           {table.mark(), fmt::format("{}: the pressure of contacts.{} also needs {}", limit->path,
-                                     contact.name, fmt::join(missing, " and "))});
+                                     contact.name, joined_words(missing, " and "))});
       return;
     }
   }

@@ -1,9 +1,11 @@
 #include "read_measure.hpp"
 
+#include "numeric/joined_words.hpp"
+
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -25,7 +27,7 @@ std::optional<std::string> read_column(TableReader& table, Measure& measure) {
 
 std::optional<MeasureKind> read_kind(TableReader& table) {
   const std::vector<std::string> names(kMeasureNames.begin(), kMeasureNames.end());
-  const auto choice = table.need("of", fmt::format("one of {}", fmt::join(names, ", ")), as_choice, names);
+  const auto choice = table.need("of", "one of " + joined_words(names), as_choice, names);
   return choice ? std::optional(static_cast<MeasureKind>(*choice)) : std::nullopt;
 }
 

@@ -1,7 +1,7 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "reading.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {

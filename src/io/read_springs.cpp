@@ -1,6 +1,6 @@
 #include "reading.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {

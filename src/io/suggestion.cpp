@@ -1,10 +1,10 @@
 #include "higherpair/io/diagnostic.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -244,7 +244,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   if (names.empty()) {
     names = nearest(name, existing);
   }
-  return names.empty() ? "" : fmt::format("did you mean {}?", fmt::join(names, " or "));
+  return names.empty() ? "" : fmt::format("did you mean {}?", joined_words(names, " or "));
 }
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& existing) {
@@ -256,10 +256,8 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& ex
     return likely;
   }
   const auto listed = std::min(existing.size(), kMostListed);
-  return fmt::format(
-      "there {} {}{}", existing.size() == 1 ? "is only" : "are",
-      fmt::join(existing.begin(), existing.begin() + static_cast<std::ptrdiff_t>(listed), ", "),
-      listed < existing.size() ? ", …" : "");
+  return fmt::format("there {} {}{}", existing.size() == 1 ? "is only" : "are",
+                     joined_words(std::span(existing).first(listed)), listed < existing.size() ? ", …" : "");
 }
 
 }  // namespace higherpair

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <regex>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {

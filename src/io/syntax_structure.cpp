@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <regex>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {

@@ -1,13 +1,13 @@
 #include "typed_values.hpp"
 
 #include "higherpair/io/diagnostic.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -267,9 +267,8 @@ std::optional<std::size_t> as_choice(Reading& reading, const Item& item,
   const auto choice = std::find(choices.begin(), choices.end(), *text);
   if (choice == choices.end()) {
     const std::string likely = did_you_mean(*text, choices);
-    report(
-        reading, item,
-        fmt::format("expected one of {}{}{}", fmt::join(choices, ", "), likely.empty() ? "" : "; ", likely));
+    report(reading, item,
+           fmt::format("expected one of {}{}{}", joined_words(choices), likely.empty() ? "" : "; ", likely));
     return std::nullopt;
   }
   return static_cast<std::size_t>(choice - choices.begin());

@@ -2,11 +2,12 @@
 
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -23,16 +24,12 @@ std::string drivers(int n) {
   return number_of(n, "driver", "drivers");
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
 std::string joint_names(const Mechanism& mechanism, const std::vector<int>& joints) {
   std::vector<std::string> names;
   for (const int joint : joints) {
     names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
   }
-  return joined(names);
+  return joined_words(names);
 }
 
 std::string body_names(const Mechanism& mechanism, const std::vector<int>& bodies) {
@@ -40,7 +37,7 @@ std::string body_names(const Mechanism& mechanism, const std::vector<int>& bodie
   for (const int body : bodies) {
     names.push_back(mechanism.bodies[static_cast<std::size_t>(body)].name);
   }
-  return joined(names);
+  return joined_words(names);
 }
 
 std::string contact_names(const Mechanism& mechanism, const std::vector<int>& contacts) {
@@ -48,7 +45,7 @@ std::string contact_names(const Mechanism& mechanism, const std::vector<int>& co
   for (const int contact : contacts) {
     names.push_back(mechanism.contacts[static_cast<std::size_t>(contact)].name);
   }
-  return joined(names);
+  return joined_words(names);
 }
 
 std::string driver_name(const Mechanism& mechanism, int index) {
@@ -129,10 +126,10 @@ std::string useless_text(const Mechanism& mechanism, const Mobility& mobility) {
   if (mobility.freedom == 0) {
     return fmt::format("more drivers than freedom: {}; remove {}, or a joint, contact or member",
                        mobility.singular ? "it moves infinitesimally only" : "nothing can move",
-                       joined(names));
+                       joined_words(names));
   }
   return fmt::format("more drivers than freedom: remove {}: the other drivers and the joints set {} already",
-                     joined(names), names.size() == 1 ? "its joint" : "their joints");
+                     joined_words(names), names.size() == 1 ? "its joint" : "their joints");
 }
 
 }  // namespace
@@ -153,7 +150,7 @@ std::string elements_text(const MobilityCount& count) {
   add(count.belts, "belt", 2);
   return fmt::format("n = {} with ground, j = {} joints and contacts{}, sum f = {}",
                      number_of(count.bodies, "body", "bodies"), count.joints(),
-                     kinds.empty() ? "" : " (" + joined(kinds) + ")", count.freedoms());
+                     kinds.empty() ? "" : " (" + joined_words(kinds) + ")", count.freedoms());
 }
 
 std::string formula_text(const MobilityCount& count) {

@@ -1,6 +1,6 @@
 #include "higherpair/mechanism/plan_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

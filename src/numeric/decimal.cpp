@@ -4,7 +4,7 @@
 #include <fast_float/fast_float.h>
 #include <iterator>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #endif
 
 namespace higherpair {

@@ -3,7 +3,7 @@
 #include "higherpair/analysis/run.hpp"
 #include "linkage/linkage_testing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {

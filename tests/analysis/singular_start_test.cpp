@@ -2,7 +2,6 @@
 #include "linkage/slider_crank_profile.hpp"
 #include "run_testing.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "analysis/run_testing.hpp"
 #include "linkage/linkage_testing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

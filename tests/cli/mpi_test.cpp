@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #ifdef HIGHERPAIR_MPI_PROGRAM

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 // How far rows of a chain are from those of a run, forces included, without a judgement.
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 // Cams under sliding followers by their few own lines, their motions and the events of these.
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <regex>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 namespace higherpair {

@@ -1,7 +1,7 @@
 #include "higherpair/io/profile_reader.hpp"
 #include "io/profile_testing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "cases.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::bench {
 namespace {

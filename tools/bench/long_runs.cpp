@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::bench {
 namespace {

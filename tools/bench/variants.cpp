@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include "number_text.hpp"
 #include "unit_columns.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {

@@ -13,7 +13,6 @@
 #include <limits>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace higherpair::cli {

@@ -3,7 +3,7 @@
 #include "run_command.hpp"
 #include "unit_columns.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {

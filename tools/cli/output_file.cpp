@@ -9,7 +9,7 @@
 #include <memory>
 #include <unistd.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::cli {
 

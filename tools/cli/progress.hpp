@@ -5,7 +5,7 @@
 #include <ctime>
 #include <unistd.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::cli {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace higherpair::cli {

@@ -13,7 +13,7 @@
 #include <iterator>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace higherpair::cli {

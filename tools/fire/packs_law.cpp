@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace higherpair::fire {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::fire {
 namespace {

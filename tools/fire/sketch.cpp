@@ -1,6 +1,6 @@
 #include "sketch.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::fire {
 namespace {

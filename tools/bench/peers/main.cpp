@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace higherpair::peers {
 namespace {
