@@ -11,13 +11,18 @@
 #include "structure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
 
-#include <boost/geometry.hpp>
+#include <boost/geometry/algorithms/append.hpp>
+#include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/geometries/multi_point.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
-#include <fmt/format.h>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -32,13 +37,13 @@ double largest_distance(const std::vector<Vector2d>& points) {
   }
   boost::geometry::model::polygon<HullPoint> hull;
   boost::geometry::convex_hull(all, hull);
-  double distance = 0;
+  double square = 0;
   for (const HullPoint& a : hull.outer()) {
     for (const HullPoint& b : hull.outer()) {
-      distance = std::max(distance, boost::geometry::distance(a, b));
+      square = std::max(square, Vector2d(a.x() - b.x(), a.y() - b.y()).squaredNorm());
     }
   }
-  return distance;
+  return std::sqrt(square);
 }
 
 std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
