@@ -42,7 +42,7 @@ std::array<double, 2> interval_of(const ContactPair& pair, const CurveContact& c
                                   const DecidedRoot& root) {
   const double middle = (root.q[0] + root.q[1]) / 2;
   const double turn = pair.motion2.turns ? nearest_turn(middle, contact.q) - middle : 0;
-  const double margin = widening(pair, contact) + 2e-16 * std::abs(turn);
+  const double margin = widening(pair, contact) + kTurnsRounding * std::abs(turn);
   return {root.q[0] + turn - margin, root.q[1] + turn + margin};
 }
 

@@ -88,7 +88,7 @@ void add(const TangencyProblem& problem, const Tangency& tangency, std::vector<T
   for (Tangency& other : found) {
     if (auto middle = merged(problem, tangency, other)) {
       // The same one again, or a second one that rounding cannot tell from it?
-      const bool again = norm(tangency.w - other.w) + norm(tangency.at - other.at) <= Extended("1e-36");
+      const bool again = norm(tangency.w - other.w) + norm(tangency.at - other.at) <= Extended(kSameTangency);
       if (!again) {
         middle->exact = false;
         other = *middle;

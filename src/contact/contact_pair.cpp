@@ -1,5 +1,6 @@
 #include "higherpair/contact/contact_pair.hpp"
 
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "last_step.hpp"
 #include "osculating_pass.hpp"
@@ -14,7 +15,7 @@ namespace {
 // 2 atan(x); the series is exact to within rounding for small x.
 double twice_arc_tangent(double x) {
   const double x2 = x * x;
-  return x2 < 1e-5 ? 2 * x * (1 - x2 * (1 / 3.0 - x2 * (1 / 5.0 - x2 / 7.0))) : 2 * std::atan(x);
+  return x2 < kArcTangentSeries ? 2 * x * (1 - x2 * (1 / 3.0 - x2 * (1 / 5.0 - x2 / 7.0))) : 2 * std::atan(x);
 }
 
 // Velocities and accelerations for du/dt = 1: the equivalent link written without radii, so that flat faces

@@ -11,9 +11,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxSweeps = 100;
-// Squares of the relative corrections that end the iteration. Roots that are 1e-40 apart have to be told
-// apart.
-const Extended kConvergedSquared("1e-120");
 
 // Numbers of the machine of the widest range: a power of 16 of a root is among them.
 using Rough = long double;
@@ -173,7 +170,7 @@ std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsk
   }
   const Polynomial trimmed(first, last);
   std::vector<Complex<Extended>> x = rough_roots(trimmed);
-  iterate(trimmed, x, kConvergedSquared, lying_elsewhere(trimmed, x, asked));
+  iterate(trimmed, x, Extended(kConvergedSquared), lying_elsewhere(trimmed, x, asked));
   x.insert(x.end(), static_cast<std::size_t>(first - coefficients.begin()), Complex<Extended>{});
   return x;
 }

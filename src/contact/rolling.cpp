@@ -7,6 +7,7 @@
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "numeric/least_norm.hpp"
+#include "numeric/tolerances.hpp"
 #include "place_points.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr double kMostRollSteps = 1e15;  // that a count of them can hold
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
 
 double size_of(const ContactPair& pair, const ContactPosition& at) {
-  return (at.p1_W - pair.motion1.p_WO).norm() + (at.p2_W - pair.motion2.p_WO).norm() + 1e-300;
+  return (at.p1_W - pair.motion1.p_WO).norm() + (at.p2_W - pair.motion2.p_WO).norm() + kNeverZero;
 }
 
 // Change of a point of contact with q at the given normal, and with the normal.
@@ -68,7 +69,7 @@ void add_instant_centre(const ContactPair& pair, const ContactPosition& at, Equa
   const Vector2d t = perp(at.n_W);
   const Vector2d v1 = velocity_per_q(pair.motion1, at.p1_W);
   const Vector2d v2 = velocity_per_q(pair.motion2, at.p2_W);
-  const double scale = 1 / (v1.norm() + v2.norm() + 1e-300) *
+  const double scale = 1 / (v1.norm() + v2.norm() + kNeverZero) *
                        (pair.motion1.turns && pair.motion2.turns ? 1 : size_of(pair, at));
   equations.r(2) = scale * cross(v1, v2);
   // Points move with φ by ρ1 t and -ρ2 t, the second with q also by v2 + ρ2 t.

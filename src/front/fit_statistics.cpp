@@ -4,6 +4,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/joined_words.hpp"
 #include "numeric/singular_values.hpp"
+#include "numeric/tolerances.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ std::string direction_text(const std::vector<double>& z, const std::vector<doubl
 
 // Inverse of JᵀJ over the unknowns in `free`, without directions that are not determined.
 Eigen::MatrixXd covariance_shape(const Eigen::MatrixXd& J) {
-  const Eigen::VectorXd lengths = J.colwise().norm().cwiseMax(1e-300);
+  const Eigen::VectorXd lengths = J.colwise().norm().cwiseMax(kNeverZero);
   const SingularValues svd = singular_values(triangular_factor(J * lengths.cwiseInverse().asDiagonal()));
   Eigen::MatrixXd root = Eigen::MatrixXd::Zero(J.cols(), J.cols());
   for (Eigen::Index k = 0; k < svd.values.size(); ++k) {

@@ -4,6 +4,7 @@
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
+#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +129,7 @@ PrattCircle taubin_circle(const std::vector<Vector2d>& points) {
   }
   const Eigen::Vector3d least = singular_values(triangular_factor(rows)).V.col(2);
   const double A = least(0) / 2;
-  const double norm = std::sqrt(std::max(least.tail<2>().squaredNorm() + 4 * A * A, 1e-300));
+  const double norm = std::sqrt(std::max(least.tail<2>().squaredNorm() + 4 * A * A, kNeverZero));
   return {A / norm, -A / norm, std::atan2(least(2), least(1))};
 }
 

@@ -1,6 +1,7 @@
 // The point of a conic that is nearest to another.
 #include "higherpair/geometry/boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ public:
 private:
   [[nodiscard]] std::pair<double, double> interval() const {
     const double most = std::max(std::abs(lambda_(0)), std::abs(lambda_(1)));
-    const double far = kFarthestMultiplier / std::max(most, 1e-300);
+    const double far = kFarthestMultiplier / std::max(most, kNeverZero);
     return {lambda_(1) > 0 ? -0.5 / lambda_(1) : -far, lambda_(0) < 0 ? -0.5 / lambda_(0) : far};
   }
 

@@ -1,6 +1,7 @@
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +143,7 @@ public:
     }
     low_ = all.min();
     side_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(chords.size()))));
-    width_ = std::max(all.sizes().maxCoeff() / side_, 1e-300);
+    width_ = std::max(all.sizes().maxCoeff() / side_, kNeverZero);
     cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
     for (std::size_t i = 0; i < chords.size(); ++i) {
       for_each_cell(chords[i], [&](std::vector<std::size_t>& cell) { cell.push_back(i); });

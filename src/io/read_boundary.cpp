@@ -1,6 +1,7 @@
 #include "read_boundary.hpp"
 
 #include "higherpair/geometry/tolerances.hpp"
+#include "numeric/tolerances.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ std::string between_points(const Outline& outline, const Vector2d& p) {
   const auto distance = [&](std::size_t i) {
     const Vector2d& a = points[i];
     const Vector2d way = points[(i + 1) % points.size()] - a;
-    const double part = std::clamp((p - a).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+    const double part = std::clamp((p - a).dot(way) / std::max(way.squaredNorm(), kNeverZero), 0.0, 1.0);
     return (a + part * way - p).norm();
   };
   std::vector<std::size_t> order(points.size() - (outline.closed ? 0 : 1));

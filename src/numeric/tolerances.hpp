@@ -5,6 +5,9 @@
 
 namespace higherpair {
 
+// In place of a divisor that may be 0, or added to it: no other number is changed by it.
+inline constexpr double kNeverZero = 1e-300;
+
 // Least squares.
 inline constexpr double kFirstDamping = 1e-3;  // of the scaled columns
 inline constexpr double kLeastDamping = 1e-12;

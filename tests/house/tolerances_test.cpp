@@ -31,6 +31,18 @@ std::vector<std::string> small_constants(const std::string& text) {
   return found;
 }
 
+// The numbers of a source with a negative exponent, outside comments and texts.
+std::vector<std::string> small_numbers(const std::string& text) {
+  static const std::regex comment_or_text(R"(//[^\n]*|"(?:[^"\\\n]|\\.)*")");
+  static const std::regex number(R"(\b[0-9][0-9.]*e-[0-9]+)");
+  const std::string code = std::regex_replace(text, comment_or_text, "");
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(code.begin(), code.end(), number), end; match != end; ++match) {
+    found.push_back(match->str());
+  }
+  return found;
+}
+
 // The constants that a header of tolerances defines.
 std::vector<std::string> constants_of(const std::string& text) {
   static const std::regex defines(R"(\ninline constexpr [\w:]+(?: double)? (k\w+)(?= ?[={]))");
@@ -55,6 +67,19 @@ TEST(Tolerances, StandInTheHeaderOfTheirRoom) {
     if (is_source_of_rooms(path) && !path.ends_with("/tolerances.hpp")) {
       for (const std::string& name : small_constants(read_file(root() / file))) {
         EXPECT_TRUE(others.contains(name)) << path << ": " << name << " belongs in tolerances.hpp";
+      }
+    }
+  }
+}
+
+TEST(Tolerances, HaveNames) {
+  // Where the shortest digits of a number need an exponent, and what π and π/4 are more than their doubles.
+  const std::set<std::string> others = {"1e-99", "1.2246467991473532e-16", "3.061616997868383e-17"};
+  for (const auto& file : project_files()) {
+    const std::string path = file.generic_string();
+    if (is_source_of_rooms(path) && path.starts_with("src/") && !path.ends_with("/tolerances.hpp")) {
+      for (const std::string& number : small_numbers(read_file(root() / file))) {
+        EXPECT_TRUE(others.contains(number)) << path << ": " << number << " belongs in tolerances.hpp";
       }
     }
   }
@@ -99,6 +124,8 @@ TEST(Tolerances, AreSeenInMadeUpSources) {
                               "constexpr double kLongest = 0.3;\n"
                               "constexpr double half(double x) { return x < 1e-9 ? 0 : x / 2; }\n"),
               IsEmpty());
+  EXPECT_THAT(small_numbers("x < 1e-9 ? 2.5e-3 : 0;  // 1e-7\nreport(\"at \\\"1e-5\\\"\"); y = 1e9;\n"),
+              ElementsAre("1e-9", "2.5e-3"));
   EXPECT_THAT(constants_of("\ninline constexpr double kNear = 1e-9;\ninline constexpr long double kTiny = 1;"
                            "\ninline constexpr std::array kSteps = {1.0};\n"),
               ElementsAre("kNear", "kTiny", "kSteps"));

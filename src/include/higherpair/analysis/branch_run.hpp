@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <optional>
 #include <vector>
@@ -22,7 +23,7 @@ namespace higherpair {
 /// As start_run, on this branch. The numbers of redundant mechanisms are not checked. None where it cannot be
 /// assembled there at the first positions of the drivers.
 [[nodiscard]] std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers,
-                                                 int branch, double tolerance = 1e-9);
+                                                 int branch, double tolerance = kDefaultClosure);
 
 /// By how much a group of links is too short, or too long, to be assembled between the bodies that it depends
 /// on, at their present positions [m]; < 0: what it has to spare. None for groups that are no dyads.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 #include <array>
 #include <optional>
@@ -40,6 +41,6 @@ struct MappedContacts {
 /// Fails where the mechanism has no plan.
 [[nodiscard]] tl::expected<MappedContacts, std::string> mapped_contacts(const Mechanism& mechanism,
                                                                         const std::vector<double>& drivers,
-                                                                        double tolerance = 1e-9);
+                                                                        double tolerance = kDefaultClosure);
 
 }  // namespace higherpair

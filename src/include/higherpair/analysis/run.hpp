@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/row.hpp"
 #include "higherpair/analysis/state.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "higherpair/numeric/stop.hpp"
 
 #include <atomic>
@@ -126,7 +127,7 @@ struct StepWorkspace {
 /// A running analysis. A copy goes on from where it is, on its own and in any thread.
 struct Run {
   RunModel model;
-  double tolerance = 1e-9;  ///< of the plan's size: larger residuals are not `ok`
+  double tolerance = kDefaultClosure;  ///< of the plan's size: larger residuals are not `ok`
   Standing at;
   StepWorkspace work;
   MotionRow row;                            ///< of the last move_to
@@ -148,11 +149,11 @@ struct Run {
 /// are nearest to their places in the poses (least sum of squares), contacts as their `approach` says.
 [[nodiscard]] tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism,
                                                         const std::vector<double>& drivers,
-                                                        double tolerance = 1e-9);
+                                                        double tolerance = kDefaultClosure);
 
 /// The same with what other runs may share.
 [[nodiscard]] tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<double>& drivers,
-                                                        double tolerance = 1e-9);
+                                                        double tolerance = kDefaultClosure);
 
 /// Whether whoever asked for the run wants it no longer.
 [[nodiscard]] inline bool is_stopped(const Run& run) {

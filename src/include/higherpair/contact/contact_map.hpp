@@ -3,6 +3,7 @@
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/contact/critical_positions.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/numeric/stop.hpp"
 
 #include <array>
@@ -22,9 +23,10 @@ class BoundaryTrace;
 
 /// The driver coordinates that a map covers: one whole turn from `start`, or the range from `start` to `end`.
 struct MapRange {
-  double start = 0;            ///< [rad or m]
-  double end = 0;              ///< of a sliding driver [m], either side of start; ignored where it turns
-  double tolerance = 1e-9;     ///< of the bodies' size: overlap up to which a contact still counts as free
+  double start = 0;  ///< [rad or m]
+  double end = 0;    ///< of a sliding driver [m], either side of start; ignored where it turns
+  double tolerance =
+      kDefaultOverlap;         ///< of the bodies' size: overlap up to which a contact still counts as free
   std::int64_t samples = 361;  ///< points over the range, both ends included, >= 2
   const std::atomic<bool>* stop = nullptr;  ///< once true, the map is given up: MapStatus::kStopped
 };
@@ -115,9 +117,8 @@ struct ContactMap {
 /// `range.start` begins below it; every other begins within the range.
 /// Folds and cusps are exact to within rounding, divided by the slope of the conditions there; those nearer
 /// together than 1e-10 (of a radian, of the size) are not told apart: an island smaller than that is two
-/// events without branches. Cost: some 10 ms for each interval and each fold's circle, for two conics. \pre
-/// samples
-/// >= 2
+/// events without branches. Cost: some 10 ms for each interval and each fold's circle, for two conics.
+/// \pre samples >= 2
 [[nodiscard]] ContactMap map_contacts(const ContactPair& pair, const MapRange& range);
 
 /// The same of two boundaries, which have to outlive the map.

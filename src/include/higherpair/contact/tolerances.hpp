@@ -96,6 +96,7 @@ inline constexpr double kLongestRefinement = 1e-4;  // of a tangency that an equ
 inline constexpr double kNoRefinement = 1e-60;      // a step that is none
 inline constexpr double kDoubleLine = 1e-5;         // size of the adjugate, of the matrix: of rank 1
 inline constexpr double kExactTangency = 1e-18;     // distance from being one
+inline constexpr double kSameTangency = 1e-36;      // squared distance of two that are one, found twice
 inline constexpr double kNoiseOfZero = 1e-30;       // of the 100 digits those below are noise of an exact 0
 
 // Roots of polynomials, in the same numbers.
@@ -104,8 +105,10 @@ inline constexpr long double kRoundingOfTerms = 1e-95L;        // of a sum of pr
 inline constexpr long double kRootRest = 1e-70L;  // of the sum of the coefficients: what a root leaves
 // To where roots are asked for: those that others take to be there.
 inline constexpr long double kNearbyRoots = 1e-3L;
-// Square of the relative corrections that end the iteration in numbers of the machine.
+// Squares of the relative corrections that end the iteration, in numbers of the machine and then in these:
+// roots that are 1e-40 apart are two.
 inline constexpr long double kRoughlyConvergedSquared = 1e-30L;
+inline constexpr double kConvergedSquared = 1e-120;
 
 // Certificates: rounding may exchange contacts, split double roots, or move triple ones, by this.
 inline constexpr double kSameRoot = 1e-9;  // list and exact root mean the same contact
@@ -113,6 +116,10 @@ inline constexpr double kCrowded = 1e-12;
 inline constexpr double kFragile = 1e-5;
 inline constexpr double kFragileFourfold = 1e-4;
 inline constexpr double kInputRounding = 0x1p-50;
+inline constexpr double kTurnsRounding = 2e-16;  // of whole turns that are added to an angle
+
+// tan² of half an angle below which four terms of the series are the arc tangent to within rounding.
+inline constexpr double kArcTangentSeries = 1e-5;
 
 // Conforming positions.
 inline constexpr double kConformingRoot = 1e-6;  // of the size²: more is left where the condition jumps
@@ -165,7 +172,8 @@ inline constexpr double kAtFoot = 1e-15;            // of the size
 inline constexpr double kSupportReach = 100;
 
 // Maps.
-inline constexpr double kCutResolution = 1e-10;      // critical positions nearer than this are one cut
+inline constexpr double kDefaultOverlap = 1e-9;  // of a contact that counts as free, where none is asked for
+inline constexpr double kCutResolution = 1e-10;  // critical positions nearer than this are one cut
 inline constexpr double kCrossingResolution = 1e-7;  // rounding makes two folds of a crossing, as far apart
 inline constexpr double kSameEventNormal = 1e-6;
 inline constexpr double kSameMapContact = 1e-6;   // a contact that is followed comes back to itself

@@ -22,6 +22,11 @@ inline constexpr double kDyadNoise = 1e-14;
 inline constexpr double kTouchNoise = 1e-12;
 inline constexpr double kCoupledNoise = 1e-11;
 
+// Assembly.
+
+/// Largest closure error, where no other is asked for.
+inline constexpr double kDefaultClosure = 1e-9;
+
 // Assembly without an order of the bodies.
 
 /// Largest closure error.
