@@ -7,17 +7,22 @@
 #include "limit_events.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
+#include "straight_path.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <fmt/core.h>
+
 namespace higherpair {
 namespace {
 
 constexpr int kHalvingsToLimit = 3;  // refused steps, one after the other, before a limit is looked for
 constexpr double kMostSteps = 2e5;   // inner steps besides those that the path takes at least
+// On one path. More are a slip in a driver's end, say, and would fill the memory: 400 bytes each.
+constexpr std::size_t kMostEvents = 250'000;
 
 // Of how many inner steps a path is at least.
 double parts_of(const Run& run, const Path& path) {
@@ -59,6 +64,9 @@ public:
     while (at_.s != path_.length) {
       if (is_stopped(run_)) {
         return false;
+      }
+      if (run_.events.size() >= kMostEvents) {
+        return give_up();
       }
       const Outcome outcome = next();
       if (outcome != Outcome::kGoesOn) {
@@ -254,18 +262,38 @@ private:
       go_on_anew();
       return Outcome::kGoesOn;
     }
-    run_.at.lost.event = limit_event(run_, limit.group, path_, limit.s);
+    const RunEvent event = limit_event(run_, limit.group, path_, limit.s);
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
-    path_.positions(is_ahead ? at_.s : limit.s - least, run_.at.lost.from);
-    path_.positions(limit.s, run_.at.lost.at);
+    end(event, is_ahead ? at_.s : limit.s - least, limit.s);
+    return Outcome::kLost;
+  }
+
+  // False.
+  bool give_up() {
+    RunEvent event;
+    event.type = EventType::kEnd;
+    set_place(event, path_, at_.s);
+    event.cause = fmt::format(
+        "{} events lie between two rows, and this path is not followed further; let the drivers "
+        "go less far, or take more rows",
+        kMostEvents);
+    end(event, at_.s, at_.s);
+    run_.at.lost.for_good = true;
+    return false;
+  }
+
+  // The motion is lost at s = `at`; s = `from` is the last position before.
+  void end(const RunEvent& event, double from, double at) {
+    run_.at.lost.event = event;
+    path_.positions(from, run_.at.lost.from);
+    path_.positions(at, run_.at.lost.at);
     run_.at.lost.looked_to.reset();
     run_.at.lost.nearest.reset();
-    report_limit(run_, path_, run_.at.lost.event);
+    report_limit(run_, path_, event);
     run_.at.held = false;
     run_.at.drivers = path_.to;
-    return Outcome::kLost;
   }
 
   Run& run_;

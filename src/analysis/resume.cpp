@@ -422,7 +422,7 @@ Taken StretchSearch::take_up_first(double from) {
 }  // namespace
 
 bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
-  if (is_stopped(run)) {
+  if (is_stopped(run) || run.at.lost.for_good) {
     return false;
   }
   const bool comes_back = has_come_back(run, drivers);

@@ -87,22 +87,38 @@ double way_of(const DriverSchedule& schedule, std::size_t driver) {
   return way;
 }
 
-std::optional<Error> refuse_long_slide(const Model::Data& model, const DriverSchedule& schedule) {
+// What is wrong with a driver that goes so far from its first position [rad or m]; empty: nothing.
+std::string objection_to_way(const Model::Data& model, std::size_t driver, double way) {
   const Profile& profile = model.profile;
-  const double longest = kLongestDriverSlide * model.plan->size;
+  const std::string name = driver_name(profile.mechanism.drivers[driver]);
   const auto length = [&](double metres) {
     return fmt::format("{:.6g} {}", from_si(dimension::kLength, profile.units).apply(metres),
                        unit_text(dimension::kLength, profile.units));
   };
-  for (std::size_t i = 0; i < profile.mechanism.drivers.size(); ++i) {
-    const double way = has_angle(driven_joint(profile.mechanism, i).type) ? 0 : way_of(schedule, i);
-    if (way > longest) {
-      return error_about(
-          model, ErrorKind::kInput,
-          fmt::format(
-              "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can be "
-              "followed (the largest distance of its points, or {} where they coincide): let it go less far",
-              driver_name(profile.mechanism.drivers[i]), length(way), length(longest), length(1)));
+  const double longest = kLongestDriverSlide * model.plan->size;
+  if (has_angle(driven_joint(profile.mechanism, driver).type)) {
+    const double turns = way / (2 * kPi);
+    return turns <= kMostDriverTurns
+               ? ""
+               : fmt::format(
+                     "{} goes {:.6g} turns from its first position; at most 1e7 turns can be followed: "
+                     "let it go less far",
+                     name, turns);
+  }
+  return way <= longest
+             ? ""
+             : fmt::format(
+                   "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can "
+                   "be followed (the largest distance of its points, or {} where they coincide): let it go "
+                   "less far",
+                   name, length(way), length(longest), length(1));
+}
+
+std::optional<Error> refuse_long_way(const Model::Data& model, const DriverSchedule& schedule) {
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    std::string objection = objection_to_way(model, i, way_of(schedule, i));
+    if (!objection.empty()) {
+      return error_about(model, ErrorKind::kInput, std::move(objection));
     }
   }
   return std::nullopt;
@@ -112,7 +128,7 @@ Result<Run> started(const Model::Data& model, const RunSettings& settings, const
   const auto refuse = [&](std::string reason) {
     return tl::unexpected(error_about(model, ErrorKind::kMechanism, std::move(reason)));
   };
-  if (auto refusal = refuse_long_slide(model, schedule)) {
+  if (auto refusal = refuse_long_way(model, schedule)) {
     return tl::unexpected(*std::move(refusal));
   }
   auto run = start_run(run_model(model), schedule.first_positions(), settings.tolerance);

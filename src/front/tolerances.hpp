@@ -26,6 +26,8 @@ inline constexpr double kSameRowArc = 1e-9;
 /// Travel of a driver that slides, in sizes of the mechanism: farther away positions are rounded by more than
 /// the default tolerance, and a path is followed in steps of a sixth of the size.
 inline constexpr double kLongestDriverSlide = 1e7;
+/// The same of a driver that turns, in turns: a path is followed in steps of 10 degrees.
+inline constexpr double kMostDriverTurns = 1e7;
 /// Least tolerance of a DyadChain.
 inline constexpr double kLeastChainTolerance = 1e-9;
 /// Length of a direction that is given as a unit vector, less 1.

@@ -21,6 +21,7 @@ using higherpair::testing::read_file;
 using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 
 class Program : public ProgramTest {
 protected:
@@ -476,6 +477,36 @@ driver = { joint = "guide", start = 0, end = 1e12, samples = 2 }
   EXPECT_EQ(run("analyze " + file.string() + " --set driver.end=0.5").code, 0);
   EXPECT_EQ(run("analyze " + file.string() + " --set driver.positions=[0,1e12,0]").code, 2);
   EXPECT_EQ(run("analyze " + file.string() + " --set driver.positions=[1e12,1000000000100]").code, 0);
+}
+
+TEST_F(Program, SaysHowManyTurnsADriverCanMake) {
+  const std::string analyze = "analyze " + profile("slider_crank.toml");
+  const Outcome far = run(analyze + " --samples 2 --set driver.end=1e10");
+  EXPECT_EQ(far.code, 2);
+  EXPECT_EQ(far.out, "");
+  EXPECT_THAT(far.err, HasSubstr("slider_crank.toml: driver goes 2.77778e+07 turns from its first position; "
+                                 "at most 1e7 turns can be followed: let it go less far"));
+  const Outcome fast = run("step " + profile("slider_crank.toml") +
+                           " --samples 2 --set 'driver.velocity=\"1e9 rad/s\"' --set driver.duration=2");
+  EXPECT_EQ(fast.code, 2);
+  EXPECT_THAT(fast.err, HasSubstr("driver goes 3.1831e+08 turns from its first position"));
+  // From where it starts, however far that is.
+  EXPECT_EQ(run(analyze + " --samples 2 --set driver.start=1e10 --set driver.end=10000000360").code, 0);
+}
+
+// A stroke ends twice in a turn.
+TEST_F(Program, SaysWhereARunHasMoreEventsThanItKeeps) {
+  const std::string table = (folder_ / "table.csv").string();
+  const Outcome outcome = run("analyze " + profile("slider_crank.toml") +
+                              " --samples 4 --set driver.end=1e9 --columns driver,status --csv " + table);
+  EXPECT_EQ(outcome.code, 4);
+  const auto lines = std::count(outcome.err.begin(), outcome.err.end(), '\n');
+  EXPECT_EQ(lines, 250'001);
+  EXPECT_THAT(
+      outcome.err.substr(outcome.err.rfind('\n', outcome.err.size() - 2) + 1),
+      MatchesRegex("end at driver = 4499[0-9.]+ deg: 250000 events lie between two rows, and this path is "
+                   "not followed further; let the drivers go less far, or take more rows\n"));
+  EXPECT_THAT(read_file(table), HasSubstr("1e+09,not_assemblable\n"));
 }
 
 TEST_F(Program, CountsOpenRowsInTheSummaryOfForces) {

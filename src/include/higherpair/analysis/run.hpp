@@ -88,6 +88,7 @@ struct Loss {
   std::optional<double> looked_to;  ///< up to where on the straight line beyond it the branch has been looked
                                     ///< for in vain: coordinate of its leading driver
   std::optional<Nearest> nearest;   ///< with coupled bodies: there
+  bool for_good = false;            ///< the path was given up, and is not taken up again
 };
 
 /// What runs of one mechanism share and none of them changes.
