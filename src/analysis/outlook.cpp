@@ -1,5 +1,6 @@
 #include "outlook.hpp"
 
+#include "higherpair/contact/step_length.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
@@ -30,9 +31,14 @@ double highest_between(const Outlook& a, const Outlook& b) {
   return 2 * top - std::max(a.placing.room, b.placing.room);
 }
 
+// A shorter stretch, or what the driver does not resolve there, is not divided.
+double shortest_stretch(const LineAhead& line, double x) {
+  return std::max(kShortestStretch * line.scale(), shortest_step(line.scale(), x));
+}
+
 // Climbs a hill between two positions at which the branch cannot be placed, up to where it can.
 std::optional<double> placed_on_hill(Run& run, const LineAhead& line, Outlook a, Outlook b) {
-  const double shortest = kShortestStretch * line.scale();
+  const double shortest = shortest_stretch(line, a.x);
   while (has_hill(a, b) && std::abs(b.x - a.x) > shortest && highest_between(a, b) >= 0 && !is_stopped(run)) {
     const Outlook middle = outlook_at(run, line, (a.x + b.x) / 2, b.x - a.x);
     if (middle.placing.complete) {
@@ -89,7 +95,7 @@ std::optional<double> placed_between(Run& run, const LineAhead& line, const Outl
   if (a.placing.conditions == b.placing.conditions) {
     return placed_within(run, line, a, b);
   }
-  const double shortest = kShortestStretch * line.scale();
+  const double shortest = shortest_stretch(line, a.x);
   Outlook low = a, high = b;
   while (std::abs(high.x - low.x) > shortest && !is_stopped(run)) {
     const Outlook middle = outlook_at(run, line, (low.x + high.x) / 2, high.x - low.x);

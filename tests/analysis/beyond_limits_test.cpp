@@ -192,6 +192,24 @@ ahead = { between = ["ground.branch", "second.face"] })");
 }
 
 // The blade of another driver rests far out, while a piston comes to the end of its guide.
+// After ten million turns the driver is known to 5e-7 degrees: a stretch shorter than that is not divided for
+// ever.
+TEST(BeyondLimits, StretchesAreDividedAsFarAsTheDriverIsResolved) {
+  const auto rows_from = [](double start) {
+    return testing::analyze(testing::shipped(
+        "sixbar_slider", {"bodies.ground.points.F=[23.5739, 0]", "bodies.ground.points.rail=[0, 36.3659]",
+                          "bodies.link3.points.B=[12.2879, 0]", "bodies.link5.points.G=[39.8139, 0]",
+                          fmt::format("driver.start={}", start), fmt::format("driver.end={}", start + 360),
+                          "driver.samples=37"}));
+  };
+  const RunTable near = rows_from(0), far = rows_from(3.6e9);
+  ASSERT_EQ(near.size(), far.size());
+  EXPECT_EQ(near.count(RowStatus::kNotAssemblable), 14);
+  for (std::size_t row = 0; row < near.size(); ++row) {
+    EXPECT_EQ(near.status(row), far.status(row)) << row;
+  }
+}
+
 TEST(BeyondLimits, AContactThatRestsFarOutEndsNothing) {
   std::string profile = replaced(kBladeOnAHyperbola, "[joints]", R"([bodies.crank]
 pose = { y = -40, angle = 90 }
