@@ -24,7 +24,7 @@ public:
     if (last) {
       found.push_back({at(0), at(1)});
     }
-    for (int k = 1; k <= kTries; ++k) {
+    for (int k = 1; k <= kTries && !is_stopped(run_); ++k) {
       const double x = static_cast<double>(k) / kTries;
       const double before = static_cast<double>(k - 1) / kTries;
       const bool here = assembles(x);
@@ -48,7 +48,7 @@ private:
 
   // The last place at which it can be assembled from `inside` to `outside`.
   double end_between(double inside, double outside) {
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kHalvings && !is_stopped(run_); ++i) {
       const double middle = (inside + outside) / 2;
       (assembles(middle) ? inside : outside) = middle;
     }
@@ -68,13 +68,14 @@ double distance(const StartRange& range, double from, double turn) {
 }  // namespace
 
 std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechanism,
-                                                         const std::vector<double>& drivers,
-                                                         double tolerance) {
+                                                         const std::vector<double>& drivers, double tolerance,
+                                                         const std::atomic<bool>* stop) {
   auto run = planned_run(mechanism, drivers);
   if (!run || drivers.empty() || surplus_objection(mechanism, run->plan(), drivers)) {
     return std::nullopt;
   }
   run->tolerance = tolerance;
+  run->stop = stop;
   if (!assemble(*run)) {
     return std::nullopt;
   }
@@ -83,6 +84,9 @@ std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechan
   const double reach = kReachOfSlide * run->plan().size;
   std::vector<StartRange> ranges = turn > 0 ? Scan(*run, drivers.front(), turn).ranges()
                                             : Scan(*run, drivers.front() - reach, 2 * reach).ranges();
+  if (is_stopped(*run)) {
+    return std::nullopt;
+  }
   std::stable_sort(ranges.begin(), ranges.end(), [&](const StartRange& a, const StartRange& b) {
     return distance(a, drivers.front(), turn) < distance(b, drivers.front(), turn);
   });

@@ -17,21 +17,6 @@ Extended& Extended::operator+=(const Extended& b) {
   return *this;
 }
 
-Extended& Extended::operator-=(const Extended& b) {
-  x_ -= b.x_;
-  return *this;
-}
-
-Extended& Extended::operator*=(const Extended& b) {
-  x_ *= b.x_;
-  return *this;
-}
-
-Extended& Extended::operator/=(const Extended& b) {
-  x_ /= b.x_;
-  return *this;
-}
-
 Extended operator+(const Extended& a, const Extended& b) {
   return Extended(a.number() + b.number());
 }

@@ -31,9 +31,6 @@ public:
   [[nodiscard]] const Number& number() const { return x_; }
 
   Extended& operator+=(const Extended& b);
-  Extended& operator-=(const Extended& b);
-  Extended& operator*=(const Extended& b);
-  Extended& operator/=(const Extended& b);
 
   friend Extended operator+(const Extended& a, const Extended& b);
   friend Extended operator-(const Extended& a, const Extended& b);

@@ -13,6 +13,9 @@
 namespace higherpair {
 namespace {
 
+// A first piece has a singular position or two, and a few of the shortest beside each.
+constexpr int kManyLeftOut = 16;
+
 class Recorder {
 public:
   Recorder(const Run& start, const DriverPath& path, std::vector<Preload> preloads)
@@ -60,6 +63,8 @@ private:
     longest_ = (to - from) / parts;
     fitter_.set_longest(longest_);
     for (double i = 0; i < parts && !is_stopped(run()); ++i) {
+      shortest_ = kShortestForcePiece * longest_;
+      times_left_out_ = 0;
       resolve({i == 0 ? from : from + i * longest_, i + 1 == parts ? to : from + (i + 1) * longest_});
     }
   }
@@ -88,7 +93,7 @@ private:
       left_out_.reset();
       return;
     }
-    if (!fit.event && stretch.to - stretch.from <= kShortestForcePiece * longest_) {
+    if (!fit.event && stretch.to - stretch.from <= shortest_) {
       leave_out(stretch);
       return;
     }
@@ -100,8 +105,12 @@ private:
     resolve({split, stretch.to, stretch.breaks_at_end, tail});
   }
 
-  // Next to a singular position.
+  // Next to a singular position. Where forces are noise there are very many of them, and less and less is
+  // looked at.
   void leave_out(const ForceStretch& stretch) {
+    if (++times_left_out_ % kManyLeftOut == 0) {
+      shortest_ *= 2;
+    }
     if (left_out_) {
       return;
     }
@@ -141,6 +150,8 @@ private:
   ForceWatch watch_;
   bool moved_ = false;              // the path has more than one position
   double longest_ = 0;              // first pieces of this stretch
+  double shortest_ = 0;             // that the present one of them is divided into
+  int times_left_out_ = 0;          // of the present one
   std::optional<double> left_out_;  // from where on something singular is left out since the last piece
 };
 

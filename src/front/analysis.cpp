@@ -135,8 +135,8 @@ Result<Run> started(const Model::Data& model, const RunSettings& settings, const
   if (!run) {
     return refuse(run.error().slip
                       ? text_of(*run.error().slip, model.profile)
-                      : run.error().reason +
-                            start_advice(model.profile, schedule.first_positions(), settings.tolerance));
+                      : run.error().reason + start_advice(model.profile, schedule.first_positions(),
+                                                          settings.tolerance, settings.stop));
   }
   run->stop = settings.stop;
   const auto& contacts = model.profile.mechanism.contacts;

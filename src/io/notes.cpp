@@ -84,9 +84,10 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
   return notes;
 }
 
-std::string start_advice(const Profile& profile, const std::vector<double>& drivers, double tolerance) {
+std::string start_advice(const Profile& profile, const std::vector<double>& drivers, double tolerance,
+                         const std::atomic<bool>* stop) {
   const Mechanism& mechanism = profile.mechanism;
-  const auto ranges = find_start_ranges(mechanism, drivers, tolerance);
+  const auto ranges = find_start_ranges(mechanism, drivers, tolerance, stop);
   if (!ranges) {
     return "";
   }

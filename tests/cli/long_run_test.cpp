@@ -20,8 +20,8 @@ class LongRun : public ProgramTest {
 protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    copy_profiles(
-        {"four_bar", "watt_sixbar_forces", "ellipse_cam_roller", "double_rocker", "start_stop_crank"});
+    copy_profiles({"four_bar", "watt_sixbar_forces", "ellipse_cam_roller", "double_rocker",
+                   "start_stop_crank", "gear_teeth"});
   }
 
   /// What h5dump prints of a file; empty where there is no h5dump, or no HDF5 in the program.
@@ -142,6 +142,17 @@ TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(file("err"), IsEmpty());
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+}
+
+// Teeth that are too large for the wheels' distance: no start is found anywhere, which takes long.
+TEST_F(LongRun, EndsAtOnceWhileItLooksForAStart) {
+  const int status = std::system(
+      fmt::format("cd '{}' && timeout --preserve-status -s INT 2 {} analyze gear_teeth.toml --set "
+                  "bodies.wheel.curves.teeth.module=2.6977293 --csv t.csv 2>err",
+                  folder_.string(), HIGHERPAIR_PROGRAM)
+          .c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(file("err"), IsEmpty());
 }
 
 // The reader of its pipe takes nothing for longer than the program is allowed.

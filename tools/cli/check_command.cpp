@@ -67,7 +67,7 @@ int check_command(const CheckOptions& options) {
   settings.tolerance = options.tolerance;
   settings.stop = &interruption();
   const auto report = check(*model, settings);
-  return report ? write(options, *model, *report) : report_error(report.error());
+  return report ? write(options, *model, *report) : exit_failed(report.error());
 }
 
 }  // namespace higherpair::cli

@@ -51,7 +51,7 @@ int plot_command(const PlotOptions& options) {
   settings.run.stop = &interruption();
   const auto plot = plot_of(*model, settings);
   if (!plot) {
-    return report_error(plot.error());
+    return exit_failed(plot.error());
   }
   print_notes(plot->notes, options.quiet);
   if (plot->stopped) {

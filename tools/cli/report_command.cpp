@@ -80,7 +80,7 @@ int report_command(const ReportOptions& options) {
   Progress progress(!options.quiet);
   const auto report = report_of(*model, settings_of(options, progress));
   if (!report) {
-    return report_error(report.error());
+    return exit_failed(report.error());
   }
   print_notes(report->notes, options.quiet);
   if (report->stopped) {

@@ -290,7 +290,7 @@ int run_command(const RunOptions& options) {
   listen_to_signals();
   auto analysis = model->start(settings_of(options));
   if (!analysis) {
-    return report_error(analysis.error());
+    return exit_failed(analysis.error());
   }
   print_notes(analysis->notes(), options.quiet);
   return write_rows(options, *model, *analysis);

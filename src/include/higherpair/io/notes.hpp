@@ -3,6 +3,7 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/profile.hpp"
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,11 @@ namespace higherpair {
 
 /// Where the (first) driver could start instead, for the end of a message that the mechanism cannot be
 /// assembled with its drivers at these positions: "; it can be with driver.start from -65.8 to 65.8 deg".
-/// Empty where something else is wrong. See find_start_ranges. \param drivers    in SI units \param tolerance
-/// as of start_run
+/// Empty where something else is wrong. See find_start_ranges.
+/// \param drivers    in SI units
+/// \param tolerance  as of start_run
+/// \param stop       once true, the search is given up; may be null
 [[nodiscard]] std::string start_advice(const Profile& profile, const std::vector<double>& drivers,
-                                       double tolerance);
+                                       double tolerance, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace higherpair
