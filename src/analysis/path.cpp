@@ -266,8 +266,17 @@ private:
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
+    forget_strokes_beside(event);
     end(event, is_ahead ? at_.s : limit.s - least, limit.s);
     return Outcome::kLost;
+  }
+
+  // Rates are too inexact beside a limit for whether a joint reverses there, and steps end sooner or later.
+  void forget_strokes_beside(const RunEvent& limit) {
+    const double near = kNearLimit * at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
+    std::erase_if(run_.events, [&](const RunEvent& event) {
+      return event.type == EventType::kStrokeEnd && std::abs(event.share - limit.share) <= near;
+    });
   }
 
   // False.
