@@ -279,7 +279,7 @@ private:
     });
   }
 
-  // False.
+  // Returns false, as follow() does where the motion is lost.
   bool give_up() {
     RunEvent event;
     event.type = EventType::kEnd;

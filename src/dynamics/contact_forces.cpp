@@ -105,8 +105,8 @@ private:
     resolve({split, stretch.to, stretch.breaks_at_end, tail});
   }
 
-  // Next to a singular position. Where forces are noise there are very many of them, and less and less is
-  // looked at.
+  // Next to a singular position. Where forces are noise very many pieces are left out: the next ones are
+  // longer.
   void leave_out(const ForceStretch& stretch) {
     if (++times_left_out_ % kManyLeftOut == 0) {
       shortest_ *= 2;

@@ -20,8 +20,9 @@ struct StartRange {
 /// found: a range narrower than the 72nd part may be missed. At most three ranges, the nearest first; their
 /// ends are within 1e-9 of the span, on the side where it can be assembled, of a driver that turns the lower
 /// one in [0, 2π). Empty where there is none; nothing where the positions are not what is wrong, and once
-/// stopped. \param tolerance  as of start_run \param stop       once true, the search is given up; may be
-/// null
+/// stopped.
+/// \param tolerance  as of start_run
+/// \param stop       once true, the search is given up; may be null
 [[nodiscard]] std::optional<std::vector<StartRange>> find_start_ranges(
     const Mechanism& mechanism, const std::vector<double>& drivers, double tolerance,
     const std::atomic<bool>* stop = nullptr);

@@ -25,9 +25,8 @@ class BoundaryTrace;
 struct MapRange {
   double start = 0;  ///< [rad or m]
   double end = 0;    ///< of a sliding driver [m], either side of start; ignored where it turns
-  double tolerance =
-      kDefaultOverlap;         ///< of the bodies' size: overlap up to which a contact still counts as free
-  std::int64_t samples = 361;  ///< points over the range, both ends included, >= 2
+  double tolerance = kDefaultOverlap;       ///< of the bodies' size: overlap of a contact that counts as free
+  std::int64_t samples = 361;               ///< points over the range, both ends included, >= 2
   const std::atomic<bool>* stop = nullptr;  ///< once true, the map is given up: MapStatus::kStopped
 };
 
