@@ -63,7 +63,6 @@ private:
     longest_ = (to - from) / parts;
     fitter_.set_longest(longest_);
     for (double i = 0; i < parts && !is_stopped(run()); ++i) {
-      shortest_ = kShortestForcePiece * longest_;
       times_left_out_ = 0;
       resolve({i == 0 ? from : from + i * longest_, i + 1 == parts ? to : from + (i + 1) * longest_});
     }
@@ -93,7 +92,7 @@ private:
       left_out_.reset();
       return;
     }
-    if (!fit.event && stretch.to - stretch.from <= shortest_) {
+    if (!fit.event && stretch.to - stretch.from <= shortest()) {
       leave_out(stretch);
       return;
     }
@@ -105,12 +104,15 @@ private:
     resolve({split, stretch.to, stretch.breaks_at_end, tail});
   }
 
-  // Next to a singular position. Where forces are noise very many pieces are left out: the next ones are
-  // longer.
+  // To which a first piece is divided: twice as long after very many that were left out, as where forces are
+  // noise.
+  [[nodiscard]] double shortest() const {
+    return std::ldexp(kShortestForcePiece * longest_, times_left_out_ / kManyLeftOut);
+  }
+
+  // Next to a singular position.
   void leave_out(const ForceStretch& stretch) {
-    if (++times_left_out_ % kManyLeftOut == 0) {
-      shortest_ *= 2;
-    }
+    ++times_left_out_;
     if (left_out_) {
       return;
     }
@@ -150,8 +152,7 @@ private:
   ForceWatch watch_;
   bool moved_ = false;              // the path has more than one position
   double longest_ = 0;              // first pieces of this stretch
-  double shortest_ = 0;             // that the present one of them is divided into
-  int times_left_out_ = 0;          // of the present one
+  int times_left_out_ = 0;          // in the present one of them
   std::optional<double> left_out_;  // from where on something singular is left out since the last piece
 };
 

@@ -24,6 +24,15 @@ protected:
                    "start_stop_crank", "gear_teeth"});
   }
 
+  /// The exit code of the program where a signal ends it after some seconds; what it says goes to `err`.
+  [[nodiscard]] int code_after(double seconds, const std::string& signal, const std::string& command) const {
+    const int status =
+        std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} {} {} {} 2>err",
+                                folder_.string(), signal, seconds, HIGHERPAIR_PROGRAM, command)
+                        .c_str());
+    return WEXITSTATUS(status);
+  }
+
   /// What h5dump prints of a file; empty where there is no h5dump, or no HDF5 in the program.
   [[nodiscard]] std::string dumped(const std::string& arguments) const {
     const std::string to = (folder_ / "dump").string();
@@ -134,24 +143,17 @@ TEST_F(LongRun, SaysThatADiskIsFull) {
 
 // With 10 million rows it would take minutes.
 TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
-  const int status = std::system(
-      fmt::format("cd '{}' && timeout --preserve-status -s INT 0.5 {} analyze four_bar.toml --samples "
-                  "100000000 --csv t.csv 2>err",
-                  folder_.string(), HIGHERPAIR_PROGRAM)
-          .c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(code_after(0.5, "INT", "analyze four_bar.toml --samples 100000000 --csv t.csv"), 130);
   EXPECT_THAT(file("err"), IsEmpty());
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
 }
 
 // Teeth that are too large for the wheels' distance: no start is found anywhere, which takes long.
 TEST_F(LongRun, EndsAtOnceWhileItLooksForAStart) {
-  const int status = std::system(
-      fmt::format("cd '{}' && timeout --preserve-status -s INT 2 {} analyze gear_teeth.toml --set "
-                  "bodies.wheel.curves.teeth.module=2.6977293 --csv t.csv 2>err",
-                  folder_.string(), HIGHERPAIR_PROGRAM)
-          .c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(
+      code_after(2, "INT",
+                 "analyze gear_teeth.toml --set bodies.wheel.curves.teeth.module=2.6977293 --csv t.csv"),
+      130);
   EXPECT_THAT(file("err"), IsEmpty());
 }
 
@@ -180,11 +182,7 @@ TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
     for (const std::string& command : {std::string("map lock_up.toml --samples 10000000 --csv t.csv"),
                                        std::string("map four_arc_cam.toml --samples 10000000 --json t.json"),
                                        "map " + gears + " --csv t.csv", "report " + gears + " -o t.html"}) {
-      const int status =
-          std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} 0.5 {} {} 2>err",
-                                  folder_.string(), signal, HIGHERPAIR_PROGRAM, command)
-                          .c_str());
-      EXPECT_EQ(WEXITSTATUS(status), 130) << signal << " " << command;
+      EXPECT_EQ(code_after(0.5, signal, command), 130) << signal << " " << command;
       EXPECT_THAT(file("err"), Not(HasSubstr("error"))) << command;
       for (const auto& entry : fs::directory_iterator(folder_)) {
         EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
@@ -199,11 +197,7 @@ TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
   for (const std::string signal : {"INT", "TERM"}) {
     for (const std::string command :
          {"plot --y follower.alpha --samples 2 ", "draw --at 1e9 ", "polygon --at 1e9 "}) {
-      const int status =
-          std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} 0.5 {} {} 2>err",
-                                  folder_.string(), signal, HIGHERPAIR_PROGRAM, command + profile)
-                          .c_str());
-      EXPECT_EQ(WEXITSTATUS(status), 130) << signal << " " << command;
+      EXPECT_EQ(code_after(0.5, signal, command + profile), 130) << signal << " " << command;
       EXPECT_THAT(file("err"), IsEmpty()) << command;
       for (const auto& entry : fs::directory_iterator(folder_)) {
         EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;

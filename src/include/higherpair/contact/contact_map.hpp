@@ -23,8 +23,8 @@ class BoundaryTrace;
 
 /// The driver coordinates that a map covers: one whole turn from `start`, or the range from `start` to `end`.
 struct MapRange {
-  double start = 0;  ///< [rad or m]
-  double end = 0;    ///< of a sliding driver [m], either side of start; ignored where it turns
+  double start = 0;                         ///< [rad or m]
+  double end = 0;                           ///< of a sliding driver [m], either side of start; else ignored
   double tolerance = kDefaultOverlap;       ///< of the bodies' size: overlap of a contact that counts as free
   std::int64_t samples = 361;               ///< points over the range, both ends included, >= 2
   const std::atomic<bool>* stop = nullptr;  ///< once true, the map is given up: MapStatus::kStopped
