@@ -9,3 +9,14 @@ set(HIGHERPAIR_PRECOMPILED
 function(higherpair_precompile target)
   target_precompile_headers(${target} PRIVATE ${HIGHERPAIR_PRECOMPILED} ${ARGN})
 endfunction()
+
+# Those of a part of the library that is compiled alike. GCC asks for the same definitions, and so for the same
+# libraries; the code of a shared library differs from a program's.
+function(higherpair_precompile_like target part)
+  if(BUILD_SHARED_LIBS)
+    higherpair_precompile(${target})
+  else()
+    target_link_libraries(${target} PRIVATE $<TARGET_PROPERTY:${part},LINK_LIBRARIES>)
+    target_precompile_headers(${target} REUSE_FROM ${part})
+  endif()
+endfunction()

@@ -35,7 +35,7 @@ std::optional<double> transmission(const ContactSide& side, const ContactBody& b
   }
   const Vector2d arm = *side.center_W - body.grounded->p_WO;
   const double lengths = side.center_W->norm() + body.grounded->p_WO.norm() + std::abs(side.rho.value_or(0));
-  return arm.norm() > kNoDirection * lengths ? std::optional(acute_angle(n_W, arm)) : std::nullopt;
+  return arm.norm() > kDirectionless * lengths ? std::optional(acute_angle(n_W, arm)) : std::nullopt;
 }
 
 std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W) {
@@ -49,7 +49,7 @@ std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, con
     direction = body.motion.v_WB + turning;
     size = body.motion.v_WB.norm() + turning.norm();
   }
-  return direction.norm() > kNoDirection * size ? std::optional(acute_angle(n_W, direction)) : std::nullopt;
+  return direction.norm() > kDirectionless * size ? std::optional(acute_angle(n_W, direction)) : std::nullopt;
 }
 
 std::optional<double> arm(const ContactSide& side, const ContactBody& body) {

@@ -241,10 +241,10 @@ FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solut
 }
 
 Succession succession_of(const std::vector<double>& residuals) {
-  constexpr std::size_t kLeast = 12;
+  constexpr std::size_t kFewest = 12;
   Succession succession;
   const std::size_t n = residuals.size();
-  if (n < kLeast) return succession;
+  if (n < kFewest) return succession;
   double mean = 0;
   for (const double r : residuals) mean += r / static_cast<double>(n);
   double square = 0, product = 0;

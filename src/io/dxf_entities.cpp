@@ -14,11 +14,11 @@
 namespace higherpair::io_detail {
 namespace {
 
-using Shape = tl::expected<DxfShape, DxfFault>;
+using ReadShape = tl::expected<DxfShape, DxfFault>;
 
 constexpr double kDegree = kPi / 180;
 
-Shape result(const DxfNumbers& numbers, DxfShape shape) {
+ReadShape result(const DxfNumbers& numbers, DxfShape shape) {
   if (numbers.fault()) {
     return tl::unexpected(*numbers.fault());
   }
@@ -35,12 +35,12 @@ ContourPiece mirrored(const ContourPiece& piece) {
   return ArcPiece{mirror(arc.center), arc.radius, kPi - arc.from, -arc.sweep};
 }
 
-Shape line(DxfNumbers& numbers) {
+ReadShape line(DxfNumbers& numbers) {
   const LinePiece piece = {numbers.need_point(10, "first point"), numbers.need_point(11, "second point")};
   return result(numbers, piece.from == piece.to ? DxfShape{} : DxfShape{{piece}, std::nullopt});
 }
 
-Shape arc(DxfNumbers& numbers) {
+ReadShape arc(DxfNumbers& numbers) {
   ArcPiece piece;
   piece.center = numbers.need_point(10, "centre");
   piece.radius = numbers.need_radius();
@@ -50,7 +50,7 @@ Shape arc(DxfNumbers& numbers) {
   return result(numbers, {{numbers.facing() < 0 ? mirrored(piece) : piece}, std::nullopt});
 }
 
-Shape circle(DxfNumbers& numbers) {
+ReadShape circle(DxfNumbers& numbers) {
   ArcPiece piece = {numbers.need_point(10, "centre"), numbers.need_radius(), 0, 2 * kPi};
   piece.center.x() *= numbers.facing();
   if (numbers.fault()) {
@@ -64,7 +64,7 @@ double normal_at(double a, double b, double u) {
   return nearest_turn(std::atan2(a * std::sin(u), b * std::cos(u)), u);
 }
 
-Shape ellipse(DxfNumbers& numbers) {
+ReadShape ellipse(DxfNumbers& numbers) {
   const Vector2d center = numbers.need_point(10, "centre");
   const Vector2d axis = numbers.need_point(11, "major axis");
   const double ratio = numbers.need(40, "ratio of its axes");
@@ -105,7 +105,7 @@ ContourPiece piece_between(const Vertex& a, const Vertex& b) {
   return ArcPiece{center, (a.p - center).norm(), angle_of(a.p - center), 4 * std::atan(k)};
 }
 
-Shape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, bool closed) {
+ReadShape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, bool closed) {
   const bool below = numbers.facing() < 0;
   DxfShape shape;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < vertices.size(); ++i) {
@@ -119,7 +119,7 @@ Shape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, bool cl
   return result(numbers, std::move(shape));
 }
 
-Shape light_polyline(DxfNumbers& numbers) {
+ReadShape light_polyline(DxfNumbers& numbers) {
   std::vector<Vertex> vertices;
   for (const DxfPair& pair : numbers.pairs()) {
     if (pair.code == 10) {
@@ -137,7 +137,7 @@ Shape light_polyline(DxfNumbers& numbers) {
   return polyline(numbers, vertices, (numbers.flags() & 1U) != 0);
 }
 
-Shape old_polyline(DxfNumbers& numbers, const std::vector<DxfGroup>& groups) {
+ReadShape old_polyline(DxfNumbers& numbers, const std::vector<DxfGroup>& groups) {
   constexpr unsigned kNotPlane = 8U | 16U | 64U;  // 3D polylines and meshes
   constexpr unsigned kFrame = 16U;                // a vertex of the frame of a fitted spline
   if ((numbers.flags() & kNotPlane) != 0) {
@@ -183,7 +183,7 @@ std::string fault_of(const NurbsCurve& curve, double degree) {
   return positive ? "" : "has a weight that is not > 0";
 }
 
-Shape spline(DxfNumbers& numbers) {
+ReadShape spline(DxfNumbers& numbers) {
   NurbsCurve curve;
   for (const DxfPair& pair : numbers.pairs()) {
     if (pair.code == 40) curve.knots.push_back(numbers.value(pair));
@@ -214,7 +214,7 @@ Shape spline(DxfNumbers& numbers) {
 
 struct CurveType {
   std::string_view name;
-  Shape (*read)(DxfNumbers& numbers);  // none of an old polyline, which also takes its vertices
+  ReadShape (*read)(DxfNumbers& numbers);  // none of an old polyline, which also takes its vertices
 };
 
 constexpr CurveType kCurves[] = {{"LINE", line},       {"ARC", arc},       {"CIRCLE", circle},

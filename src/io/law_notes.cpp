@@ -41,7 +41,7 @@ double largest_difference(const MotionLaw& a, const MotionLaw& b, const std::vec
 }
 
 // A number of a law that has been made, in the profile's units.
-double shown(const Reading& reading, const LawQuantities& quantities, const Dimension& dimension,
+double in_shown_unit(const Reading& reading, const LawQuantities& quantities, const Dimension& dimension,
              double number) {
   return quantities.units == LawUnits::kSi ? from_si(dimension, reading.units).apply(number) : number;
 }
@@ -72,9 +72,9 @@ void note_rounding(TableReader& table, const LawQuantities& quantities, const Re
                                 "second derivative, whose peak is {:.3g}; smoothing = {:g} takes it out",
                                 quantity ? "rounded to" : "given to, and probably rounded to,", *rounding,
                                 unit_text(quantities.value, reading.units),
-                                shown(reading, quantities, acceleration, noise),
+                                in_shown_unit(reading, quantities, acceleration, noise),
                                 unit_text(acceleration, reading.units),
-                                shown(reading, quantities, acceleration, peak), *rounding / 2));
+                                in_shown_unit(reading, quantities, acceleration, peak), *rounding / 2));
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw
   if (law.profile.repeats && quantities.coordinate == dimension::kAngle && law.made->advance() != 0) {
     note_whole(table, fmt::format("it does not end where it begins: every turn is {:g} {} higher "
                                   "than the one before",
-                                  shown(reading, quantities, quantities.value, law.made->advance()),
+                                  in_shown_unit(reading, quantities, quantities.value, law.made->advance()),
                                   unit_text(quantities.value, reading.units)));
   }
 }

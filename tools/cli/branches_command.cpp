@@ -1,7 +1,6 @@
 #include "branches_command.hpp"
 
 #include "branches_report.hpp"
-#include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
@@ -15,7 +14,7 @@ namespace {
 
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
   const Forms forms = {[&] { return branches_csv(report); },
-                       [&] { return text_of(branches_json(report)) + "\n"; },
+                       [&] { return branches_json(report); },
                        [&] { return branches_text(report); }};
   if (!write_forms(options.csv, options.json, forms)) {
     return exit_unwritten();

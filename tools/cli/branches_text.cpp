@@ -1,4 +1,5 @@
 #include "branches_report.hpp"
+#include "json_text.hpp"
 #include "number_text.hpp"
 #include "unit_columns.hpp"
 
@@ -83,7 +84,7 @@ std::string branches_csv(const BranchesReport& report) {
   return text;
 }
 
-nlohmann::ordered_json branches_json(const BranchesReport& report) {
+std::string branches_json(const BranchesReport& report) {
   nlohmann::ordered_json json;
   json["driver"] = report.driver;
   json["contacts"] = nlohmann::ordered_json::array();
@@ -116,7 +117,7 @@ nlohmann::ordered_json branches_json(const BranchesReport& report) {
     }
     json["assemblies"].push_back({{"position", position}});
   }
-  return json;
+  return document_of(json);
 }
 
 }  // namespace higherpair::cli

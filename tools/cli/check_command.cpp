@@ -1,7 +1,6 @@
 #include "check_command.hpp"
 
 #include "check_report.hpp"
-#include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
@@ -22,7 +21,7 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
   if (report.stopped) {
     return kExitInterrupted;
   }
-  const Forms forms = {[&] { return check_csv(report); }, [&] { return text_of(check_json(report)) + "\n"; },
+  const Forms forms = {[&] { return check_csv(report); }, [&] { return check_json(report); },
                        [&] { return check_text(report); }};
   if (!write_forms(options.csv, options.json, forms)) {
     return exit_unwritten();

@@ -4,13 +4,11 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 namespace higherpair::cli {
 
 /// The report as a table of at most 80 characters a line, as CSV, and as JSON.
 [[nodiscard]] std::string check_text(const CheckReport& report);
 [[nodiscard]] std::string check_csv(const CheckReport& report);
-[[nodiscard]] nlohmann::ordered_json check_json(const CheckReport& report);
+[[nodiscard]] std::string check_json(const CheckReport& report);
 
 }  // namespace higherpair::cli

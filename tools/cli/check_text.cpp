@@ -1,4 +1,5 @@
 #include "check_report.hpp"
+#include "json_text.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -88,10 +89,7 @@ std::string check_csv(const CheckReport& report) {
   return text;
 }
 
-nlohmann::ordered_json check_json(const CheckReport& report) {
-  const auto optional = [](const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-  };
+std::string check_json(const CheckReport& report) {
   nlohmann::ordered_json json;
   json["title"] = report.title;
   json["good"] = report.good;
@@ -101,14 +99,14 @@ nlohmann::ordered_json check_json(const CheckReport& report) {
     json["figures"].push_back({{"item", figure.item},
                                {"of", figure.of},
                                {"quantity", figure.quantity},
-                               {"value", optional(figure.value)},
+                               {"value", number_or_null(figure.value)},
                                {"unit", figure.unit},
-                               {"at", optional(figure.at)},
-                               {"limit", optional(figure.limit)},
+                               {"at", number_or_null(figure.at)},
+                               {"limit", number_or_null(figure.limit)},
                                {"verdict", name_of(figure.verdict)},
                                {"remark", figure.remark}});
   }
-  return json;
+  return document_of(json);
 }
 
 }  // namespace higherpair::cli

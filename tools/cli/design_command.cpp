@@ -1,7 +1,6 @@
 #include "design_command.hpp"
 
 #include "journal.hpp"
-#include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
@@ -110,7 +109,7 @@ void end_journal(Journal& journal, bool goes_on) {
 // Writes what was found; returns the exit code.
 int write_report(const Model& model, const DesignCommandOptions& options, const DesignReport& report) {
   std::vector<FileText> files = profiles_of(report, options);
-  if (options.json) files.push_back({*options.json, text_of(design_json(report)) + "\n"});
+  if (options.json) files.push_back({*options.json, design_json(report)});
   if (options.page) {
     auto page = design_page(model, report);
     if (!page) return report_error(page.error());

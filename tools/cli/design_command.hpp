@@ -6,8 +6,6 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 namespace CLI {
 class App;
 }
@@ -39,6 +37,6 @@ CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options);
 
 /// What was found, as readable text and as JSON.
 [[nodiscard]] std::string design_text(const DesignReport& report);
-[[nodiscard]] nlohmann::ordered_json design_json(const DesignReport& report);
+[[nodiscard]] std::string design_json(const DesignReport& report);
 
 }  // namespace higherpair::cli

@@ -118,7 +118,7 @@ std::string design_text(const DesignReport& report) {
   return text;
 }
 
-Json design_json(const DesignReport& report) {
+std::string design_json(const DesignReport& report) {
   Json json;
   json["title"] = report.title;
   json["holds"] = report.holds;
@@ -168,7 +168,7 @@ Json design_json(const DesignReport& report) {
   json["search"] = {{"method", report.method},           {"starts", report.starts},
                     {"evaluations", report.evaluations}, {"end", end_text(report.end)},
                     {"different", report.different},     {"optima", optima}};
-  return json;
+  return document_of(json);
 }
 
 }  // namespace higherpair::cli

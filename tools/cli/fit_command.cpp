@@ -1,6 +1,5 @@
 #include "fit_command.hpp"
 
-#include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
@@ -66,7 +65,7 @@ template <class Report>
 bool write(const FitCommandOptions& options, const Report& report) {
   std::vector<FileText> files;
   if (options.output) files.push_back({*options.output, report.text});
-  if (options.json) files.push_back({*options.json, text_of(fit_json(report)) + "\n"});
+  if (options.json) files.push_back({*options.json, fit_json(report)});
   if (options.csv) files.push_back({*options.csv, fit_csv(report)});
   const bool to_output =
       std::any_of(files.begin(), files.end(), [](const FileText& file) { return file.path == "-"; });

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace CLI {
 class App;
 }
@@ -43,10 +41,10 @@ CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options);
 /// \name What was found, as readable text, as JSON, and its residuals as CSV
 /// @{
 [[nodiscard]] std::string fit_text(const FitReport& report);
-[[nodiscard]] nlohmann::ordered_json fit_json(const FitReport& report);
+[[nodiscard]] std::string fit_json(const FitReport& report);
 [[nodiscard]] std::string fit_csv(const FitReport& report);
 [[nodiscard]] std::string fit_text(const CurveFitReport& report);
-[[nodiscard]] nlohmann::ordered_json fit_json(const CurveFitReport& report);
+[[nodiscard]] std::string fit_json(const CurveFitReport& report);
 [[nodiscard]] std::string fit_csv(const CurveFitReport& report);
 /// @}
 

@@ -164,7 +164,7 @@ Json columns_json(const FitReport& report) {
 
 }  // namespace
 
-Json fit_json(const FitReport& report) {
+std::string fit_json(const FitReport& report) {
   Json json;
   json["title"] = report.title;
   json["good"] = report.good;
@@ -199,7 +199,7 @@ Json fit_json(const FitReport& report) {
                     {"different", report.different},
                     {"iterations", report.iterations},
                     {"derivatives", report.exact ? "exact" : "numerical"}};
-  return json;
+  return document_of(json);
 }
 
 std::string fit_csv(const FitReport& report) {
@@ -230,7 +230,7 @@ std::string fit_text(const CurveFitReport& report) {
                             report.unit, brief(report.largest), report.unit, report.largest_line);
 }
 
-Json fit_json(const CurveFitReport& report) {
+std::string fit_json(const CurveFitReport& report) {
   Json json;
   json["type"] = report.type;
   json["unit"] = report.unit;
@@ -247,7 +247,7 @@ Json fit_json(const CurveFitReport& report) {
   json["noise"] = number_or_null(report.noise);
   json["largest"] = {{"distance", number_or_null(report.largest)}, {"line", report.largest_line}};
   json["confidence"] = report.confidence;
-  return json;
+  return document_of(json);
 }
 
 std::string fit_csv(const CurveFitReport& report) {

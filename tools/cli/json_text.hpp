@@ -14,6 +14,11 @@ namespace higherpair::cli {
   return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+/// A file of JSON.
+[[nodiscard]] inline std::string document_of(const nlohmann::ordered_json& json) {
+  return text_of(json) + "\n";
+}
+
 /// JSON has no number for what is not defined.
 [[nodiscard]] inline nlohmann::ordered_json number_or_null(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);

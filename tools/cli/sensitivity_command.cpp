@@ -1,6 +1,5 @@
 #include "sensitivity_command.hpp"
 
-#include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
@@ -109,7 +108,7 @@ Result<ToleranceVariants> run_variants(const SensitivityOptions& options, const 
 
 int write(const SensitivityOptions& options, const Model& model, const SensitivityFindings& findings) {
   const Forms forms = {[&] { return sensitivity_csv(findings); },
-                       [&] { return text_of(sensitivity_json(findings)) + "\n"; },
+                       [&] { return sensitivity_json(findings); },
                        [&] { return sensitivity_text(findings); }};
   const bool rows_alone = options.rows == "-" && !options.csv && !options.json;
   if (!rows_alone && !write_forms(options.csv, options.json, forms)) {

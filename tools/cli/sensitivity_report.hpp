@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace higherpair::cli {
 
 /// What `sensitivity` has found.
@@ -29,6 +27,6 @@ struct SensitivityFindings {
 /// The findings as tables of at most 80 characters a line, as CSV, and as JSON.
 [[nodiscard]] std::string sensitivity_text(const SensitivityFindings& findings);
 [[nodiscard]] std::string sensitivity_csv(const SensitivityFindings& findings);
-[[nodiscard]] nlohmann::ordered_json sensitivity_json(const SensitivityFindings& findings);
+[[nodiscard]] std::string sensitivity_json(const SensitivityFindings& findings);
 
 }  // namespace higherpair::cli

@@ -89,7 +89,7 @@ std::string sensitivity_csv(const SensitivityFindings& findings) {
   return text;
 }
 
-nlohmann::ordered_json sensitivity_json(const SensitivityFindings& findings) {
+std::string sensitivity_json(const SensitivityFindings& findings) {
   const SensitivityReport& report = findings.report;
   Json json = {{"title", report.title}, {"good", report.good}, {"where_unit", report.where_unit}};
   json["numbers"] = Json::array();
@@ -126,7 +126,7 @@ nlohmann::ordered_json sensitivity_json(const SensitivityFindings& findings) {
   if (findings.variants) {
     json["variants"] = {{"count", findings.variants->count}, {"good", findings.variants->good}};
   }
-  return json;
+  return document_of(json);
 }
 
 }  // namespace higherpair::cli

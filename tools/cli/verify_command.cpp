@@ -1,11 +1,11 @@
 #include "verify_command.hpp"
 
-#include "json_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
 #include "verify/reference.hpp"
+#include "verify/verdicts_json.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,7 +14,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 namespace higherpair::cli {
 namespace {
@@ -41,35 +40,6 @@ void print(const Verdict& verdict, double bound) {
   fmt::print("       {:.0f} microseconds\n", 1e6 * verdict.seconds);
 }
 
-nlohmann::ordered_json json_of(const Verdict& verdict, double bound) {
-  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
-  for (const ColumnCheck& check : verdict.columns) {
-    columns.push_back({{"column", check.column},
-                       {"at", check.key},
-                       {"value", check.value},
-                       {"expected", check.expected},
-                       {"error", check.error}});
-  }
-  nlohmann::ordered_json result = {{"title", verdict.title},
-                                   {"source", verdict.source},
-                                   {"ok", verdict.holds(bound)},
-                                   {"seconds", verdict.seconds},
-                                   {"columns", columns}};
-  if (!verdict.failure.empty()) {
-    result["failure"] = verdict.failure;
-  }
-  return result;
-}
-
-int write_json(const std::string& path, const std::vector<Verdict>& verdicts, double bound) {
-  nlohmann::ordered_json references = nlohmann::ordered_json::array();
-  for (const Verdict& verdict : verdicts) {
-    references.push_back(json_of(verdict, bound));
-  }
-  const nlohmann::ordered_json json = {{"format", 1}, {"bound", bound}, {"references", references}};
-  return write_files({{path, text_of(json, 1) + "\n"}}, &interruption()) ? kExitOk : exit_unwritten();
-}
-
 int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
   std::size_t failed = 0;
   double worst = 0;
@@ -86,7 +56,9 @@ int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
                verdicts.size() - failed, verdicts.size(), worst, options.bound);
   }
   if (options.json) {
-    if (const int code = write_json(*options.json, verdicts, options.bound); code != kExitOk) return code;
+    if (!write_files({{*options.json, verdicts_json(verdicts, options.bound)}}, &interruption())) {
+      return exit_unwritten();
+    }
   }
   return failed == 0 ? kExitOk : kExitRows;
 }

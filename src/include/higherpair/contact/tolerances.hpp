@@ -72,7 +72,7 @@ inline constexpr double kFinestArc = 1e-15;    // [rad]: arcs of normals are not
 inline constexpr double kExtremeQuadratic = 1e-7;
 
 // A vector that is shorter than this share of what it is the difference of has no direction.
-inline constexpr double kNoDirection = 1e-12;
+inline constexpr double kDirectionless = 1e-12;
 
 // The algebra of tangency, in numbers of 100 digits: what the rounding of the doubles that go in makes of
 // exact double roots and exact zeros. A double root is split by the square root of that rounding, 1e-8, a
