@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/analysis/branch_run.hpp"
+#include "higherpair/mechanism/plan_text.hpp"
 #include "joint_ends.hpp"
 
 #include <cmath>
@@ -32,10 +33,6 @@ std::string why_no_contact(FindStatus status, const Contact& contact) {
 
 std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
   const Group& group = run.plan().groups[g];
-  std::string names;
-  for (const int body : group.bodies) {
-    names += (names.empty() ? "" : ", ") + run.mechanism().bodies[static_cast<std::size_t>(body)].name;
-  }
   // Links that cannot reach each other have not been put to where their joints would be.
   const bool reaches = closure_gap(group, state.bodies).value_or(0) <= 0;
   const auto end = reaches ? joint_beyond_end({run.mechanism(), run.plan()}, g, state) : std::nullopt;
@@ -53,12 +50,13 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
     return fmt::format(
         "bodies {} cannot be put together at the first driver position: their outer pins are {:.6g} times as "
         "far apart as the two links {}; change driver.start or the lengths",
-        names, distance / limit, far ? "reach together" : "differ in length");
+        body_names(run.mechanism(), group.bodies), distance / limit,
+        far ? "reach together" : "differ in length");
   }
   return fmt::format(
       "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
       "there; change driver.start, the dimensions or the poses",
-      names);
+      body_names(run.mechanism(), group.bodies));
 }
 
 }  // namespace higherpair

@@ -8,6 +8,7 @@
 #include "reading.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -39,6 +40,22 @@ bool read_format(TableReader& root) {
   return true;
 }
 
+// A vector. For a mere number, the message shows how that one is written if it points downwards.
+Vector2d read_gravity(Reading& reading, const io_detail::Item& item) {
+  if (std::holds_alternative<io_detail::Array>(item.value->content)) {
+    return io_detail::as_vector(reading, item, dimension::kAcceleration).value_or(Vector2d::Zero());
+  }
+  std::string downwards = "\"-9.81 m/s^2\"";
+  if (const auto number = io_detail::number_in(*item.value)) {
+    downwards = fmt::format("{}", -std::abs(*number));
+  } else if (const auto* text = std::get_if<std::string>(&item.value->content)) {
+    const std::size_t first = text->find_first_of("0123456789.");
+    if (first != std::string::npos) downwards = fmt::format("\"-{}\"", text->substr(first));
+  }
+  report(reading, item, fmt::format("expected [x, y]; downwards it is [0, {}]", downwards));
+  return Vector2d::Zero();
+}
+
 Profile read_root(TableReader& root, const Table& document) {
   Profile profile;
   if (!read_format(root)) {
@@ -50,8 +67,7 @@ Profile read_root(TableReader& root, const Table& document) {
   mechanism.title = root.text("title");
   mechanism.description = root.text("description");
   if (const auto gravity = root.take("gravity")) {
-    mechanism.gravity_W =
-        io_detail::as_vector(root.reading(), *gravity, dimension::kAcceleration).value_or(Vector2d::Zero());
+    mechanism.gravity_W = read_gravity(root.reading(), *gravity);
   }
   io_detail::LawBook laws(root);
   io_detail::LateCurves late;

@@ -1,6 +1,7 @@
 #include "higherpair/geometry/gear_pair.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
+#include "higherpair/mechanism/plan_text.hpp"
 #include "reading.hpp"
 #include "tolerances.hpp"
 
@@ -34,14 +35,6 @@ std::vector<int> bodies_at(const std::vector<Pin>& pins, const Mechanism& mechan
   return bodies;
 }
 
-std::string names_of(const Mechanism& mechanism, const std::vector<int>& bodies) {
-  std::string names;
-  for (const int body : bodies) {
-    names += (names.empty() ? "" : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
-  }
-  return names;
-}
-
 std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, const std::vector<Pin>& pins,
                                 const Mechanism& mechanism) {
   const Joint& joint = mechanism.joints[gears.joint];
@@ -68,7 +61,7 @@ std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, con
                           "body, the arm or ground"
                         : fmt::format("several bodies carry both wheels ({}): expected carrier = \"...\", "
                                       "the one that keeps them in mesh",
-                                      names_of(mechanism, common)));
+                                      body_names(mechanism, common)));
   return std::nullopt;
 }
 

@@ -66,12 +66,16 @@ private:
 
 }  // namespace
 
-std::string describe(const Mechanism& mechanism, const Group& group) {
+std::string body_names(const Mechanism& mechanism, std::span<const int> bodies) {
   std::string names;
-  for (const int body : group.bodies) {
+  for (const int body : bodies) {
     names += (names.empty() ? "" : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
   }
-  return names + ": " + std::visit(Words(mechanism, group), group.kind);
+  return names;
+}
+
+std::string describe(const Mechanism& mechanism, const Group& group) {
+  return body_names(mechanism, group.bodies) + ": " + std::visit(Words(mechanism, group), group.kind);
 }
 
 }  // namespace higherpair

@@ -220,6 +220,22 @@ TEST(ProfileMessages, UnitsAsTheyAreWrittenElsewhere) {
   EXPECT_EQ(velocity("upm"), "upm is no unit (did you mean `rpm`?)" + expected);
 }
 
+TEST(ProfileMessages, AMereNumberForGravityIsShownAsAVector) {
+  const auto about_gravity = [](const std::string& value) {
+    return messages(crank_profile("", "gravity = " + value + "\n")).at(0);
+  };
+  const std::string place = "test.toml:1:11: gravity = ";
+  EXPECT_EQ(about_gravity("-9810"), place + "-9810: expected [x, y]; downwards it is [0, -9810]");
+  EXPECT_EQ(about_gravity("9.81"), place + "9.81: expected [x, y]; downwards it is [0, -9.81]");
+  EXPECT_EQ(about_gravity("\"9.81 m/s^2\""),
+            place + "\"9.81 m/s^2\": expected [x, y]; downwards it is [0, \"-9.81 m/s^2\"]");
+  EXPECT_EQ(about_gravity("\"down\""),
+            place + "\"down\": expected [x, y]; downwards it is [0, \"-9.81 m/s^2\"]");
+  EXPECT_EQ(about_gravity("{ y = -9810 }"),
+            place + "{…}: expected [x, y]; downwards it is [0, \"-9.81 m/s^2\"]");
+  EXPECT_EQ(about_gravity("[0]"), place + "[0]: expected a list of 2 numbers, found 1");
+}
+
 TEST(ProfileMessages, KeysOfTheTopLevelAreToBeMovedUp) {
   EXPECT_THAT(
       about("gravity = [0, -9810]\n"),
