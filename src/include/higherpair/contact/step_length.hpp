@@ -30,10 +30,11 @@ public:
   [[nodiscard]] double value() const { return length_; }
 
   /// The next step, of at most `most`, where `rest` is left of the path. If that is little more than a step,
-  /// it is taken at once: no remainder of rounding size is left.
+  /// it is taken at once: no remainder of rounding size is left. A step that has been shortened ends where it
+  /// should, however little is left behind it.
   [[nodiscard]] Stride next(double rest, double most = std::numeric_limits<double>::infinity()) const {
     const double h = std::min(length_, most);
-    const bool last = std::abs(rest) <= kAlmostThere * h;
+    const bool last = std::abs(rest) <= (before_ > 0 ? 1 : kAlmostThere) * h;
     return {last ? rest : std::copysign(h, rest), last};
   }
 
